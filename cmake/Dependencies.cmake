@@ -1,0 +1,15 @@
+# What the tools are built on: the system's packages where they are found (Debian's names in tools/packages.txt),
+# the projects' own repositories elsewhere. The runtime depends on none of them.
+include(FetchContent)
+FetchContent_Declare(nlohmann_json GIT_REPOSITORY https://github.com/nlohmann/json.git GIT_TAG v3.11.2
+  FIND_PACKAGE_ARGS NAMES nlohmann_json)
+FetchContent_Declare(CLI11 GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git GIT_TAG v2.3.2
+  FIND_PACKAGE_ARGS NAMES CLI11)
+FetchContent_Declare(fmt GIT_REPOSITORY https://github.com/fmtlib/fmt.git GIT_TAG 9.1.0 FIND_PACKAGE_ARGS NAMES fmt)
+FetchContent_Declare(glm GIT_REPOSITORY https://github.com/g-truc/glm.git GIT_TAG 0.9.9.8 FIND_PACKAGE_ARGS NAMES glm)
+FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco.git GIT_TAG 1.5.6 FIND_PACKAGE_ARGS NAMES draco)
+FetchContent_Declare(TinyGLTF GIT_REPOSITORY https://github.com/syoyo/tinygltf.git GIT_TAG v2.8.1
+  FIND_PACKAGE_ARGS)
+FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm draco TinyGLTF)
+find_package(PNG REQUIRED)
+find_package(Threads REQUIRED)

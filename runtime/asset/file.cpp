@@ -1,0 +1,107 @@
+#include "marrow/file.h"
+
+#include <cstring>
+
+#include "asset/format.h"
+
+namespace marrow {
+namespace {
+
+template <class T>
+const T* at(const std::byte* base, std::uint64_t offset) {
+  return reinterpret_cast<const T*>(base + offset);
+}
+
+template <class T>
+const T* at_if(bool present, const std::byte* base, std::uint64_t offset) {
+  return present ? at<T>(base, offset) : nullptr;
+}
+
+}  // namespace
+
+const std::byte* File::section(std::uint32_t kind, std::uint32_t index) const {
+  return block_ + sections_[first_[kind] + index].offset;
+}
+
+const char* File::text(std::uint32_t name) const { return at<char>(section(format::kNames, 0), name); }
+
+Skeleton File::skeleton(std::uint32_t index) const {
+  const std::byte* const base = section(format::kSkeletons, index);
+  const auto& header = *at<format::SkeletonHeader>(base, 0);
+  const format::SkeletonLayout l = layout(header);
+  Skeleton s;
+  s.name = text(header.name);
+  s.joint_count = header.joint_count;
+  s.root_count = header.root_count;
+  s.scene_from_root = at<Affine>(base, l.roots);
+  s.rest = at<SoaTransform>(base, l.rest);
+  s.parents = at<std::uint16_t>(base, l.parents);
+  s.names = at<std::uint32_t>(base, l.names);
+  return s;
+}
+
+Clip File::clip(std::uint32_t index) const {
+  const std::byte* const base = section(format::kClips, index);
+  const auto& header = *at<format::ClipHeader>(base, 0);
+  const format::ClipLayout l = layout(header);
+  Clip c;
+  c.name = text(header.name);
+  c.skeleton = header.skeleton;
+  c.duration_s = header.duration_s;
+  c.tracks = {at<Track>(base, l.tracks), header.track_count};
+  c.times_s = at<float>(base, l.times);
+  c.values = at<float>(base, l.values);
+  return c;
+}
+
+Geometry File::geometry(std::uint32_t index) const {
+  const std::byte* const base = section(format::kGeometries, index);
+  const auto& header = *at<format::GeometryHeader>(base, 0);
+  const format::GeometryLayout l = layout(header);
+  const auto has = [&](format::GeometryFlags flag) { return (header.flags & flag) != 0; };
+  Geometry g;
+  g.slot_count = header.block_count * 4;
+  g.vertex_count = header.vertex_count;
+  g.index_count = header.index_count;
+  g.index_bytes = l.index_bytes;
+  g.joint_count = header.joint_count;
+  g.indices = at<void>(base, l.indices);
+  g.runs = {at<Run>(base, l.runs), header.run_count};
+  g.sets = at<std::uint16_t>(base, l.sets);
+  g.skin = at<float>(base, l.skin);
+  g.normals = at_if<float>(has(format::kHasNormals), base, l.normals);
+  g.tangents = at_if<float>(has(format::kHasTangents), base, l.tangents);
+  g.as_residual = at_if<float>(has(format::kHasAsResidual), base, l.as_residual);
+  g.uvs = at_if<float>(has(format::kHasUvs), base, l.uvs);
+  g.colours = at_if<std::uint8_t>(has(format::kHasColours), base, l.colours);
+  g.source_slots = {at<std::uint32_t>(base, l.source_slots), header.source_vertex_count};
+  std::memcpy(g.box_min, header.box_min, sizeof g.box_min);
+  std::memcpy(g.box_max, header.box_max, sizeof g.box_max);
+  return g;
+}
+
+Mesh File::mesh(std::uint32_t index) const {
+  const std::byte* const base = section(format::kMeshes, index);
+  const auto& header = *at<format::MeshHeader>(base, 0);
+  const format::MeshLayout l = layout(header);
+  Mesh m;
+  m.name = text(header.name);
+  m.material = text(header.material);
+  m.skeleton = header.skeleton;
+  m.geometry_index = header.geometry;
+  m.joint_count = header.joint_count;
+  m.joints = at<std::uint16_t>(base, l.joints);
+  m.inverse_bind = at<Affine>(base, l.inverse_bind);
+  std::memcpy(m.base_colour, header.base_colour, sizeof m.base_colour);
+  m.double_sided = (header.flags & format::kDoubleSided) != 0;
+  m.geometry = geometry(header.geometry);
+  return m;
+}
+
+std::uint32_t File::find_clip(const char* name) const {
+  std::uint32_t i = 0;
+  while (i < clip_count() && std::strcmp(clip(i).name, name) != 0) ++i;
+  return i;
+}
+
+}  // namespace marrow

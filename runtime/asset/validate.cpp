@@ -1,0 +1,291 @@
+// load: every rule of docs/format.md, checked once, so that no later stage has to.
+#include <cstring>
+
+#include "asset/format.h"
+#include "core/check.h"
+
+namespace marrow {
+namespace {
+
+using format::layout;
+
+// A block under examination: the first broken rule is kept with its place.
+class Checker {
+ public:
+  // first, counts: for each kind of section, its first one and how many there are.
+  Checker(Span<const std::byte> block, Span<const File::Section> sections, const std::uint32_t* first,
+          const std::uint32_t* counts)
+      : block_(block), sections_(sections), first_(first), counts_(counts) {}
+
+  bool all();
+  const DataError& error() const { return error_; }
+
+ private:
+  bool fail(const void* where, const char* rule) {
+    const auto offset = static_cast<const std::byte*>(where) - block_.data;
+    error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
+    return false;
+  }
+  template <class Header>
+  const Header* header(const File::Section& s) {
+    if (s.codec != format::kCodecRaw) {
+      error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
+      return nullptr;
+    }
+    if (s.bytes < sizeof(Header)) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
+    const auto* h = reinterpret_cast<const Header*>(block_.data + s.offset);
+    if (layout(*h).bytes != s.bytes) return fail(h, "section size differs from its counts"), nullptr;
+    return h;
+  }
+  template <class T>
+  const T* at(const File::Section& s, std::uint64_t offset) const {
+    return reinterpret_cast<const T*>(block_.data + s.offset + offset);
+  }
+
+  bool name(const std::uint32_t& n) {
+    return n < sections_[sections_.size - 1].bytes || fail(&n, "name outside the name section");
+  }
+  bool finite(const void* first, std::uint64_t bytes);
+  bool names(const File::Section& s);
+  bool skeleton(const File::Section& s);
+  bool clip(const File::Section& s);
+  bool track(const format::ClipHeader& h, const Track& t, std::uint32_t joint_count);
+  bool key_times(const format::ClipHeader& h, const Track& t, const float* times);
+  bool geometry(const File::Section& s);
+  bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
+  template <class Index>
+  bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
+  bool mesh(const File::Section& s);
+
+  const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
+
+  Span<const std::byte> block_;
+  Span<const File::Section> sections_;
+  const std::uint32_t* first_;
+  const std::uint32_t* counts_;
+  DataError error_;
+};
+
+// Neither infinite nor not-a-number, in one pass without a branch a float.
+bool Checker::finite(const void* first, std::uint64_t bytes) {
+  const auto* words = static_cast<const std::uint32_t*>(first);
+  const std::uint64_t count = bytes / 4;
+  std::uint32_t bad = 0;
+  for (std::uint64_t i = 0; i < count; ++i) bad |= (words[i] & 0x7F800000u) == 0x7F800000u;
+  if (bad == 0) return true;
+  std::uint64_t i = 0;
+  while ((words[i] & 0x7F800000u) != 0x7F800000u) ++i;
+  return fail(words + i, "a number that is not finite");
+}
+
+template <class Index>
+bool Checker::below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule) {
+  Index largest = 0;
+  for (std::uint64_t i = 0; i < count; ++i) largest = first[i] > largest ? first[i] : largest;
+  return count == 0 || largest < limit || fail(first, rule);
+}
+
+bool Checker::names(const File::Section& s) {
+  if (s.codec != format::kCodecRaw) return fail(block_.data + s.offset, "names have no codec");
+  if (s.bytes == 0 || *at<char>(s, 0) != 0 || *at<char>(s, s.bytes - 1) != 0)
+    return fail(block_.data + s.offset, "names must begin with the empty one and end with a zero");
+  return true;
+}
+
+bool Checker::skeleton(const File::Section& s) {
+  const auto* h = header<format::SkeletonHeader>(s);
+  if (h == nullptr) return false;
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
+  if (h->root_count == 0 || h->root_count > h->joint_count) return fail(&h->root_count, "1 root to as many as joints");
+  const format::SkeletonLayout l = layout(*h);
+  const auto* parents = at<std::uint16_t>(s, l.parents);
+  const auto* joint_names = at<std::uint32_t>(s, l.names);
+  for (std::uint32_t j = 0; j < h->joint_count; ++j) {
+    const bool root = j < h->root_count;
+    if (root ? parents[j] != kNoParent : parents[j] >= j) return fail(parents + j, "parents come before children");
+    if (j > h->root_count && parents[j] < parents[j - 1]) return fail(parents + j, "joints are breadth-first");
+    if (!name(joint_names[j])) return false;
+  }
+  return name(h->name) && finite(at<float>(s, l.roots), l.names - l.roots);
+}
+
+bool Checker::track(const format::ClipHeader& h, const Track& t, std::uint32_t joint_count) {
+  if (t.joint >= joint_count) return fail(&t, "track's joint outside the skeleton");
+  if (t.path > Path::scale) return fail(&t, "unknown path");
+  if (t.interpolation > Interpolation::cubic_spline) return fail(&t, "unknown interpolation");
+  const std::uint64_t values = std::uint64_t{t.key_count} * format::floats_per_key(t.path, t.interpolation);
+  if (t.key_count == 0 || std::uint64_t{t.first_time} + t.key_count > h.time_count)
+    return fail(&t, "keys outside the times");
+  if (t.first_value + values > h.value_count) return fail(&t, "keys outside the values");
+  return true;
+}
+
+bool Checker::key_times(const format::ClipHeader& h, const Track& t, const float* times) {
+  const float* const key = times + t.first_time;
+  for (std::uint32_t i = 1; i < t.key_count; ++i)
+    if (!(key[i - 1] < key[i])) return fail(key + i, "times must increase");
+  if (!(key[0] >= 0) || key[t.key_count - 1] > h.duration_s) return fail(key, "times from 0 to the duration");
+  return true;
+}
+
+bool Checker::clip(const File::Section& s) {
+  const auto* h = header<format::ClipHeader>(s);
+  if (h == nullptr) return false;
+  if (h->reserved[0] != 0 || h->reserved[1] != 0) return fail(h->reserved, "reserved must be 0");
+  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
+  const format::ClipLayout l = layout(*h);
+  if (!name(h->name) || !finite(&h->duration_s, 4) || !finite(at<float>(s, l.times), l.bytes - l.times)) return false;
+  if (!(h->duration_s >= 0)) return fail(&h->duration_s, "a duration is not negative");
+  const auto* joints = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  const auto* tracks = at<Track>(s, l.tracks);
+  const auto* times = at<float>(s, l.times);
+  // Lists of times follow one another, each shared by consecutive tracks: so one pass sees every list once.
+  std::uint32_t list = 0, list_end = 0;
+  for (std::uint32_t i = 0; i < h->track_count; ++i) {
+    const Track& t = tracks[i];
+    if (!track(*h, t, joints->joint_count)) return false;
+    if (i > 0 && t.first_time == list && t.first_time + t.key_count == list_end) continue;
+    if (t.first_time != list_end) return fail(&t, "a list of times is the last track's or follows it");
+    list = t.first_time;
+    list_end = t.first_time + t.key_count;
+    if (!key_times(*h, t, times)) return false;
+  }
+  return list_end == h->time_count || fail(&h->time_count, "times that no track uses");
+}
+
+bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets) {
+  std::uint64_t vertices = 0, blocks = 0, influence_blocks = 0, entries = 0;
+  for (std::uint32_t r = 0; r < h.run_count; ++r) {
+    const Run& run = runs[r];
+    if (run.vertex_count == 0) return fail(&run, "a run has vertices");
+    if (run.influences == 0 || run.influences > kMaxInfluences) return fail(&run, "1 to 8 influences");
+    const std::uint64_t run_blocks = (std::uint64_t{run.vertex_count} + 3) / 4;
+    vertices += run.vertex_count;
+    blocks += run_blocks;
+    influence_blocks += run_blocks * run.influences;
+    entries += run.influences;
+  }
+  if (vertices != h.vertex_count || blocks != h.block_count || influence_blocks != h.influence_blocks ||
+      entries != h.set_count)
+    return fail(&h, "runs do not add up to the geometry's counts");
+  return below(sets, h.set_count, h.joint_count, "a set refers to a joint outside the palette");
+}
+
+bool Checker::geometry(const File::Section& s) {
+  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
+  if (s.bytes >= sizeof(format::GeometryHeader)) {
+    const auto* h = at<format::GeometryHeader>(s, 0);
+    if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences");
+  }
+  const auto* h = header<format::GeometryHeader>(s);
+  if (h == nullptr) return false;
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if ((h->flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return fail(&h->flags, "unknown flag");
+  if (h->block_count > 0x3FFFFFFF) return fail(&h->block_count, "too many vertices");
+  if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 palette entries");
+  if (h->index_count % 3 != 0) return fail(&h->index_count, "three indices a triangle");
+  if ((h->flags & format::kHasSourceSlots) == 0 && h->source_vertex_count != 0)
+    return fail(&h->source_vertex_count, "source vertices without slots");
+  const format::GeometryLayout l = layout(*h);
+  const std::uint64_t slots = std::uint64_t{h->block_count} * 4;
+  const bool indices_fit =
+      l.index_bytes == 2 ? below(at<std::uint16_t>(s, l.indices), h->index_count, slots, "an index outside the vertices")
+                         : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
+  return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
+         below(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots, "a slot outside the vertices") &&
+         finite(h->box_min, 24) && finite(at<float>(s, l.skin), l.colours - l.skin);
+}
+
+bool Checker::mesh(const File::Section& s) {
+  const auto* h = header<format::MeshHeader>(s);
+  if (h == nullptr) return false;
+  if (h->reserved[0] != 0 || h->reserved[1] != 0) return fail(h->reserved, "reserved must be 0");
+  if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
+  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
+  if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
+  const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  const auto* geometry = at<format::GeometryHeader>(nth(format::kGeometries, h->geometry), 0);
+  if (h->joint_count != geometry->joint_count) return fail(&h->joint_count, "as many joints as the geometry");
+  const format::MeshLayout l = layout(*h);
+  return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
+         finite(at<float>(s, l.inverse_bind), l.joints - l.inverse_bind) &&
+         below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");
+}
+
+// Kinds stand in ascending order, so a section may lean on those before it; names are checked first.
+bool Checker::all() {
+  if (!names(sections_[sections_.size - 1])) return false;
+  for (const File::Section& s : sections_) {
+    const bool good = s.type == format::kTypes[format::kSkeletons]    ? skeleton(s)
+                      : s.type == format::kTypes[format::kClips]      ? clip(s)
+                      : s.type == format::kTypes[format::kGeometries] ? geometry(s)
+                      : s.type == format::kTypes[format::kMeshes]     ? mesh(s)
+                                                                      : true;
+    if (!good) return false;
+  }
+  return true;
+}
+
+// Header and section table: sizes exact, sections back to back on 16-byte boundaries, kinds in order, one set of names.
+DataError check_container(Span<const std::byte> block) {
+  const auto bad = [](std::size_t offset, const char* rule) {
+    return DataError{Status::bad_data, static_cast<std::uint32_t>(offset), rule};
+  };
+  if (block.size < sizeof(format::Header)) return {Status::truncated, 0, "32 bytes of header"};
+  format::Header h;
+  std::memcpy(&h, block.data, sizeof h);
+  if (h.magic != format::kMagic) return {Status::bad_magic, 0, "begins with MRRW"};
+  if (h.version != format::kVersion) return {Status::bad_version, 4, "format version 1; cook the source again"};
+  if (h.file_bytes > block.size) return {Status::truncated, 8, "the file ends before its stated size"};
+  if (h.file_bytes < block.size) return bad(8, "bytes behind the end");
+  if (h.reserved != 0) return bad(24, "reserved must be 0");
+  std::uint64_t end = sizeof(format::Header) + std::uint64_t{h.section_count} * sizeof(File::Section);
+  if (h.section_count == 0 || end > block.size) return bad(12, "section table outside the file");
+  if (format::checksum(block.data + sizeof h, block.size - sizeof h) != h.checksum)
+    return {Status::bad_checksum, 16, "checksum of everything behind the header"};
+  std::uint32_t kind = 0;
+  for (std::uint32_t i = 0; i < h.section_count; ++i) {
+    const std::size_t entry = sizeof h + i * sizeof(File::Section);
+    File::Section s;
+    std::memcpy(&s, block.data + entry, sizeof s);
+    while (kind < format::kKindCount && s.type != format::kTypes[kind]) ++kind;
+    if (kind == format::kKindCount) return bad(entry, "section types in order: SKEL CLIP GEOM MESH NAME");
+    if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
+    if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
+    for (std::uint64_t pad = end; pad < s.offset; ++pad)
+      if (block[pad] != std::byte{0}) return bad(pad, "padding must be 0");
+    end = std::uint64_t{s.offset} + s.bytes;
+    if (kind == format::kNames && i + 1 != h.section_count) return bad(entry, "one section of names, the last");
+  }
+  if (kind != format::kNames) return bad(sizeof h, "no section of names");
+  if (end != block.size) return bad(8, "the last section ends the file");
+  return {};
+}
+
+}  // namespace
+
+Status load(Span<const std::byte> block, File& out, DataError* error) {
+  MARROW_REQUIRE(block.data != nullptr);
+  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(block.data) % 16 == 0);
+  DataError found = check_container(block);
+  if (found.status == Status::ok) {
+    const auto* header = reinterpret_cast<const format::Header*>(block.data);
+    File file;
+    file.block_ = block.data;
+    file.sections_ = {reinterpret_cast<const File::Section*>(header + 1), header->section_count};
+    for (std::uint32_t i = 0; i < header->section_count; ++i)
+      for (std::uint32_t kind = 0; kind < format::kKindCount; ++kind)
+        if (file.sections_[i].type == format::kTypes[kind] && file.counts_[kind]++ == 0) file.first_[kind] = i;
+    Checker checker(block, file.sections_, file.first_, file.counts_);
+    if (checker.all()) {
+      out = file;
+    } else {
+      found = checker.error();
+    }
+  }
+  if (error != nullptr) *error = found;
+  return found.status;
+}
+
+}  // namespace marrow

@@ -1,0 +1,142 @@
+// Stage 1, load: one validated block of memory, seen as skeletons, clips and meshes.
+#pragma once
+
+#include "marrow/pose.h"
+#include "marrow/span.h"
+#include "marrow/status.h"
+
+namespace marrow {
+
+// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+inline constexpr std::uint32_t kMaxJoints = 32767;
+inline constexpr std::uint32_t kMaxInfluences = 8;
+inline constexpr std::uint16_t kNoParent = 0xFFFF;
+
+// The joints that one or more meshes and clips share: a forest in breadth-first order, so a parent comes before its
+// children and the roots come first.
+struct Skeleton {
+  const char* name = "";
+  std::uint32_t joint_count = 0;
+  std::uint32_t root_count = 0;        // joints 0 … root_count-1 have no parent joint
+  const Affine* scene_from_root = nullptr;  // root_count; what stands above each root and never moves
+  const SoaTransform* rest = nullptr;  // soa_count(joint_count); the pose of joints that a clip leaves alone
+  const std::uint16_t* parents = nullptr;  // joint_count; kNoParent for roots
+  const std::uint32_t* names = nullptr;    // joint_count; see File::text
+
+  std::size_t soa_size() const { return soa_count(joint_count); }
+};
+
+enum class Path : std::uint8_t { translation, rotation, scale };
+enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
+
+// One channel of a clip stored without loss: the source's own keys at the source's own times.
+struct Track {
+  std::uint16_t joint;
+  Path path;
+  Interpolation interpolation;
+  std::uint32_t key_count;    // ≥ 1
+  std::uint32_t first_time;   // into Clip::times; tracks with the same keys share them
+  std::uint32_t first_value;  // into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+};
+static_assert(sizeof(Track) == 16);
+
+// An animation of one skeleton. Joints without a track keep their rest pose.
+struct Clip {
+  const char* name = "";
+  std::uint32_t skeleton = 0;  // which skeleton of the file
+  float duration_s = 0;        // time of the last key; ≥ 0
+  Span<const Track> tracks;
+  const float* times_s = nullptr;
+  const float* values = nullptr;
+};
+
+// Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
+// fill up its last block repeat its last vertex.
+struct Run {
+  std::uint32_t vertex_count;  // ≥ 1
+  std::uint32_t influences;    // 1 … kMaxInfluences
+};
+static_assert(sizeof(Run) == 8);
+
+// Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
+// (`b` counts blocks of the whole geometry, `k` is the run's influence count).
+struct Geometry {
+  std::uint32_t slot_count = 0;    // vertices with padding; a multiple of 4
+  std::uint32_t vertex_count = 0;  // without padding
+  std::uint32_t index_count = 0;   // 3 a triangle; counter-clockwise fronts
+  std::uint32_t index_bytes = 2;   // 2 or 4
+  std::uint32_t joint_count = 0;   // how many palette entries the sets refer to
+  const void* indices = nullptr;   // slots
+  Span<const Run> runs;
+  const std::uint16_t* sets = nullptr;  // for each run its k palette entries, run after run
+  const float* skin = nullptr;      // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+  const float* normals = nullptr;   // a block: x[4] y[4] z[4]; unit; null if absent
+  const float* tangents = nullptr;  // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+  const float* as_residual = nullptr;  // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+  const float* uvs = nullptr;       // a slot: u v; null if absent
+  const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
+  Span<const std::uint32_t> source_slots;  // slot of each vertex of the source, if cooked with --keep-vertex-order
+  float box_min[3] = {};            // of the bind positions, mesh space
+  float box_max[3] = {};
+};
+
+// Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
+struct Mesh {
+  const char* name = "";
+  const char* material = "";
+  std::uint32_t skeleton = 0;       // which skeleton of the file
+  std::uint32_t geometry_index = 0; // meshes with the same number share their geometry
+  std::uint32_t joint_count = 0;    // palette entries
+  const std::uint16_t* joints = nullptr;   // joint_count; palette entry → joint of the skeleton
+  const Affine* inverse_bind = nullptr;    // joint_count; joint_from_mesh in the bind pose
+  float base_colour[4] = {1, 1, 1, 1};     // linear RGBA
+  bool double_sided = false;
+  Geometry geometry;
+};
+
+// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
+class File {
+ public:
+  std::uint32_t skeleton_count() const { return counts_[0]; }
+  std::uint32_t clip_count() const { return counts_[1]; }
+  std::uint32_t mesh_count() const { return counts_[3]; }
+
+  // Precondition: index below the count. Cost: a few loads.
+  Skeleton skeleton(std::uint32_t index) const;
+  Clip clip(std::uint32_t index) const;
+  Mesh mesh(std::uint32_t index) const;
+
+  // Index of the first clip with this name, or clip_count().
+  std::uint32_t find_clip(const char* name) const;
+  // A name by its number (Skeleton::names). UTF-8, zero-terminated, never null.
+  const char* text(std::uint32_t name) const;
+
+  // For tools: the sections as they stand in the file.
+  struct Section {
+    std::uint32_t type;  // four characters, first in the lowest byte
+    std::uint32_t offset;
+    std::uint32_t bytes;
+    std::uint32_t codec;
+  };
+  Span<const Section> sections() const { return sections_; }
+
+ private:
+  friend Status load(Span<const std::byte>, File&, DataError*);
+  Geometry geometry(std::uint32_t index) const;
+  const std::byte* section(std::uint32_t kind, std::uint32_t index) const;
+
+  const std::byte* block_ = nullptr;
+  Span<const Section> sections_;
+  std::uint32_t first_[5] = {};   // skeletons, clips, geometries, meshes, names: first section of each kind
+  std::uint32_t counts_[5] = {};
+};
+
+// Validates a cooked file (docs/format.md) and makes `out` a view of it.
+//
+// The block must be 16-byte aligned (bad_argument otherwise) and may come from anywhere: nothing is read outside it,
+// whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of bounds.
+// `out` is written only on success. `error`, if not null, gets the place and the broken rule on failure.
+// Cost: one pass over the block; no allocation. Thread-safe.
+Status load(Span<const std::byte> block, File& out, DataError* error = nullptr);
+
+}  // namespace marrow

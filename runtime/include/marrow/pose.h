@@ -1,0 +1,27 @@
+// The two forms of a pose that stages hand on: local transforms in groups of four joints, and model-space matrices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace marrow {
+
+// Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
+// Rotations are unit quaternions. Lanes past the last joint hold the identity.
+struct alignas(16) SoaTransform {
+  float translation[3][4];  // x, y, z; metres
+  float rotation[4][4];     // x, y, z, w
+  float scale[3][4];        // x, y, z
+};
+static_assert(sizeof(SoaTransform) == 160);
+
+// An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
+struct alignas(16) Affine {
+  float rows[3][4];
+};
+static_assert(sizeof(Affine) == 48);
+
+// How many SoaTransforms hold a pose of `joint_count` joints.
+constexpr std::size_t soa_count(std::size_t joint_count) { return (joint_count + 3) / 4; }
+
+}  // namespace marrow

@@ -1,0 +1,30 @@
+// What a call came to: one enum for the whole runtime, with text. No exceptions, no logging.
+#pragma once
+
+#include <cstdint>
+
+namespace marrow {
+
+enum class [[nodiscard]] Status : std::uint8_t {
+  ok,
+  bad_argument,  // the call is wrong: a span too short, a null pointer, an index out of range
+  truncated,     // the data ends before what it announces
+  bad_magic,     // not a cooked file
+  bad_version,   // cooked for another version of the format
+  bad_checksum,  // damaged
+  bad_data,      // breaks a rule of docs/format.md
+  unsupported,   // legal, but needs what this build or this device lacks
+  gl_error,      // the driver refused
+};
+
+// One word or two in English, never null.
+const char* to_string(Status status) noexcept;
+
+// Where a block of data breaks the format, and which rule. `rule` is a static string.
+struct DataError {
+  Status status = Status::ok;
+  std::uint32_t offset = 0;  // byte in the block
+  const char* rule = "";
+};
+
+}  // namespace marrow

@@ -1,0 +1,24 @@
+// Four floats at once: the only place that speaks an instruction set. Every backend gives the same bits, operation by
+// operation: no fused multiply-add, no estimates, comparisons false on NaN.
+#pragma once
+
+#if !defined(MARROW_SCALAR) && (defined(__SSE2__) || defined(_M_X64))
+#include "math/f32x4_sse.h"
+#elif !defined(MARROW_SCALAR) && defined(__aarch64__)
+#include "math/f32x4_neon.h"
+#else
+// 32-bit ARM comes here too: its NEON flushes denormals and divides by estimates.
+#include "math/f32x4_scalar.h"
+#endif
+
+namespace marrow {
+
+inline f32x4 dot3(f32x4 ax, f32x4 ay, f32x4 az, f32x4 bx, f32x4 by, f32x4 bz) { return ax * bx + ay * by + az * bz; }
+
+// 1 / length from a squared length; 0 for 0, so that what has no direction stays zero.
+inline f32x4 inverse_length(f32x4 squared) {
+  const f32x4 zero = splat(0.0f);
+  return select(zero < squared, splat(1.0f) / sqrt(squared), zero);
+}
+
+}  // namespace marrow

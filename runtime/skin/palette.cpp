@@ -1,0 +1,24 @@
+#include "marrow/palette.h"
+
+#include "core/check.h"
+#include "math/affine.h"
+
+namespace marrow {
+
+Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
+                     Span<Affine> out) {
+  MARROW_REQUIRE(bind.size >= joints.size);
+  MARROW_REQUIRE(out.size >= joints.size);
+  for (const std::uint16_t joint : joints) MARROW_REQUIRE(joint < scene_from_joint.size);
+  for (std::size_t i = 0; i < joints.size; ++i) {
+    const Affine& b = bind[i];
+    multiply(scene_from_joint[joints[i]], load(b.rows[0]), load(b.rows[1]), load(b.rows[2]), out[i]);
+  }
+  return Status::ok;
+}
+
+Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out) {
+  return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, scene_from_joint, out);
+}
+
+}  // namespace marrow
