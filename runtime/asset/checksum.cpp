@@ -7,7 +7,9 @@ namespace {
 
 constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // 2⁶⁴ / golden ratio
 
-std::uint64_t mix(std::uint64_t state, std::uint64_t word) { return std::rotl((state ^ word) * kOdd, 29); }
+std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
+  return std::rotl((state ^ word) * kOdd, 29);
+}
 
 }  // namespace
 

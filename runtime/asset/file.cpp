@@ -23,7 +23,9 @@ const std::byte* File::section(std::uint32_t kind, std::uint32_t index) const {
   return block_ + sections_[first_[kind] + index].offset;
 }
 
-const char* File::text(std::uint32_t name) const { return at<char>(section(format::kNames, 0), name); }
+const char* File::text(std::uint32_t name) const {
+  return at<char>(section(format::kNames, 0), name);
+}
 
 Skeleton File::skeleton(std::uint32_t index) const {
   const std::byte* const base = section(format::kSkeletons, index);

@@ -70,10 +70,10 @@ enum GeometryFlags : std::uint32_t {
 struct GeometryHeader {
   std::uint32_t flags;
   std::uint32_t vertex_count;
-  std::uint32_t block_count;        // slots are four times as many
-  std::uint32_t influence_blocks;   // Σ over runs of blocks · influences
+  std::uint32_t block_count;       // slots are four times as many
+  std::uint32_t influence_blocks;  // Σ over runs of blocks · influences
   std::uint32_t run_count;
-  std::uint32_t set_count;          // Σ over runs of influences
+  std::uint32_t set_count;  // Σ over runs of influences
   std::uint32_t joint_count;
   std::uint32_t index_count;
   std::uint32_t source_vertex_count;  // 0 without kHasSourceSlots
@@ -97,9 +97,12 @@ struct MeshHeader {
 };
 static_assert(sizeof(MeshHeader) == 48);
 
-inline constexpr std::uint64_t align16(std::uint64_t n) { return (n + 15) & ~std::uint64_t{15}; }
+inline constexpr std::uint64_t align16(std::uint64_t n) {
+  return (n + 15) & ~std::uint64_t{15};
+}
 
-// Offsets of a section's arrays from its start, and its size. Sums of products of 32-bit counts: no overflow in 64 bits.
+// Offsets of a section's arrays from its start, and its size. Sums of products of 32-bit counts: no overflow in 64
+// bits.
 struct SkeletonLayout {
   std::uint64_t roots, rest, names, parents, bytes;
 };

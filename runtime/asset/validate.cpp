@@ -190,8 +190,9 @@ bool Checker::geometry(const File::Section& s) {
   const format::GeometryLayout l = layout(*h);
   const std::uint64_t slots = std::uint64_t{h->block_count} * 4;
   const bool indices_fit =
-      l.index_bytes == 2 ? below(at<std::uint16_t>(s, l.indices), h->index_count, slots, "an index outside the vertices")
-                         : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
+      l.index_bytes == 2
+          ? below(at<std::uint16_t>(s, l.indices), h->index_count, slots, "an index outside the vertices")
+          : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
   return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
          below(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots, "a slot outside the vertices") &&
          finite(h->box_min, 24) && finite(at<float>(s, l.skin), l.colours - l.skin);

@@ -8,10 +8,10 @@
 #endif
 
 // Returns bad_argument from the calling function unless `condition` holds.
-#define MARROW_REQUIRE(condition)                     \
-  do {                                                \
-    if (!(condition)) {                               \
-      MARROW_ASSERT(!"marrow: " #condition);          \
-      return ::marrow::Status::bad_argument;          \
-    }                                                 \
+#define MARROW_REQUIRE(condition)            \
+  do {                                       \
+    if (!(condition)) {                      \
+      MARROW_ASSERT(!"marrow: " #condition); \
+      return ::marrow::Status::bad_argument; \
+    }                                        \
   } while (false)

@@ -12,23 +12,45 @@ struct mask4 {
   uint32x4_t v;
 };
 
-inline f32x4 load(const float* p) { return {vld1q_f32(p)}; }
-inline void store(float* p, f32x4 a) { vst1q_f32(p, a.v); }
-inline f32x4 splat(float s) { return {vdupq_n_f32(s)}; }
-inline f32x4 operator+(f32x4 a, f32x4 b) { return {vaddq_f32(a.v, b.v)}; }
-inline f32x4 operator-(f32x4 a, f32x4 b) { return {vsubq_f32(a.v, b.v)}; }
-inline f32x4 operator*(f32x4 a, f32x4 b) { return {vmulq_f32(a.v, b.v)}; }
-inline f32x4 operator/(f32x4 a, f32x4 b) { return {vdivq_f32(a.v, b.v)}; }
-inline f32x4 sqrt(f32x4 a) { return {vsqrtq_f32(a.v)}; }
-inline mask4 operator<(f32x4 a, f32x4 b) { return {vcltq_f32(a.v, b.v)}; }
-inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) { return {vbslq_f32(m.v, yes.v, no.v)}; }
+inline f32x4 load(const float* p) {
+  return {vld1q_f32(p)};
+}
+inline void store(float* p, f32x4 a) {
+  vst1q_f32(p, a.v);
+}
+inline f32x4 splat(float s) {
+  return {vdupq_n_f32(s)};
+}
+inline f32x4 operator+(f32x4 a, f32x4 b) {
+  return {vaddq_f32(a.v, b.v)};
+}
+inline f32x4 operator-(f32x4 a, f32x4 b) {
+  return {vsubq_f32(a.v, b.v)};
+}
+inline f32x4 operator*(f32x4 a, f32x4 b) {
+  return {vmulq_f32(a.v, b.v)};
+}
+inline f32x4 operator/(f32x4 a, f32x4 b) {
+  return {vdivq_f32(a.v, b.v)};
+}
+inline f32x4 sqrt(f32x4 a) {
+  return {vsqrtq_f32(a.v)};
+}
+inline mask4 operator<(f32x4 a, f32x4 b) {
+  return {vcltq_f32(a.v, b.v)};
+}
+inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
+  return {vbslq_f32(m.v, yes.v, no.v)};
+}
 
 template <int Lane>
 inline f32x4 splat_lane(f32x4 a) {
   return {vdupq_laneq_f32(a.v, Lane)};
 }
 // 0, 0, 0, a.w
-inline f32x4 only_w(f32x4 a) { return {vcopyq_laneq_f32(vdupq_n_f32(0.0f), 3, a.v, 3)}; }
+inline f32x4 only_w(f32x4 a) {
+  return {vcopyq_laneq_f32(vdupq_n_f32(0.0f), 3, a.v, 3)};
+}
 
 inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
   const float32x4x2_t ab = vtrnq_f32(a.v, b.v);
@@ -40,6 +62,8 @@ inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
 }
 
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
-inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) { vst3q_f32(p, float32x4x3_t{{x.v, y.v, z.v}}); }
+inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
+  vst3q_f32(p, float32x4x3_t{{x.v, y.v, z.v}});
+}
 
 }  // namespace marrow

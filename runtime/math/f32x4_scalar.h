@@ -15,16 +15,30 @@ inline f32x4 each_lane(Operation operation) {
   return {{operation(0), operation(1), operation(2), operation(3)}};
 }
 
-inline f32x4 load(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
+inline f32x4 load(const float* p) {
+  return {{p[0], p[1], p[2], p[3]}};
+}
 inline void store(float* p, f32x4 a) {
   for (int i = 0; i < 4; ++i) p[i] = a.v[i];
 }
-inline f32x4 splat(float s) { return {{s, s, s, s}}; }
-inline f32x4 operator+(f32x4 a, f32x4 b) { return each_lane([&](int i) { return a.v[i] + b.v[i]; }); }
-inline f32x4 operator-(f32x4 a, f32x4 b) { return each_lane([&](int i) { return a.v[i] - b.v[i]; }); }
-inline f32x4 operator*(f32x4 a, f32x4 b) { return each_lane([&](int i) { return a.v[i] * b.v[i]; }); }
-inline f32x4 operator/(f32x4 a, f32x4 b) { return each_lane([&](int i) { return a.v[i] / b.v[i]; }); }
-inline f32x4 sqrt(f32x4 a) { return each_lane([&](int i) { return __builtin_sqrtf(a.v[i]); }); }
+inline f32x4 splat(float s) {
+  return {{s, s, s, s}};
+}
+inline f32x4 operator+(f32x4 a, f32x4 b) {
+  return each_lane([&](int i) { return a.v[i] + b.v[i]; });
+}
+inline f32x4 operator-(f32x4 a, f32x4 b) {
+  return each_lane([&](int i) { return a.v[i] - b.v[i]; });
+}
+inline f32x4 operator*(f32x4 a, f32x4 b) {
+  return each_lane([&](int i) { return a.v[i] * b.v[i]; });
+}
+inline f32x4 operator/(f32x4 a, f32x4 b) {
+  return each_lane([&](int i) { return a.v[i] / b.v[i]; });
+}
+inline f32x4 sqrt(f32x4 a) {
+  return each_lane([&](int i) { return __builtin_sqrtf(a.v[i]); });
+}
 inline mask4 operator<(f32x4 a, f32x4 b) {
   return {{a.v[0] < b.v[0], a.v[1] < b.v[1], a.v[2] < b.v[2], a.v[3] < b.v[3]}};
 }
@@ -37,7 +51,9 @@ inline f32x4 splat_lane(f32x4 a) {
   return splat(a.v[Lane]);
 }
 // 0, 0, 0, a.w
-inline f32x4 only_w(f32x4 a) { return {{0.0f, 0.0f, 0.0f, a.v[3]}}; }
+inline f32x4 only_w(f32x4 a) {
+  return {{0.0f, 0.0f, 0.0f, a.v[3]}};
+}
 
 inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
   const f32x4 rows[4] = {a, b, c, d};

@@ -12,15 +12,33 @@ struct mask4 {
   __m128 v;
 };
 
-inline f32x4 load(const float* p) { return {_mm_loadu_ps(p)}; }
-inline void store(float* p, f32x4 a) { _mm_storeu_ps(p, a.v); }
-inline f32x4 splat(float s) { return {_mm_set1_ps(s)}; }
-inline f32x4 operator+(f32x4 a, f32x4 b) { return {_mm_add_ps(a.v, b.v)}; }
-inline f32x4 operator-(f32x4 a, f32x4 b) { return {_mm_sub_ps(a.v, b.v)}; }
-inline f32x4 operator*(f32x4 a, f32x4 b) { return {_mm_mul_ps(a.v, b.v)}; }
-inline f32x4 operator/(f32x4 a, f32x4 b) { return {_mm_div_ps(a.v, b.v)}; }
-inline f32x4 sqrt(f32x4 a) { return {_mm_sqrt_ps(a.v)}; }
-inline mask4 operator<(f32x4 a, f32x4 b) { return {_mm_cmplt_ps(a.v, b.v)}; }
+inline f32x4 load(const float* p) {
+  return {_mm_loadu_ps(p)};
+}
+inline void store(float* p, f32x4 a) {
+  _mm_storeu_ps(p, a.v);
+}
+inline f32x4 splat(float s) {
+  return {_mm_set1_ps(s)};
+}
+inline f32x4 operator+(f32x4 a, f32x4 b) {
+  return {_mm_add_ps(a.v, b.v)};
+}
+inline f32x4 operator-(f32x4 a, f32x4 b) {
+  return {_mm_sub_ps(a.v, b.v)};
+}
+inline f32x4 operator*(f32x4 a, f32x4 b) {
+  return {_mm_mul_ps(a.v, b.v)};
+}
+inline f32x4 operator/(f32x4 a, f32x4 b) {
+  return {_mm_div_ps(a.v, b.v)};
+}
+inline f32x4 sqrt(f32x4 a) {
+  return {_mm_sqrt_ps(a.v)};
+}
+inline mask4 operator<(f32x4 a, f32x4 b) {
+  return {_mm_cmplt_ps(a.v, b.v)};
+}
 inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
   return {_mm_or_ps(_mm_and_ps(m.v, yes.v), _mm_andnot_ps(m.v, no.v))};
 }
@@ -33,7 +51,9 @@ inline f32x4 splat_lane(f32x4 a) {
 inline f32x4 only_w(f32x4 a) {
   return {_mm_and_ps(a.v, _mm_castsi128_ps(_mm_setr_epi32(0, 0, 0, -1)))};
 }
-inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) { _MM_TRANSPOSE4_PS(a.v, b.v, c.v, d.v); }
+inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
+  _MM_TRANSPOSE4_PS(a.v, b.v, c.v, d.v);
+}
 
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
 inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {

@@ -73,8 +73,12 @@ void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTran
       std::memcpy(value, keys + key * static_cast<std::uint32_t>(n), sizeof(float) * static_cast<std::size_t>(n));
       break;
     }
-    case Interpolation::linear: linear(track, m, keys, n, value); break;
-    case Interpolation::cubic_spline: cubic_spline(track, m, keys, n, value); break;
+    case Interpolation::linear:
+      linear(track, m, keys, n, value);
+      break;
+    case Interpolation::cubic_spline:
+      cubic_spline(track, m, keys, n, value);
+      break;
   }
   SoaTransform& four = out[track.joint / 4];
   float(*const lanes)[4] = track.path == Path::translation ? four.translation

@@ -21,8 +21,8 @@ struct BlockMatrix {
 };
 
 struct Block {
-  f32x4 x, y, z;     // deformed positions
-  BlockMatrix blend; // its 3×3 part carries normals and tangents
+  f32x4 x, y, z;      // deformed positions
+  BlockMatrix blend;  // its 3×3 part carries normals and tangents
 };
 
 SplatMatrix splat_matrix(const Affine& a) {
@@ -162,7 +162,7 @@ void skin_runs(const Geometry& g, const float* stream, const Affine* palette, co
       Block b;
       if constexpr (D == Deformer::ssd) b = deform_ssd(set, k, stream);
       if constexpr (D == Deformer::rigid) b = deform_rigid(set, k, stream);
-      if constexpr (D == Deformer::as) b = deform_as<Normals || Tangents>(set, k, stream);
+      if constexpr (D == Deformer::as) b = deform_as < Normals || Tangents > (set, k, stream);
       store_xyz(p, b.x, b.y, b.z);
       f32x4 sign = splat(1.0f);
       if constexpr (Normals) {

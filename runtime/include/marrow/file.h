@@ -17,11 +17,11 @@ inline constexpr std::uint16_t kNoParent = 0xFFFF;
 struct Skeleton {
   const char* name = "";
   std::uint32_t joint_count = 0;
-  std::uint32_t root_count = 0;        // joints 0 … root_count-1 have no parent joint
+  std::uint32_t root_count = 0;             // joints 0 … root_count-1 have no parent joint
   const Affine* scene_from_root = nullptr;  // root_count; what stands above each root and never moves
-  const SoaTransform* rest = nullptr;  // soa_count(joint_count); the pose of joints that a clip leaves alone
-  const std::uint16_t* parents = nullptr;  // joint_count; kNoParent for roots
-  const std::uint32_t* names = nullptr;    // joint_count; see File::text
+  const SoaTransform* rest = nullptr;       // soa_count(joint_count); the pose of joints that a clip leaves alone
+  const std::uint16_t* parents = nullptr;   // joint_count; kNoParent for roots
+  const std::uint32_t* names = nullptr;     // joint_count; see File::text
 
   std::size_t soa_size() const { return soa_count(joint_count); }
 };
@@ -68,15 +68,15 @@ struct Geometry {
   std::uint32_t joint_count = 0;   // how many palette entries the sets refer to
   const void* indices = nullptr;   // slots
   Span<const Run> runs;
-  const std::uint16_t* sets = nullptr;  // for each run its k palette entries, run after run
-  const float* skin = nullptr;      // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
-  const float* normals = nullptr;   // a block: x[4] y[4] z[4]; unit; null if absent
-  const float* tangents = nullptr;  // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
-  const float* as_residual = nullptr;  // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
-  const float* uvs = nullptr;       // a slot: u v; null if absent
-  const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
+  const std::uint16_t* sets = nullptr;     // for each run its k palette entries, run after run
+  const float* skin = nullptr;             // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+  const float* normals = nullptr;          // a block: x[4] y[4] z[4]; unit; null if absent
+  const float* tangents = nullptr;         // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+  const float* as_residual = nullptr;      // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+  const float* uvs = nullptr;              // a slot: u v; null if absent
+  const std::uint8_t* colours = nullptr;   // a slot: r g b a, linear; null if absent
   Span<const std::uint32_t> source_slots;  // slot of each vertex of the source, if cooked with --keep-vertex-order
-  float box_min[3] = {};            // of the bind positions, mesh space
+  float box_min[3] = {};                   // of the bind positions, mesh space
   float box_max[3] = {};
 };
 
@@ -84,12 +84,12 @@ struct Geometry {
 struct Mesh {
   const char* name = "";
   const char* material = "";
-  std::uint32_t skeleton = 0;       // which skeleton of the file
-  std::uint32_t geometry_index = 0; // meshes with the same number share their geometry
-  std::uint32_t joint_count = 0;    // palette entries
-  const std::uint16_t* joints = nullptr;   // joint_count; palette entry → joint of the skeleton
-  const Affine* inverse_bind = nullptr;    // joint_count; joint_from_mesh in the bind pose
-  float base_colour[4] = {1, 1, 1, 1};     // linear RGBA
+  std::uint32_t skeleton = 0;             // which skeleton of the file
+  std::uint32_t geometry_index = 0;       // meshes with the same number share their geometry
+  std::uint32_t joint_count = 0;          // palette entries
+  const std::uint16_t* joints = nullptr;  // joint_count; palette entry → joint of the skeleton
+  const Affine* inverse_bind = nullptr;   // joint_count; joint_from_mesh in the bind pose
+  float base_colour[4] = {1, 1, 1, 1};    // linear RGBA
   bool double_sided = false;
   Geometry geometry;
 };
@@ -127,7 +127,7 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_;
-  std::uint32_t first_[5] = {};   // skeletons, clips, geometries, meshes, names: first section of each kind
+  std::uint32_t first_[5] = {};  // skeletons, clips, geometries, meshes, names: first section of each kind
   std::uint32_t counts_[5] = {};
 };
 

@@ -25,6 +25,8 @@ inline Affine from_glm(const glm::mat4& m) {
 }
 
 // Stored x, y, z, w; GLM's constructor takes w first.
-inline glm::quat quat_from_xyzw(const float* xyzw) { return glm::quat(xyzw[3], xyzw[0], xyzw[1], xyzw[2]); }
+inline glm::quat quat_from_xyzw(const float* xyzw) {
+  return glm::quat(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
+}
 
 }  // namespace marrow

@@ -9,10 +9,10 @@ namespace marrow {
 // STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised).
 //
 // out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
-// Errors: bad_argument if `out` is too short, the clip belongs to a skeleton with other joints, or time_s is not a number.
-// Rotations differ from exact spherical interpolation by at most 1e-6 rad plus float rounding.
-// Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s is. Stateless;
-// thread-safe on different outputs.
+// Errors: bad_argument if `out` is too short, the clip belongs to a skeleton with other joints, or time_s is not a
+// number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus float rounding. Cost: a binary
+// search a distinct key-time list and a few dozen operations a track, wherever time_s is. Stateless; thread-safe on
+// different outputs.
 Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out);
 
 }  // namespace marrow

@@ -14,10 +14,13 @@ struct Span {
   constexpr Span(T* first, std::size_t count) : data(first), size(count) {}
   // From anything with data() and size(): std::vector, std::array, std::span, std::string.
   template <class Container>
-    requires requires(Container& c, T*& p) { p = c.data(); c.size(); }
+  requires requires(Container& c, T*& p) {
+    p = c.data();
+    c.size();
+  }
   constexpr Span(Container&& c) : data(c.data()), size(c.size()) {}
   template <class U>
-    requires requires(U* u, T*& p) { p = u; }
+  requires requires(U* u, T*& p) { p = u; }
   constexpr Span(Span<U> other) : data(other.data), size(other.size) {}
 
   constexpr T& operator[](std::size_t i) const { return data[i]; }
