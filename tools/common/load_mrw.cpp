@@ -1,0 +1,36 @@
+#include "common/load_mrw.h"
+
+#include <charconv>
+
+#include "common/failure.h"
+#include "common/files.h"
+
+namespace marrow::tools {
+
+LoadedFile load_mrw(const std::string& path) {
+  LoadedFile loaded;
+  loaded.bytes = read_file(path);
+  if (loaded.bytes.size() == 0) throw Failure(Exit::invalid, path, "@0", "empty file", "cook the source again");
+  DataError error;
+  const Status status = load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file, &error);
+  if (status != Status::ok)
+    throw Failure(status == Status::unsupported ? Exit::unsupported : Exit::invalid, path,
+                  "@" + std::to_string(error.offset), to_string(status), error.rule);
+  return loaded;
+}
+
+std::uint32_t find_clip(const std::string& path, const File& file, const std::string& name_or_index) {
+  const std::uint32_t by_name = file.find_clip(name_or_index.c_str());
+  if (by_name < file.clip_count()) return by_name;
+  std::uint32_t index = 0;
+  const char* const end = name_or_index.data() + name_or_index.size();
+  const auto [stop, error] = std::from_chars(name_or_index.data(), end, index);
+  if (error == std::errc() && stop == end && index < file.clip_count()) return index;
+  std::string names;
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i)
+    names += (i == 0 ? "" : ", ") + std::to_string(i) + " \"" + file.clip(i).name + "\"";
+  throw Failure(Exit::usage, path, "", "no clip \"" + name_or_index + "\"",
+                names.empty() ? "the file has no clips" : "there are " + names);
+}
+
+}  // namespace marrow::tools

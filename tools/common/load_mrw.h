@@ -1,0 +1,23 @@
+// A cooked file from disk to a validated view, as every sub-command but `cook` begins.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/aligned_bytes.h"
+#include "marrow/file.h"
+
+namespace marrow::tools {
+
+struct LoadedFile {
+  AlignedBytes bytes;
+  File file;  // a view of `bytes`; stays valid when the struct is moved
+};
+
+// Throws Failure: io if it cannot be read, invalid or unsupported with the offset and the rule if it cannot be used.
+LoadedFile load_mrw(const std::string& path);
+
+// A clip by name or, failing that, by index. Throws Failure (usage) that lists the clips there are.
+std::uint32_t find_clip(const std::string& path, const File& file, const std::string& name_or_index);
+
+}  // namespace marrow::tools

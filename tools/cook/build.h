@@ -1,0 +1,27 @@
+// From the artist's scene to the runtime's: which nodes become joints, how keys become tracks, how vertices become
+// blocks.
+#pragma once
+
+#include "cook/built.h"
+#include "cook/raw.h"
+
+namespace marrow::cook {
+
+struct BuildOptions {
+  bool keep_vertex_order = false;  // remember where every vertex of the source went
+};
+
+// Adds to scene.warnings what it mends or leaves out. Throws tools::Failure (invalid: nothing to cook; unsupported: a
+// limit of the format).
+BuiltScene build_scene(RawScene& scene, const BuildOptions& options);
+
+// The stages of build_scene, each in a file of its own.
+BuiltSkeleton build_skeleton(RawScene& scene);
+BuiltClip build_clip(const RawClip& clip, const BuiltSkeleton& skeleton);
+void build_meshes(RawScene& scene, const BuildOptions& options, BuiltScene& out);
+
+// node-to-parent matrix of one node, and rows of an affine matrix.
+glm::dmat4 local_matrix(const RawNode& node);
+Affine to_affine(const glm::dmat4& m);
+
+}  // namespace marrow::cook

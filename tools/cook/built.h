@@ -1,0 +1,71 @@
+// The scene as the cooked file will have it: what the build stage yields and the writer lays out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "asset/format.h"
+#include "cook/raw.h"
+#include "marrow/file.h"
+
+namespace marrow::cook {
+
+// The joint at or above a node, and what lies between, which never moves.
+struct NearestJoint {
+  int joint = kNone;  // kNone: none above; the matrix is from the scene then
+  glm::dmat4 joint_from_node{1.0};
+};
+
+struct BuiltSkeleton {
+  std::string name;
+  std::vector<std::string> joint_names;
+  std::vector<std::uint16_t> parents;
+  std::vector<Affine> scene_from_root;
+  std::vector<SoaTransform> rest;
+  // The way back to the source.
+  std::vector<int> node_of_joint;
+  std::vector<int> joint_of_node;     // kNone for nodes that are no joints
+  std::vector<NearestJoint> nearest;  // a node
+};
+
+struct BuiltClip {
+  std::string name;
+  float duration_s = 0;
+  std::uint32_t most_keys = 0;  // of any track
+  std::vector<Track> tracks;
+  std::vector<float> times_s;
+  std::vector<float> values;
+};
+
+struct BuiltGeometry {
+  format::GeometryHeader header{};
+  std::vector<float> skin, normals, tangents, as_residual, uvs;
+  std::vector<std::uint8_t> colours;
+  std::vector<Run> runs;
+  std::vector<std::uint32_t> source_slots;
+  std::vector<std::uint32_t> indices;
+  std::vector<std::uint16_t> sets;
+};
+
+struct BuiltMesh {
+  std::string name;
+  std::string material;
+  std::uint32_t geometry = 0;
+  std::uint32_t influences = 0;  // the most of any vertex
+  std::vector<std::uint16_t> joints;
+  std::vector<Affine> inverse_bind;
+  float base_colour[4] = {1, 1, 1, 1};
+  bool double_sided = false;
+};
+
+struct BuiltScene {
+  BuiltSkeleton skeleton;
+  std::vector<BuiltClip> clips;
+  std::vector<BuiltGeometry> geometries;  // no two the same
+  std::vector<BuiltMesh> meshes;          // node by node, primitive by primitive
+};
+
+}  // namespace marrow::cook

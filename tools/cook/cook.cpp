@@ -1,0 +1,89 @@
+#include "cook/cook.h"
+
+#include "cook/gltf.h"
+#include "cook/write.h"
+
+namespace marrow::cook {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string type_name(std::uint32_t type) {
+  std::string name;
+  for (int i = 0; i < 4; ++i) name += static_cast<char>(type >> (8 * i) & 0xFF);
+  return name;
+}
+
+ordered_json report_sections(const std::vector<std::byte>& file) {
+  ordered_json out = ordered_json::array();
+  format::Header header;
+  std::memcpy(&header, file.data(), sizeof header);
+  for (std::uint32_t i = 0; i < header.section_count; ++i) {
+    File::Section s;
+    std::memcpy(&s, file.data() + sizeof header + i * sizeof s, sizeof s);
+    out.push_back({{"type", type_name(s.type)}, {"bytes", s.bytes}});
+  }
+  return out;
+}
+
+// A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
+ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) {
+  ordered_json out = ordered_json::array();
+  std::vector<bool> counted(built.geometries.size(), false);
+  for (std::size_t i = 0; i < built.meshes.size(); ++i) {
+    const BuiltMesh& mesh = built.meshes[i];
+    const format::GeometryHeader& h = built.geometries[mesh.geometry].header;
+    std::size_t bytes = written.mesh_bytes[i];
+    if (!counted[mesh.geometry]) bytes += written.geometry_bytes[mesh.geometry];
+    counted[mesh.geometry] = true;
+    out.push_back({{"name", mesh.name},
+                   {"vertices", h.vertex_count},
+                   {"triangles", h.index_count / 3},
+                   {"influences", mesh.influences},
+                   {"joints", mesh.joints.size()},
+                   {"codec", "none"},
+                   {"bytes", bytes},
+                   {"max_position_error_m", 0.0}});
+  }
+  return out;
+}
+
+ordered_json make_report(const RawScene& scene, const BuiltScene& built, const WrittenFile& written) {
+  ordered_json r;
+  r["source"] = {{"file", scene.source}, {"bytes", scene.source_bytes}};
+  r["output"] = {{"bytes", written.bytes.size()}, {"sections", report_sections(written.bytes)}};
+  const std::size_t joints = built.skeleton.parents.size();
+  r["skeletons"] = ordered_json::array({{{"name", built.skeleton.name}, {"joints", joints}}});
+  r["meshes"] = report_meshes(built, written);
+  r["clips"] = ordered_json::array();
+  for (std::size_t i = 0; i < built.clips.size(); ++i) {
+    const BuiltClip& clip = built.clips[i];
+    r["clips"].push_back({{"name", clip.name},
+                          {"duration_s", clip.duration_s},
+                          {"codec", "raw"},
+                          {"raw_bytes", std::uint64_t{clip.most_keys} * joints * 40},
+                          {"bytes", written.clip_bytes[i]},
+                          {"max_error_m", 0.0}});
+  }
+  r["warnings"] = ordered_json::array();
+  for (const RawWarning& w : scene.warnings)
+    r["warnings"].push_back({{"pointer", w.pointer}, {"rule", w.rule}, {"text", w.text}});
+  return r;
+}
+
+}  // namespace
+
+CookResult cook_scene(RawScene scene, const CookOptions& options) {
+  const BuiltScene built = build_scene(scene, options);
+  WrittenFile written = write_scene(built, scene.source);
+  CookResult result;
+  result.report = make_report(scene, built, written);
+  result.file = std::move(written.bytes);
+  return result;
+}
+
+CookResult cook_file(const std::string& path, const CookOptions& options) {
+  return cook_scene(read_gltf(path), options);
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,28 @@
+// The whole cooker: an artist's file in, a cooked file and a report out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cook/build.h"
+
+namespace marrow::cook {
+
+using CookOptions = BuildOptions;
+
+struct CookResult {
+  std::vector<std::byte> file;
+  // {source {file, bytes}, output {bytes, sections [{type, bytes}]}, skeletons [{name, joints}], meshes [{name,
+  // vertices, triangles, influences, codec, bytes, max_position_error_m}], clips [{name, duration_s, raw_bytes, bytes,
+  // max_error_m}], warnings [{pointer, rule, text}]}; docs/architecture.md says what each means.
+  nlohmann::ordered_json report;
+};
+
+// Throws tools::Failure, located.
+CookResult cook_file(const std::string& path, const CookOptions& options);
+CookResult cook_scene(RawScene scene, const CookOptions& options);
+
+}  // namespace marrow::cook

@@ -1,0 +1,25 @@
+// Reads artists' glTF. The only stage that knows tinygltf, JSON and Draco input.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "cook/raw.h"
+
+namespace marrow::cook {
+
+// Reads a .gltf or .glb file and everything that it refers to.
+//
+// The file is hostile until proven otherwise: container, JSON and every reference are checked before use; buffers are
+// read only from the file's own folder and below; sizes are capped by what the file can hold. What glTF allows but
+// Marrow does not carry is listed in `RawScene::warnings`; what is wrong but has one sensible meaning is repaired and
+// listed there too.
+// Throws tools::Failure (io: cannot be read; invalid: breaks glTF 2.0; unsupported: needs an extension that Marrow
+// lacks), located by a JSON pointer or a byte offset.
+RawScene read_gltf(const std::string& path);
+
+// The same for a file in memory, which cannot refer to others. `name` stands for the path in failures.
+RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes);
+
+}  // namespace marrow::cook

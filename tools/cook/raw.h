@@ -1,0 +1,107 @@
+// The scene as the artist's file has it: what reading glTF yields and what the build stage starts from.
+//
+// Units and axes are glTF's: metres, right-handed, +Y up, column vectors. Nothing here is compressed, reordered or
+// dropped, except what `RawScene::warnings` lists.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace marrow::cook {
+
+inline constexpr int kNone = -1;
+
+struct RawNode {
+  std::string name;      // may be empty
+  int parent = kNone;    // index into RawScene::nodes, any order
+  bool in_scene = true;  // reachable from the default scene (from any root when the file has no scene)
+  // parent_from_node = translate · rotate · scale. A `matrix` in the file is decomposed; `rotation` is unit length.
+  glm::dvec3 translation{0};
+  glm::dquat rotation{1, 0, 0, 0};
+  glm::dvec3 scale{1};
+};
+
+struct RawInfluence {
+  std::uint32_t joint;  // index into RawSkin::joints
+  float weight;         // > 0
+};
+
+// One triangle-list primitive (strips and fans are already unrolled). Every per-vertex array is empty or as long as
+// `positions`, in the order of the source's POSITION accessor.
+struct RawPrimitive {
+  std::string pointer;  // "/meshes/0/primitives/1"
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;   // unit; empty if the file has none
+  std::vector<glm::vec4> tangents;  // xyz unit, w = ±1
+  std::vector<glm::vec2> uvs;       // TEXCOORD_0
+  std::vector<glm::vec4> colours;   // COLOR_0, linear, 0..1
+  std::vector<std::vector<RawInfluence>>
+      influences;                      // all sets; weights ≥ 0 as in the file, not yet normalised; empty if unskinned
+  std::vector<std::uint32_t> indices;  // 3 a triangle; generated when the file has none
+  glm::vec4 base_colour{1};            // material's baseColorFactor
+  bool double_sided = false;
+  std::string material;  // material's name
+};
+
+struct RawMesh {
+  std::string name;
+  std::vector<RawPrimitive> primitives;
+};
+
+struct RawSkin {
+  std::string name;
+  std::vector<int> joints;               // node indices, distinct
+  std::vector<glm::dmat4> inverse_bind;  // joint_from_mesh, one a joint (identity when the file has none)
+};
+
+// A mesh drawn at a node. Listed in node order.
+struct RawInstance {
+  int node = kNone;
+  int mesh = kNone;
+  int skin = kNone;  // kNone: hung rigidly on the node
+};
+
+enum class RawPath { translation, rotation, scale };
+enum class RawInterpolation { step, linear, cubic_spline };
+
+struct RawChannel {
+  int node = kNone;
+  RawPath path = RawPath::translation;
+  RawInterpolation interpolation = RawInterpolation::linear;
+  std::vector<float> times_s;  // strictly increasing, finite, ≥ 0, at least one
+  // One vec4 a key (w unused but for rotations, which are x, y, z, w and as in the file, not renormalised); three a key
+  // for cubic_spline: in-tangent, value, out-tangent.
+  std::vector<glm::vec4> values;
+};
+
+struct RawClip {
+  std::string name;  // may be empty
+  std::vector<RawChannel> channels;
+};
+
+struct RawWarning {
+  std::string pointer;  // JSON pointer into the source
+  std::string rule;     // short, kebab-case: "morph-targets-dropped"
+  std::string text;     // one sentence
+};
+
+struct RawScene {
+  std::string source;              // path as given
+  std::uint64_t source_bytes = 0;  // the file and every buffer it refers to, images left out
+  std::vector<RawNode> nodes;
+  std::vector<RawMesh> meshes;
+  std::vector<RawSkin> skins;
+  std::vector<RawInstance> instances;
+  std::vector<RawClip> clips;
+  std::vector<RawWarning> warnings;
+};
+
+}  // namespace marrow::cook

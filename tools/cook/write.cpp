@@ -1,0 +1,168 @@
+#include "cook/write.h"
+
+#include <cstring>
+#include <map>
+
+#include "common/aligned_bytes.h"
+#include "common/failure.h"
+
+namespace marrow::cook {
+namespace {
+
+// Bytes of one section in the making.
+class Section {
+ public:
+  template <class T>
+  void add(const T& value) {
+    add_bytes(&value, sizeof value);
+  }
+  template <class T>
+  void add_all(const std::vector<T>& values) {
+    add_bytes(values.data(), values.size() * sizeof(T));
+  }
+  const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  void add_bytes(const void* data, std::size_t size) {
+    const auto* first = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), first, first + size);
+  }
+  std::vector<std::byte> bytes_;
+};
+
+// Zero-terminated names, each once; the empty one first.
+class Names {
+ public:
+  Names() { add(""); }
+  std::uint32_t add(const std::string& name) {
+    const std::string text = name.substr(0, name.find('\0'));
+    const auto [at, is_new] = offsets_.try_emplace(text, static_cast<std::uint32_t>(pool_.size()));
+    if (is_new) pool_.insert(pool_.end(), text.c_str(), text.c_str() + text.size() + 1);
+    return at->second;
+  }
+  const std::vector<char>& pool() const { return pool_; }
+
+ private:
+  std::map<std::string, std::uint32_t> offsets_;
+  std::vector<char> pool_;
+};
+
+Section write_skeleton(const BuiltSkeleton& s, Names& names) {
+  Section out;
+  const auto joints = static_cast<std::uint32_t>(s.parents.size());
+  out.add(format::SkeletonHeader{names.add(s.name), joints, static_cast<std::uint32_t>(s.scene_from_root.size()), 0});
+  out.add_all(s.scene_from_root);
+  out.add_all(s.rest);
+  for (const std::string& name : s.joint_names) out.add(names.add(name));
+  out.add_all(s.parents);
+  return out;
+}
+
+Section write_clip(const BuiltClip& c, Names& names) {
+  Section out;
+  out.add(format::ClipHeader{names.add(c.name),
+                             0,
+                             c.duration_s,
+                             static_cast<std::uint32_t>(c.tracks.size()),
+                             static_cast<std::uint32_t>(c.times_s.size()),
+                             static_cast<std::uint32_t>(c.values.size()),
+                             {0, 0}});
+  out.add_all(c.tracks);
+  out.add_all(c.times_s);
+  out.add_all(c.values);
+  return out;
+}
+
+Section write_geometry(const BuiltGeometry& g) {
+  Section out;
+  out.add(g.header);
+  out.add_all(g.skin);
+  out.add_all(g.normals);
+  out.add_all(g.tangents);
+  out.add_all(g.as_residual);
+  out.add_all(g.uvs);
+  out.add_all(g.colours);
+  out.add_all(g.runs);
+  out.add_all(g.source_slots);
+  const bool wide = layout(g.header).index_bytes == 4;
+  for (const std::uint32_t i : g.indices) wide ? out.add(i) : out.add(static_cast<std::uint16_t>(i));
+  out.add_all(g.sets);
+  return out;
+}
+
+Section write_mesh(const BuiltMesh& m, Names& names) {
+  Section out;
+  format::MeshHeader h{};
+  h.name = names.add(m.name);
+  h.material = names.add(m.material);
+  h.geometry = m.geometry;
+  h.joint_count = static_cast<std::uint32_t>(m.joints.size());
+  h.flags = m.double_sided ? format::kDoubleSided : 0u;
+  std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
+  out.add(h);
+  out.add_all(m.inverse_bind);
+  out.add_all(m.joints);
+  return out;
+}
+
+std::vector<std::byte> assemble(const std::vector<std::pair<format::Kind, Section>>& sections,
+                                const std::string& source) {
+  std::vector<File::Section> table;
+  std::uint64_t end = sizeof(format::Header) + sections.size() * sizeof(File::Section);
+  for (const auto& [kind, section] : sections) {
+    const std::uint64_t offset = format::align16(end);
+    end = offset + section.bytes().size();
+    if (end > UINT32_MAX)
+      throw tools::Failure(tools::Exit::unsupported, source, "", "too-large", "a cooked file holds at most 4 GiB");
+    table.push_back({format::kTypes[kind], static_cast<std::uint32_t>(offset),
+                     static_cast<std::uint32_t>(section.bytes().size()), format::kCodecRaw});
+  }
+  std::vector<std::byte> bytes(end);
+  format::Header h{format::kMagic,
+                   format::kVersion,
+                   static_cast<std::uint32_t>(end),
+                   static_cast<std::uint32_t>(table.size()),
+                   0,
+                   0};
+  std::memcpy(bytes.data() + sizeof h, table.data(), table.size() * sizeof(File::Section));
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    std::memcpy(bytes.data() + table[i].offset, sections[i].second.bytes().data(), table[i].bytes);
+  h.checksum = format::checksum(bytes.data() + sizeof h, bytes.size() - sizeof h);
+  std::memcpy(bytes.data(), &h, sizeof h);
+  return bytes;
+}
+
+}  // namespace
+
+WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
+  Names names;
+  WrittenFile out;
+  std::vector<std::pair<format::Kind, Section>> sections;
+  sections.emplace_back(format::kSkeletons, write_skeleton(scene.skeleton, names));
+  for (const BuiltClip& clip : scene.clips) {
+    sections.emplace_back(format::kClips, write_clip(clip, names));
+    out.clip_bytes.push_back(sections.back().second.bytes().size());
+  }
+  for (const BuiltGeometry& geometry : scene.geometries) {
+    sections.emplace_back(format::kGeometries, write_geometry(geometry));
+    out.geometry_bytes.push_back(sections.back().second.bytes().size());
+  }
+  for (const BuiltMesh& mesh : scene.meshes) {
+    sections.emplace_back(format::kMeshes, write_mesh(mesh, names));
+    out.mesh_bytes.push_back(sections.back().second.bytes().size());
+  }
+  Section pool;
+  pool.add_all(names.pool());
+  sections.emplace_back(format::kNames, std::move(pool));
+  out.bytes = assemble(sections, source);
+
+  const tools::AlignedBytes block{std::span<const std::byte>(out.bytes)};
+  File loaded;
+  DataError error;
+  if (load({block.data(), block.size()}, loaded, &error) != Status::ok)
+    throw tools::Failure(tools::Exit::internal, source, "@" + std::to_string(error.offset), to_string(error.status),
+                         error.rule);
+  return out;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,21 @@
+// Lays the built scene out as a cooked file.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cook/built.h"
+
+namespace marrow::cook {
+
+struct WrittenFile {
+  std::vector<std::byte> bytes;
+  // Bytes of each clip's, geometry's and mesh's section, in their order.
+  std::vector<std::size_t> clip_bytes, geometry_bytes, mesh_bytes;
+};
+
+// docs/format.md, version 1. The result has passed load(). Throws tools::Failure (unsupported) beyond 4 GiB.
+WrittenFile write_scene(const BuiltScene& scene, const std::string& source);
+
+}  // namespace marrow::cook

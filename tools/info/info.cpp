@@ -1,0 +1,119 @@
+#include "info/info.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "common/load_mrw.h"
+
+namespace marrow::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string type_name(std::uint32_t type) {
+  std::string name;
+  for (int i = 0; i < 4; ++i) name += static_cast<char>(type >> (8 * i) & 0xFF);
+  return name;
+}
+
+ordered_json describe_mesh(const Mesh& mesh) {
+  std::uint32_t influences = 0;
+  for (const Run& run : mesh.geometry.runs) influences = std::max(influences, run.influences);
+  const Geometry& g = mesh.geometry;
+  ordered_json attributes = ordered_json::array({"position"});
+  if (g.normals != nullptr) attributes.push_back("normal");
+  if (g.tangents != nullptr) attributes.push_back("tangent");
+  if (g.uvs != nullptr) attributes.push_back("uv");
+  if (g.colours != nullptr) attributes.push_back("colour");
+  return {{"name", mesh.name},
+          {"material", mesh.material},
+          {"vertices", g.vertex_count},
+          {"slots", g.slot_count},
+          {"triangles", g.index_count / 3},
+          {"joints", mesh.joint_count},
+          {"influences", influences},
+          {"joint_sets", g.runs.size},
+          {"attributes", attributes},
+          {"as", g.as_residual != nullptr ? "lift + residual" : "lift"},
+          {"source_order", !g.source_slots.empty()},
+          {"geometry", mesh.geometry_index},
+          {"codec", "none"}};
+}
+
+ordered_json describe(const std::string& path, const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  ordered_json r;
+  r["file"] = path;
+  r["version"] = 1;
+  r["bytes"] = loaded.bytes.size();
+  r["sections"] = ordered_json::array();
+  for (const File::Section& s : file.sections())
+    r["sections"].push_back(
+        {{"type", type_name(s.type)}, {"offset", s.offset}, {"bytes", s.bytes}, {"codec", s.codec}});
+  r["skeletons"] = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
+    const Skeleton s = file.skeleton(i);
+    ordered_json joints = ordered_json::array();
+    for (std::uint32_t j = 0; j < s.joint_count; ++j)
+      joints.push_back({{"name", file.text(s.names[j])},
+                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
+    r["skeletons"].push_back(
+        {{"name", s.name}, {"joints", s.joint_count}, {"roots", s.root_count}, {"joint_list", joints}});
+  }
+  r["meshes"] = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) r["meshes"].push_back(describe_mesh(file.mesh(i)));
+  r["clips"] = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
+    const Clip c = file.clip(i);
+    r["clips"].push_back({{"name", c.name}, {"duration_s", c.duration_s}, {"tracks", c.tracks.size}, {"codec", "raw"}});
+  }
+  return r;
+}
+
+void print(const ordered_json& r) {
+  const auto text = [](const ordered_json& value) { return value.get<std::string>(); };
+  fmt::print("{}: format version {}, {} bytes\n", text(r["file"]), r["version"].get<int>(),
+             r["bytes"].get<std::size_t>());
+  for (const auto& s : r["skeletons"])
+    fmt::print("skeleton \"{}\": {} joints, {} roots\n", text(s["name"]), s["joints"].get<int>(),
+               s["roots"].get<int>());
+  for (std::size_t i = 0; i < r["clips"].size(); ++i) {
+    const auto& c = r["clips"][i];
+    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks\n", i, text(c["name"]), c["duration_s"].get<double>(),
+               c["tracks"].get<int>());
+  }
+  for (std::size_t i = 0; i < r["meshes"].size(); ++i) {
+    const auto& m = r["meshes"][i];
+    fmt::print("mesh {} \"{}\": {} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}\n", i,
+               text(m["name"]), m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
+               m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]));
+  }
+  for (const auto& s : r["sections"])
+    fmt::print("section {} at {}: {} bytes\n", text(s["type"]), s["offset"].get<int>(), s["bytes"].get<int>());
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  struct Arguments {
+    std::string in;
+    bool json = false;
+  };
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* const command = app.add_subcommand("info", "Say what a cooked file holds");
+  command->add_option("file", a->in, "the cooked file")->required()->type_name("FILE");
+  command->add_flag("--json", a->json, "as JSON");
+  command->callback([a] {
+    const ordered_json description = describe(a->in, load_mrw(a->in));
+    if (a->json) {
+      fmt::print("{}\n", description.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    } else {
+      print(description);
+    }
+  });
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,69 @@
+#include "pose/evaluate.h"
+
+#include <algorithm>
+
+#include "common/failure.h"
+
+namespace marrow::tools {
+
+void check(Status status) {
+  if (status != Status::ok) throw Failure(Exit::internal, "marrow", "", to_string(status), "please report this");
+}
+
+std::optional<Deformer> parse_deformer(const std::string& name) {
+  if (name == "rigid") return Deformer::rigid;
+  if (name == "ssd") return Deformer::ssd;
+  if (name == "as") return Deformer::as;
+  return std::nullopt;
+}
+
+Character::Character(const File& file) : file_(file) {
+  for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
+    local_.emplace_back(file_.skeleton(i).soa_size());
+    model_.emplace_back(file_.skeleton(i).joint_count);
+  }
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
+    const Mesh mesh = file_.mesh(i);
+    palettes_.emplace_back(mesh.joint_count);
+    coordinates_.emplace_back(as_coordinate_count(mesh.geometry));
+    check(as_coordinates(mesh.geometry, coordinates_.back()));
+  }
+  pose(std::nullopt, 0);
+}
+
+void Character::pose(std::optional<std::uint32_t> clip_index, float time_s) {
+  for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
+    const Skeleton skeleton = file_.skeleton(i);
+    const Clip clip = clip_index ? file_.clip(*clip_index) : Clip{};
+    if (clip_index && clip.skeleton == i) {
+      check(sample(skeleton, clip, time_s, local_[i]));
+    } else {
+      std::copy_n(skeleton.rest, skeleton.soa_size(), local_[i].begin());
+    }
+    check(local_to_model(skeleton, local_[i], model_[i]));
+  }
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
+    const Mesh mesh = file_.mesh(i);
+    check(build_palette(mesh, model_[mesh.skeleton], palettes_[i]));
+  }
+}
+
+void Character::skin(std::uint32_t mesh_index, Deformer deformer, PosedMesh& out) const {
+  const Mesh mesh = file_.mesh(mesh_index);
+  const std::size_t slots = mesh.geometry.slot_count;
+  out.positions.resize(slots * 3);
+  out.normals.resize(mesh.geometry.normals != nullptr ? slots * 3 : 0);
+  out.tangents.resize(mesh.geometry.tangents != nullptr && mesh.geometry.normals != nullptr ? slots * 4 : 0);
+  const SkinOutput output{out.positions, out.normals, out.tangents};
+  const std::vector<Affine>& palette = palettes_[mesh_index];
+  switch (deformer) {
+    case Deformer::rigid:
+      return check(skin_rigid(mesh, palette, output));
+    case Deformer::ssd:
+      return check(skin_ssd(mesh, palette, output));
+    case Deformer::as:
+      return check(skin_as(mesh, coordinates_[mesh_index], palette, output));
+  }
+}
+
+}  // namespace marrow::tools
