@@ -27,8 +27,10 @@ std::uint32_t find_clip(const std::string& path, const File& file, const std::st
   const auto [stop, error] = std::from_chars(name_or_index.data(), end, index);
   if (error == std::errc() && stop == end && index < file.clip_count()) return index;
   std::string names;
-  for (std::uint32_t i = 0; i < file.clip_count(); ++i)
-    names += (i == 0 ? "" : ", ") + std::to_string(i) + " \"" + file.clip(i).name + "\"";
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
+    if (i > 0) names.append(", ");
+    names.append(std::to_string(i)).append(" \"").append(file.clip(i).name).append("\"");
+  }
   throw Failure(Exit::usage, path, "", "no clip \"" + name_or_index + "\"",
                 names.empty() ? "the file has no clips" : "there are " + names);
 }

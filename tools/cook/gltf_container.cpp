@@ -15,7 +15,7 @@ constexpr std::size_t kChunkHeaderSize = 8;
 
 std::uint32_t read_u32(std::span<const std::byte> file, std::size_t offset) {
   std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | std::to_integer<std::uint32_t>(file[offset + i]);
+  for (std::size_t i = 4; i-- > 0;) value = value << 8 | std::to_integer<std::uint32_t>(file[offset + i]);
   return value;
 }
 

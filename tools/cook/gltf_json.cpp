@@ -57,8 +57,10 @@ class TreeBuilder {
   }
 
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: what is wrong"
     std::string reason = error.what();
-    if (const std::size_t colon = reason.rfind(": "); colon != std::string::npos) reason.erase(0, colon + 2);
+    reason.erase(0, reason.find("] ") + 2);
+    if (reason.starts_with("parse error")) reason.erase(0, reason.find(": ") + 2);
     for (char& c : reason) {
       if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
     }

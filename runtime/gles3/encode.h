@@ -1,0 +1,44 @@
+// Bind vertices as floats → the compact attributes of GpuMesh. Pure arithmetic; prepare.cpp uploads what this writes.
+#pragma once
+
+#include "marrow/file.h"
+
+namespace marrow::gles3 {
+
+// How positions and coordinates of a mesh are stored: p̂ = (v - centre) / half_extent, |p̂| ≤ 1.
+struct Quantisation {
+  float centre[3] = {};
+  float half_extent = 1;
+  std::int32_t coordinate_one = 32767;  // integer that stands for 1 in animation-space coordinates
+};
+
+// Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
+struct Layout {
+  std::uint32_t influences = 4;  // 4 or 8
+  std::uint32_t joint_bytes = 1;  // 1 or 2
+  std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;
+  std::uint32_t as_stride = 0, as_joints = 0;
+  std::uint32_t surface_stride = 0, normal = 0, tangent = 0, uv = 0, colour = 0;
+  bool uv_unorm = false;  // unorm16×2, otherwise f32×2
+};
+
+// One pass over the uvs when the mesh has any.
+Layout make_layout(const Mesh& mesh);
+
+// Box and room for residuals, see prepare(). One pass over the vertices when the mesh has residuals.
+Quantisation make_quantisation(const Geometry& geometry);
+
+// Each writes slot_count × stride bytes. Within a vertex the influence with the largest weight comes first; unused ones
+// have weight 0 and repeat its joint.
+void encode_ssd(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, std::byte* out);
+void encode_as(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, std::byte* out);
+void encode_surface(const Geometry& geometry, const Layout& layout, std::byte* out);
+
+// Rounds values to integers (in units of 1/total) so that they sum to `total` exactly: floors, then one more for the
+// largest remainders. The values sum to 1 but for rounding. count ≤ kMaxInfluences.
+void quantise_sum(const float* values, std::uint32_t count, std::int32_t total, std::int32_t* out);
+
+// A unit vector on the octahedron, both coordinates in [-1, 1] (Cigolle et al., JCGT 3(2), 2014).
+void to_octahedron(const float unit[3], float out[2]);
+
+}  // namespace marrow::gles3

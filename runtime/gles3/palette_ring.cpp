@@ -1,0 +1,62 @@
+// Every frame: palettes into one uniform buffer, at offsets that the driver accepts.
+#include "gles3/errors.h"
+#include "gles3/gl_constants.h"
+#include "marrow/gles3.h"
+
+namespace marrow::gles3 {
+namespace {
+
+std::uint32_t round_up(std::uint32_t value, std::uint32_t alignment) { return (value + alignment - 1) / alignment * alignment; }
+
+// The block that a program reads is always kPaletteBlockBytes long, so the last palette needs that much behind its start.
+std::ptrdiff_t buffer_bytes(const PaletteRing& ring) { return std::ptrdiff_t{ring.capacity} + kPaletteBlockBytes; }
+
+}  // namespace
+
+Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes, PaletteRing& out) {
+  if (joints == 0 || palettes == 0 || caps.uniform_offset_alignment == 0) return Status::bad_argument;
+  if (joints > 0x02000000u || palettes > 0x00200000u) return Status::bad_argument;
+  PaletteRing ring;
+  ring.alignment = caps.uniform_offset_alignment;
+  ring.capacity = 48 * joints + ring.alignment * palettes;
+  forget_errors(api);
+  api.GenBuffers(1, &ring.buffer);
+  api.BindBuffer(kGlUniformBuffer, ring.buffer);
+  api.BufferData(kGlUniformBuffer, buffer_bytes(ring), nullptr, kGlStreamDraw);
+  api.BindBuffer(kGlUniformBuffer, 0);
+  if (api.GetError() != kGlNoError) {
+    destroy(api, ring);
+    return Status::gl_error;
+  }
+  out = ring;
+  return Status::ok;
+}
+
+void destroy(const Api& api, PaletteRing& ring) {
+  api.DeleteBuffers(1, &ring.buffer);
+  ring = {};
+}
+
+void begin_frame(const Api& api, PaletteRing& ring) {
+  ring.used = 0;
+  api.BindBuffer(kGlUniformBuffer, ring.buffer);
+  api.BufferData(kGlUniformBuffer, buffer_bytes(ring), nullptr, kGlStreamDraw);
+}
+
+Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset) {
+  if (palette.empty() || palette.size > kPaletteJoints) return Status::bad_argument;
+  const std::uint32_t bytes = 48 * static_cast<std::uint32_t>(palette.size);
+  const std::uint32_t start = round_up(ring.used, ring.alignment);
+  if (start > ring.capacity || bytes > ring.capacity - start) return Status::unsupported;
+  api.BindBuffer(kGlUniformBuffer, ring.buffer);
+  api.BufferSubData(kGlUniformBuffer, std::ptrdiff_t{start}, std::ptrdiff_t{bytes}, palette.data);
+  ring.used = start + bytes;
+  offset = start;
+  return Status::ok;
+}
+
+void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding) {
+  api.BindBufferRange(kGlUniformBuffer, binding, ring.buffer, std::ptrdiff_t{offset}, std::ptrdiff_t{kPaletteBlockBytes});
+}
+
+}  // namespace marrow::gles3

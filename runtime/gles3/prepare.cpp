@@ -1,0 +1,171 @@
+// Once a mesh: compact attributes into vertex buffers, and the bind matrices that undo their quantisation.
+#include "gles3/encode.h"
+#include "gles3/errors.h"
+#include "gles3/gl_constants.h"
+#include "marrow/gles3.h"
+
+namespace marrow::gles3 {
+namespace {
+
+std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
+
+const void* at(std::uint32_t offset) { return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset)); }
+
+void attribute(const Api& api, std::uint32_t location, int size, GlEnum type, bool normalized, std::uint32_t stride,
+               std::uint32_t offset) {
+  api.EnableVertexAttribArray(location);
+  api.VertexAttribPointer(location, size, type, normalized ? 1 : 0, static_cast<int>(stride), at(offset));
+}
+
+std::uint32_t upload(const Api& api, GlEnum target, const void* data, std::size_t bytes) {
+  std::uint32_t buffer = 0;
+  api.GenBuffers(1, &buffer);
+  api.BindBuffer(target, buffer);
+  api.BufferData(target, static_cast<std::ptrdiff_t>(bytes), data, kGlStaticDraw);
+  return buffer;
+}
+
+void describe_joints(const Api& api, const Layout& layout, std::uint32_t stride, std::uint32_t offset) {
+  for (std::uint32_t i = 0; i < layout.influences / 4; ++i) {
+    api.EnableVertexAttribArray(kJointsLocation + i);
+    api.VertexAttribIPointer(kJointsLocation + i, 4, layout.joint_bytes == 1 ? kGlUnsignedByte : kGlUnsignedShort,
+                             static_cast<int>(stride), at(offset + 4 * i * layout.joint_bytes));
+  }
+}
+
+void describe_surface(const Api& api, const Geometry& g, const Layout& layout, std::uint32_t buffer) {
+  if (layout.surface_stride == 0) return;
+  api.BindBuffer(kGlArrayBuffer, buffer);
+  const std::uint32_t stride = layout.surface_stride;
+  if (g.normals != nullptr) attribute(api, kNormalLocation, 2, kGlShort, true, stride, layout.normal);
+  if (g.tangents != nullptr) attribute(api, kTangentLocation, 2, kGlShort, true, stride, layout.tangent);
+  if (g.uvs != nullptr) {
+    attribute(api, kUvLocation, 2, layout.uv_unorm ? kGlUnsignedShort : kGlFloat, layout.uv_unorm, stride, layout.uv);
+  }
+  if (g.colours != nullptr) attribute(api, kColourLocation, 4, kGlUnsignedByte, true, stride, layout.colour);
+}
+
+std::uint32_t begin_array(const Api& api, const GpuMesh& mesh) {
+  std::uint32_t array = 0;
+  api.GenVertexArrays(1, &array);
+  api.BindVertexArray(array);
+  api.BindBuffer(kGlElementArrayBuffer, mesh.index_buffer);
+  return array;
+}
+
+void make_ssd(const Api& api, const Geometry& g, const Layout& layout, const Quantisation& q, Span<std::byte> scratch,
+              GpuMesh& mesh) {
+  encode_ssd(g, layout, q, scratch.data);
+  mesh.ssd_array = begin_array(api, mesh);
+  mesh.ssd_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.ssd_stride} * g.slot_count);
+  attribute(api, kPositionLocation, 3, kGlShort, true, layout.ssd_stride, 0);
+  for (std::uint32_t i = 0; i < layout.influences / 4; ++i) {
+    attribute(api, kWeightsLocation + i, 4, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights + 8 * i);
+  }
+  describe_joints(api, layout, layout.ssd_stride, layout.ssd_joints);
+  describe_surface(api, g, layout, mesh.surface_buffer);
+}
+
+void make_as(const Api& api, const Geometry& g, const Layout& layout, const Quantisation& q, Span<std::byte> scratch,
+             GpuMesh& mesh) {
+  encode_as(g, layout, q, scratch.data);
+  mesh.as_array = begin_array(api, mesh);
+  mesh.as_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.as_stride} * g.slot_count);
+  for (std::uint32_t i = 0; i < layout.influences; ++i) {
+    attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
+  }
+  describe_joints(api, layout, layout.as_stride, layout.as_joints);
+  describe_surface(api, g, layout, mesh.surface_buffer);
+}
+
+// bind · [h·I | c]
+Affine dequantising_bind(const Affine& bind, const Quantisation& q) {
+  Affine out;
+  for (int r = 0; r < 3; ++r) {
+    const float* row = bind.rows[r];
+    for (int c = 0; c < 3; ++c) out.rows[r][c] = row[c] * q.half_extent;
+    out.rows[r][3] = row[0] * q.centre[0] + row[1] * q.centre[1] + row[2] * q.centre[2] + row[3];
+  }
+  return out;
+}
+
+GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, const PrepareOptions& options) {
+  const Geometry& g = mesh.geometry;
+  GpuMesh out;
+  out.index_count = g.index_count;
+  out.index_type = g.index_bytes == 2 ? kGlUnsignedShort : kGlUnsignedInt;
+  out.slot_count = g.slot_count;
+  out.joint_count = mesh.joint_count;
+  out.vertex_bytes = g.slot_count * ((options.ssd ? layout.ssd_stride : 0) + (options.as ? layout.as_stride : 0) +
+                                     layout.surface_stride);
+  out.influences = static_cast<std::uint8_t>(layout.influences);
+  out.features = static_cast<std::uint8_t>((g.normals != nullptr ? kNormals : 0) | (g.tangents != nullptr ? kTangents : 0) |
+                                           (g.uvs != nullptr ? kUvs : 0) | (g.colours != nullptr ? kColours : 0));
+  out.coordinate_scale = 32767.0f / static_cast<float>(q.coordinate_one);
+  return out;
+}
+
+}  // namespace
+
+std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options) {
+  const Layout layout = make_layout(mesh);
+  std::size_t stride = layout.surface_stride;
+  if (options.ssd) stride = larger(stride, layout.ssd_stride);
+  if (options.as) stride = larger(stride, layout.as_stride);
+  return stride * mesh.geometry.slot_count;
+}
+
+Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options, Span<std::byte> scratch,
+               Span<Affine> bind, GpuMesh& out) {
+  const Geometry& g = mesh.geometry;
+  if (!options.ssd && !options.as) return Status::bad_argument;
+  if (bind.size < mesh.joint_count || scratch.size < prepare_scratch_bytes(mesh, options)) return Status::bad_argument;
+  const std::uint32_t fits = caps.uniform_block_bytes / 48;
+  if (mesh.joint_count > (fits < kPaletteJoints ? fits : kPaletteJoints)) return Status::unsupported;
+  const Layout layout = make_layout(mesh);
+  // Eight influences in animation space need locations up to kColourLocation.
+  if (caps.vertex_attributes <= kColourLocation) return Status::unsupported;
+
+  const Quantisation quantisation = make_quantisation(g);
+  GpuMesh made = describe(mesh, layout, quantisation, options);
+  forget_errors(api);
+  api.BindVertexArray(0);
+  made.index_buffer = upload(api, kGlArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
+  if (layout.surface_stride != 0) {
+    encode_surface(g, layout, scratch.data);
+    made.surface_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.surface_stride} * g.slot_count);
+  }
+  if (options.ssd) make_ssd(api, g, layout, quantisation, scratch, made);
+  if (options.as) make_as(api, g, layout, quantisation, scratch, made);
+  api.BindVertexArray(0);
+  api.BindBuffer(kGlArrayBuffer, 0);
+  if (api.GetError() != kGlNoError) {
+    destroy(api, made);
+    return Status::gl_error;
+  }
+  for (std::uint32_t i = 0; i < mesh.joint_count; ++i) bind[i] = dequantising_bind(mesh.inverse_bind[i], quantisation);
+  out = made;
+  return Status::ok;
+}
+
+void destroy(const Api& api, GpuMesh& mesh) {
+  const std::uint32_t arrays[] = {mesh.ssd_array, mesh.as_array};
+  const std::uint32_t buffers[] = {mesh.ssd_buffer, mesh.as_buffer, mesh.surface_buffer, mesh.index_buffer};
+  api.DeleteVertexArrays(2, arrays);
+  api.DeleteBuffers(4, buffers);
+  mesh = {};
+}
+
+Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program) {
+  const std::uint32_t array = deformer == Deformer::as     ? mesh.as_array
+                              : deformer == Deformer::none ? 0
+                                                           : mesh.ssd_array;
+  if (array == 0) return Status::bad_argument;
+  if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
+  api.BindVertexArray(array);
+  api.DrawElements(kGlTriangles, static_cast<int>(mesh.index_count), mesh.index_type, nullptr);
+  api.BindVertexArray(0);
+  return Status::ok;
+}
+
+}  // namespace marrow::gles3

@@ -1,0 +1,171 @@
+// Stage 5 on the GPU: bind vertices in vertex buffers and a palette in a uniform block → pixels, by OpenGL ES 3.0.
+//
+//   once a context   load_api, query_caps, create_palette_ring, build_program
+//   once a mesh      prepare: compact attributes, and the bind matrices that undo their quantisation
+//   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints) → push_palette → draw
+//
+// No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
+// the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
+// objects may only be deleted while their context is current, which the caller alone knows.
+#pragma once
+
+#include "marrow/file.h"
+#include "marrow/gles3_functions.h"
+
+namespace marrow::gles3 {
+
+// The driver's entry points.
+struct Api {
+#define MARROW_MEMBER(Result, Name, Parameters) Result(*Name) Parameters = nullptr;
+  MARROW_GLES3_FUNCTIONS(MARROW_MEMBER)
+#undef MARROW_MEMBER
+};
+
+// Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
+// Errors: bad_argument without a loader; unsupported if it returns null for a function, whose name is put in `missing`
+// (static string). `api` is written only on success.
+Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
+
+// What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
+struct Caps {
+  std::uint32_t uniform_block_bytes = 16384;
+  std::uint32_t uniform_offset_alignment = 256;  // power of two
+  std::uint32_t vertex_attributes = 16;
+};
+
+// Errors: unsupported below OpenGL ES 3.0; gl_error.
+Status query_caps(const Api& api, Caps& caps);
+
+enum class Deformer : std::uint8_t {
+  none,   // vertices skinned elsewhere, in float: position, normal, tangent
+  rigid,  // the joint with the largest weight
+  ssd,
+  as,
+};
+
+// Which attributes a mesh has and a program reads.
+inline constexpr std::uint8_t kNormals = 1;
+inline constexpr std::uint8_t kTangents = 2;
+inline constexpr std::uint8_t kUvs = 4;
+inline constexpr std::uint8_t kColours = 8;
+
+// Attribute locations of the skinning text, fixed so that any program draws any mesh.
+inline constexpr std::uint32_t kPositionLocation = 0;  // animation space: 0 … 7 are the coordinates
+inline constexpr std::uint32_t kWeightsLocation = 1;   // and 2
+inline constexpr std::uint32_t kJointsLocation = 8;    // and 9
+inline constexpr std::uint32_t kNormalLocation = 10;
+inline constexpr std::uint32_t kTangentLocation = 11;
+inline constexpr std::uint32_t kUvLocation = 12;
+inline constexpr std::uint32_t kColourLocation = 13;
+
+// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
+inline constexpr std::uint32_t kPaletteJoints = 341;
+inline constexpr std::uint32_t kPaletteBlockBytes = kPaletteJoints * 48;
+
+// A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
+//
+//   SSD       position snorm16×3 + pad · weights unorm16×4 or ×8, summing to 65535 · joints u8 (u16 above 256 entries)
+//   AS        coordinates snorm16×4 an influence, their w summing to 32767 (or less, see coordinate_scale) · joints
+//   surface   normal octahedral snorm16×2 · tangent octahedral snorm16×2, sign in y · uv unorm16×2 or f32×2 · rgba8
+// 4 influences: SSD 20 B a vertex, AS 36 B; surface 4 B with normals alone. 8 influences: 32 B and 72 B.
+struct GpuMesh {
+  std::uint32_t ssd_array = 0;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
+  std::uint32_t as_array = 0;
+  std::uint32_t ssd_buffer = 0;
+  std::uint32_t as_buffer = 0;
+  std::uint32_t surface_buffer = 0;  // 0 for a mesh of bare positions
+  std::uint32_t index_buffer = 0;
+  std::uint32_t index_count = 0;
+  std::uint32_t index_type = 0;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+  std::uint32_t slot_count = 0;
+  std::uint32_t joint_count = 0;  // matrices in its palette
+  std::uint32_t vertex_bytes = 0;  // all vertex buffers together
+  std::uint8_t influences = 4;    // 4 or 8
+  std::uint8_t features = 0;      // kNormals | …
+  // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
+  float coordinate_scale = 1;
+};
+
+struct PrepareOptions {
+  bool ssd = true;  // also what rigid draws from
+  bool as = true;
+};
+
+// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options = {});
+
+// Uploads a mesh, and writes the bind matrices to build its palettes with:
+//   bind[i] = inverse_bind[i] · [h·I | c]
+// c is the middle of the bind box, h one half-extent for all axes: attributes hold (v - c) / h in [-1, 1]³ and the
+// shader need not undo it. The same palette serves rigid, SSD and AS. In animation space the stored coordinate of an
+// influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
+//
+// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned, free
+// again afterwards.
+// Errors: bad_argument (a span too short, nothing asked for); unsupported (more palette entries than the uniform block holds:
+// min(kPaletteJoints, caps)); gl_error (out of memory: nothing is left allocated). `out` and `bind` are written only on
+// success. Leaves GL_ARRAY_BUFFER and the vertex array at 0.
+// Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a mesh.
+Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options, Span<std::byte> scratch,
+               Span<Affine> bind, GpuMesh& out);
+
+// Deletes the GL objects and clears the struct.
+void destroy(const Api& api, GpuMesh& mesh);
+
+// What a program is compiled for.
+struct ProgramKey {
+  Deformer deformer = Deformer::ssd;
+  std::uint8_t influences = 4;
+  std::uint8_t features = kNormals;
+};
+
+// The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
+// (shaders/skin.glsl) and calls marrow_skin(). The fragment text comes after the same #version and defines.
+struct ProgramSource {
+  const char* vertex = nullptr;
+  const char* fragment = nullptr;
+  Span<const char* const> feedback_varyings;  // for transform feedback, interleaved; empty otherwise
+};
+
+struct Program {
+  std::uint32_t id = 0;
+  std::int32_t coordinate_scale = -1;  // location
+};
+
+// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
+// Errors: bad_argument (a text missing, influences neither 4 nor 8); gl_error, with the driver's words in `log` (cut to
+// fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
+Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
+                     Program& out, Span<char> log = {});
+
+void destroy(const Api& api, Program& program);
+
+// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old contents
+// are orphaned, so the CPU never waits for the GPU.
+struct PaletteRing {
+  std::uint32_t buffer = 0;
+  std::uint32_t alignment = 256;
+  std::uint32_t capacity = 0;  // bytes that palettes may use
+  std::uint32_t used = 0;
+};
+
+// Room for palettes of `joints` matrices altogether in `palettes` pieces.
+// Errors: bad_argument (zero); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes, PaletteRing& out);
+void destroy(const Api& api, PaletteRing& ring);
+
+// Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
+void begin_frame(const Api& api, PaletteRing& ring);
+
+// Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the ring.
+// Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
+Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset);
+
+// Ties the palette at `offset` to uniform buffer binding `binding`.
+void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding);
+
+// Draws all triangles. `program` must be in use, its palette bound. Leaves the vertex array at 0.
+// Errors: bad_argument if the mesh was not prepared for this deformer.
+Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program);
+
+}  // namespace marrow::gles3

@@ -1,0 +1,5 @@
+// Nothing but depth.
+precision highp float;
+
+void main() {
+}

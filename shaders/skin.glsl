@@ -1,0 +1,184 @@
+// The skinning arithmetic of every vertex shader: attributes and palette → deformed position, normal and tangent.
+//
+// The host puts `#version` and the MARROW_* defines before this text and a role's main() after it (runtime/gles3/program.cpp).
+//   MARROW_DEFORMER        0 none (already skinned on the CPU), 1 rigid, 2 SSD, 3 animation space
+//   MARROW_INFLUENCES      4 or 8
+//   MARROW_NORMAL, _TANGENT, _UV, _COLOUR  0 or 1: which attributes the mesh has
+//   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
+//
+// Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
+// (GpuMesh::bind). Rows of vec4, never mat4: some drivers pad or transpose arrays of matrices.
+precision highp float;
+precision highp int;
+
+#if MARROW_DEFORMER == 3
+layout(location = 0) in vec4 in_coordinate0;  // q of each influence: (x, y, z, w), Σ w = 1 / marrow_coordinate_scale
+layout(location = 1) in vec4 in_coordinate1;
+layout(location = 2) in vec4 in_coordinate2;
+layout(location = 3) in vec4 in_coordinate3;
+#if MARROW_INFLUENCES == 8
+layout(location = 4) in vec4 in_coordinate4;
+layout(location = 5) in vec4 in_coordinate5;
+layout(location = 6) in vec4 in_coordinate6;
+layout(location = 7) in vec4 in_coordinate7;
+#endif
+uniform float marrow_coordinate_scale;
+#else
+layout(location = 0) in vec3 in_position;
+#if MARROW_DEFORMER == 2
+layout(location = 1) in vec4 in_weights0;
+#if MARROW_INFLUENCES == 8
+layout(location = 2) in vec4 in_weights1;
+#endif
+#endif
+#endif
+
+#if MARROW_DEFORMER != 0
+layout(location = 8) in uvec4 in_joints0;  // palette entries; the largest weight comes first
+#if MARROW_INFLUENCES == 8 && MARROW_DEFORMER != 1
+layout(location = 9) in uvec4 in_joints1;
+#endif
+layout(std140) uniform MarrowPalette {
+  vec4 marrow_rows[3 * MARROW_PALETTE_JOINTS];
+};
+#endif
+
+#if MARROW_NORMAL
+#if MARROW_DEFORMER == 0
+layout(location = 10) in vec3 in_normal;
+#else
+layout(location = 10) in vec2 in_normal;  // octahedral
+#endif
+#endif
+#if MARROW_TANGENT
+#if MARROW_DEFORMER == 0
+layout(location = 11) in vec4 in_tangent;
+#else
+layout(location = 11) in vec2 in_tangent;  // octahedral; y is squeezed into (0, 1] and carries the handedness as sign
+#endif
+#endif
+#if MARROW_UV
+layout(location = 12) in vec2 in_uv;
+#endif
+#if MARROW_COLOUR
+layout(location = 13) in vec4 in_colour;
+#endif
+
+// Scene space. What the mesh lacks is zero.
+struct MarrowVertex {
+  vec3 position;
+  vec3 normal;
+  vec4 tangent;  // w: handedness
+};
+
+vec3 marrow_unit(vec3 v) {
+  return v * inversesqrt(max(dot(v, v), 1e-30));
+}
+
+vec3 marrow_from_octahedron(vec2 e) {
+  vec3 v = vec3(e, 1.0 - abs(e.x) - abs(e.y));
+  float fold = max(-v.z, 0.0);
+  v.x += v.x >= 0.0 ? -fold : fold;
+  v.y += v.y >= 0.0 ? -fold : fold;
+  return marrow_unit(v);
+}
+
+// The bind normal through the inverse transpose of the matrix with rows a, b, c, up to a positive factor: its cofactors,
+// turned round where it mirrors. Rows are brought to unit size first: cofactors of millimetre-sized matrices underflow.
+vec3 marrow_normal(vec3 a, vec3 b, vec3 c, vec3 normal) {
+  float size = max(dot(a, a), max(dot(b, b), dot(c, c)));
+  float unit = inversesqrt(max(size, 1e-30));
+  a *= unit;
+  b *= unit;
+  c *= unit;
+  vec3 bc = cross(b, c);
+  vec3 n = vec3(dot(bc, normal), dot(cross(c, a), normal), dot(cross(a, b), normal));
+  return marrow_unit(dot(a, bc) < 0.0 ? -n : n);
+}
+
+#if MARROW_DEFORMER == 3
+// Adds one influence of animation space: M q to the position, w M to the matrix that normals and tangents go through.
+void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec3 y, inout vec3 z) {
+  int row = 3 * int(joint);
+  vec4 mx = marrow_rows[row];
+  vec4 my = marrow_rows[row + 1];
+  vec4 mz = marrow_rows[row + 2];
+  position += vec3(dot(mx, q), dot(my, q), dot(mz, q));
+#if MARROW_NORMAL || MARROW_TANGENT
+  x += q.w * mx.xyz;
+  y += q.w * my.xyz;
+  z += q.w * mz.xyz;
+#endif
+}
+#elif MARROW_DEFORMER != 0
+// Adds one influence of SSD to the blended matrix.
+void marrow_add(float weight, uint joint, inout vec4 x, inout vec4 y, inout vec4 z) {
+  int row = 3 * int(joint);
+  x += weight * marrow_rows[row];
+  y += weight * marrow_rows[row + 1];
+  z += weight * marrow_rows[row + 2];
+}
+#endif
+
+MarrowVertex marrow_skin() {
+  MarrowVertex v;
+  v.normal = vec3(0.0);
+  v.tangent = vec4(0.0);
+#if MARROW_DEFORMER == 0
+  v.position = in_position;
+#if MARROW_NORMAL
+  v.normal = in_normal;
+#endif
+#if MARROW_TANGENT
+  v.tangent = in_tangent;
+#endif
+#else
+
+#if MARROW_DEFORMER == 3
+  vec3 x = vec3(0.0);
+  vec3 y = vec3(0.0);
+  vec3 z = vec3(0.0);
+  v.position = vec3(0.0);
+  marrow_add(in_coordinate0, in_joints0.x, v.position, x, y, z);
+  marrow_add(in_coordinate1, in_joints0.y, v.position, x, y, z);
+  marrow_add(in_coordinate2, in_joints0.z, v.position, x, y, z);
+  marrow_add(in_coordinate3, in_joints0.w, v.position, x, y, z);
+#if MARROW_INFLUENCES == 8
+  marrow_add(in_coordinate4, in_joints1.x, v.position, x, y, z);
+  marrow_add(in_coordinate5, in_joints1.y, v.position, x, y, z);
+  marrow_add(in_coordinate6, in_joints1.z, v.position, x, y, z);
+  marrow_add(in_coordinate7, in_joints1.w, v.position, x, y, z);
+#endif
+  v.position *= marrow_coordinate_scale;
+#else
+  vec4 x = vec4(0.0);
+  vec4 y = vec4(0.0);
+  vec4 z = vec4(0.0);
+#if MARROW_DEFORMER == 1
+  marrow_add(1.0, in_joints0.x, x, y, z);
+#else
+  marrow_add(in_weights0.x, in_joints0.x, x, y, z);
+  marrow_add(in_weights0.y, in_joints0.y, x, y, z);
+  marrow_add(in_weights0.z, in_joints0.z, x, y, z);
+  marrow_add(in_weights0.w, in_joints0.w, x, y, z);
+#if MARROW_INFLUENCES == 8
+  marrow_add(in_weights1.x, in_joints1.x, x, y, z);
+  marrow_add(in_weights1.y, in_joints1.y, x, y, z);
+  marrow_add(in_weights1.z, in_joints1.z, x, y, z);
+  marrow_add(in_weights1.w, in_joints1.w, x, y, z);
+#endif
+#endif
+  vec4 p = vec4(in_position, 1.0);
+  v.position = vec3(dot(x, p), dot(y, p), dot(z, p));
+#endif
+
+#if MARROW_NORMAL
+  v.normal = marrow_normal(x.xyz, y.xyz, z.xyz, marrow_from_octahedron(in_normal));
+#endif
+#if MARROW_TANGENT
+  vec3 t = marrow_from_octahedron(vec2(in_tangent.x, abs(in_tangent.y) * 2.0 - 1.0));
+  v.tangent = vec4(marrow_unit(vec3(dot(x.xyz, t), dot(y.xyz, t), dot(z.xyz, t))), in_tangent.y < 0.0 ? -1.0 : 1.0);
+#endif
+#endif
+  return v;
+}

@@ -1,0 +1,22 @@
+// A character's vertices for the camera: skinned position and normal, colour passed on.
+uniform mat4 clip_from_scene;
+
+out vec3 position_scene;
+#if MARROW_NORMAL
+out vec3 normal_scene;
+#endif
+#if MARROW_COLOUR
+out vec4 vertex_colour;
+#endif
+
+void main() {
+  MarrowVertex v = marrow_skin();
+  position_scene = v.position;
+#if MARROW_NORMAL
+  normal_scene = v.normal;
+#endif
+#if MARROW_COLOUR
+  vertex_colour = in_colour;
+#endif
+  gl_Position = clip_from_scene * vec4(v.position, 1.0);
+}

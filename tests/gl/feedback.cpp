@@ -1,0 +1,159 @@
+#include "gl/feedback.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "common/failure.h"
+
+namespace marrow::test {
+namespace {
+
+constexpr std::size_t kFloats = 10;  // position, normal, tangent
+
+constexpr const char* kVertex = R"(
+out vec3 out_position;
+out vec3 out_normal;
+out vec4 out_tangent;
+void main() {
+  MarrowVertex v = marrow_skin();
+  out_position = v.position;
+  out_normal = v.normal;
+  out_tangent = v.tangent;
+  gl_Position = vec4(v.position, 1.0);
+  gl_PointSize = 1.0;
+}
+)";
+constexpr const char* kFragment = R"(
+precision highp float;
+out vec4 colour;
+void main() { colour = vec4(1.0); }
+)";
+
+// Functions that only read-back needs.
+struct More {
+  void (*BeginTransformFeedback)(GLenum) = nullptr;
+  void (*EndTransformFeedback)() = nullptr;
+  void (*BindBufferBase)(GLenum, GLuint, GLuint) = nullptr;
+  void* (*MapBufferRange)(GLenum, std::ptrdiff_t, std::ptrdiff_t, GLbitfield) = nullptr;
+  GLboolean (*UnmapBuffer)(GLenum) = nullptr;
+};
+
+const More& more() {
+  static const More functions = [] {
+    More m;
+    m.BeginTransformFeedback = reinterpret_cast<void (*)(GLenum)>(egl::load_proc("glBeginTransformFeedback"));
+    m.EndTransformFeedback = reinterpret_cast<void (*)()>(egl::load_proc("glEndTransformFeedback"));
+    m.BindBufferBase = reinterpret_cast<void (*)(GLenum, GLuint, GLuint)>(egl::load_proc("glBindBufferBase"));
+    m.MapBufferRange = reinterpret_cast<void* (*)(GLenum, std::ptrdiff_t, std::ptrdiff_t, GLbitfield)>(
+        egl::load_proc("glMapBufferRange"));
+    m.UnmapBuffer = reinterpret_cast<GLboolean (*)(GLenum)>(egl::load_proc("glUnmapBuffer"));
+    return m;
+  }();
+  return functions;
+}
+
+// One program a key for the whole binary: compiling is most of the time on a software driver.
+const gles3::Program& program(const gles3::ProgramKey& key) {
+  static std::map<std::uint32_t, gles3::Program> programs;
+  const std::uint32_t number =
+      static_cast<std::uint32_t>(key.deformer) << 16 | static_cast<std::uint32_t>(key.influences) << 8 | key.features;
+  const auto [at, added] = programs.try_emplace(number);
+  if (added) {
+    static const char* const varyings[] = {"out_position", "out_normal", "out_tangent"};
+    std::vector<char> log(4096);
+    gles3::ProgramSource source{kVertex, kFragment, {}};
+    source.feedback_varyings = Span<const char* const>(varyings, 3);
+    EXPECT_EQ(gles3::build_program(gl(), key, source, 0, at->second, log), Status::ok) << log.data();
+  }
+  return at->second;
+}
+
+const tools::Gl* make_gl() {
+  try {
+    const auto* const made = new tools::Gl;
+    const char* const expected = std::getenv("MARROW_EXPECT_DRIVER");
+    if (expected != nullptr && made->driver().find(expected) == std::string::npos) {
+      std::fprintf(stderr, "expected %s, got %s\n", expected, made->driver().c_str());
+      std::exit(1);
+    }
+    std::printf("driver: %s\n", made->driver().c_str());
+    return made;
+  } catch (const tools::Failure& failure) {
+    std::fprintf(stderr, "no OpenGL ES to test: %s\n", failure.what());
+    std::exit(1);
+  }
+}
+
+}  // namespace
+
+const tools::Gl& gl() {
+  // Lives as long as the process: programs and static objects still hold names in it.
+  static const tools::Gl* const context = make_gl();
+  return *context;
+}
+
+Feedback::Feedback(const Mesh& mesh) : mesh_(mesh), bind_(mesh.joint_count) {
+  std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh));
+  // The least that GLES 3.0 promises, whatever this driver can do.
+  gles3::Caps caps;
+  caps.uniform_offset_alignment = std::max(caps.uniform_offset_alignment, gl().caps().uniform_offset_alignment);
+  prepared_ = gles3::prepare(gl(), caps, mesh, {}, scratch, bind_, gpu_);
+  if (!ok()) return;
+  EXPECT_EQ(gles3::create_palette_ring(gl(), caps, 2 * mesh.joint_count, 2, ring_), Status::ok);
+  capture_ = tools::GlBuffer(gl());
+  gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, capture_);
+  const std::size_t bytes = kFloats * sizeof(float) * mesh.geometry.slot_count;
+  gl().BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<std::ptrdiff_t>(bytes), nullptr, GL_STREAM_READ);
+}
+
+Feedback::~Feedback() {
+  gles3::destroy(gl(), gpu_);
+  gles3::destroy(gl(), ring_);
+}
+
+Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint) {
+  const std::size_t slots = mesh_.geometry.slot_count;
+  std::vector<Affine> palette(mesh_.joint_count);
+  EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette), Status::ok);
+  std::uint32_t other = 0, offset = 0;
+  gles3::begin_frame(gl(), ring_);
+  // Behind another palette, so that its offset is not zero.
+  EXPECT_EQ(gles3::push_palette(gl(), ring_, Span<const Affine>(palette.data(), 1), other), Status::ok);
+  EXPECT_EQ(gles3::push_palette(gl(), ring_, palette, offset), Status::ok);
+  EXPECT_GT(offset, 0u);
+  gles3::bind_palette(gl(), ring_, offset, 0);
+
+  const gles3::Program& with = program({deformer, gpu_.influences, gpu_.features});
+  gl().UseProgram(with.id);
+  if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
+  gl().Enable(GL_RASTERIZER_DISCARD);
+  more().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, capture_);
+  gl().BindVertexArray(deformer == gles3::Deformer::as ? gpu_.as_array : gpu_.ssd_array);
+  more().BeginTransformFeedback(GL_POINTS);
+  gl().DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(slots));
+  more().EndTransformFeedback();
+  gl().BindVertexArray(0);
+  gl().Disable(GL_RASTERIZER_DISCARD);
+
+  Skinned out;
+  const std::size_t bytes = kFloats * sizeof(float) * slots;
+  const auto* const mapped = static_cast<const float*>(
+      more().MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<std::ptrdiff_t>(bytes), GL_MAP_READ_BIT));
+  EXPECT_NE(mapped, nullptr);
+  for (std::size_t slot = 0; mapped != nullptr && slot < slots; ++slot) {
+    const float* const v = mapped + kFloats * slot;
+    out.positions.insert(out.positions.end(), v, v + 3);
+    out.normals.insert(out.normals.end(), v + 3, v + 6);
+    out.tangents.insert(out.tangents.end(), v + 6, v + 10);
+  }
+  more().UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+  more().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+  return out;
+}
+
+}  // namespace marrow::test

@@ -1,0 +1,45 @@
+// What the vertex shader computed, read back: positions, normals and tangents by transform feedback.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "marrow/gles3.h"
+#include "render/gl.h"
+
+namespace marrow::test {
+
+// The context of the whole test binary, made on first use. Aborts the binary with a message where there is none, or
+// where it is not the driver named in MARROW_EXPECT_DRIVER: a driver's tests must not pass on another one.
+const tools::Gl& gl();
+
+struct Skinned {
+  std::vector<float> positions;  // 3 a slot
+  std::vector<float> normals;    // 3 a slot; zero if the mesh has none
+  std::vector<float> tangents;   // 4 a slot; zero if the mesh has none
+};
+
+// A mesh on the GPU with all that drawing it needs, to be skinned in any pose.
+class Feedback {
+ public:
+  // Fails the current test and leaves ok() false if a step refuses.
+  explicit Feedback(const Mesh& mesh);
+  ~Feedback();
+  Feedback(const Feedback&) = delete;
+  Feedback& operator=(const Feedback&) = delete;
+
+  bool ok() const { return prepared_ == Status::ok; }
+  Status prepared() const { return prepared_; }
+  const gles3::GpuMesh& gpu() const { return gpu_; }
+  Skinned skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint);
+
+ private:
+  Mesh mesh_;
+  gles3::GpuMesh gpu_;
+  gles3::PaletteRing ring_;
+  std::vector<Affine> bind_;
+  tools::GlBuffer capture_;
+  Status prepared_ = Status::bad_argument;
+};
+
+}  // namespace marrow::test

@@ -1,0 +1,51 @@
+#include "gl/models.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "common/failure.h"
+#include "cook/cook.h"
+
+namespace marrow::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path assets() {
+  const char* const given = std::getenv("MARROW_ASSETS");
+  return given != nullptr ? given : MARROW_DEFAULT_ASSETS;
+}
+
+}  // namespace
+
+bool have_assets() { return fs::is_directory(assets()); }
+
+std::vector<std::string> model_paths() {
+  std::vector<std::string> paths;
+  if (have_assets()) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(assets())) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".glb" || extension == ".gltf") paths.push_back(entry.path().string());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  paths.insert(paths.begin(), MARROW_SAMPLE);
+  return paths;
+}
+
+std::optional<Model> cook_model(const std::string& path) {
+  try {
+    const cook::CookResult cooked = cook::cook_file(path, {});
+    Model model{fs::path(path).filename().string(), tools::AlignedBytes(cooked.file), {}};
+    DataError error;
+    if (load({model.bytes.data(), model.bytes.size()}, model.file, &error) == Status::ok) return model;
+    std::fprintf(stderr, "%s: @%u: %s\n", path.c_str(), error.offset, error.rule);
+  } catch (const tools::Failure& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+  }
+  return std::nullopt;
+}
+
+}  // namespace marrow::test

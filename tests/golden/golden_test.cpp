@@ -1,0 +1,127 @@
+// Files of every version of the format keep loading and keep their shape: today's loader on the golden file of version 1.
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "support/double_math.h"
+#include "support/golden.h"
+#include "support/pose_file.h"
+
+namespace marrow {
+namespace {
+
+using test::Vec3;
+
+constexpr const char* kRest = nullptr;
+
+struct Expected {
+  const char* clip;  // kRest or a name
+  float time_s;
+  std::uint32_t vertex;  // of the source: 0 to 23 the arm, 24 to 28 the hat
+  Vec3 position;
+  Vec3 normal;  // zero: not compared (the source has none)
+};
+
+// The glTF beside the golden file, evaluated in double precision from the specification (road/reference.cpp); the rest
+// pose and "point" can be checked by hand, see reference_test.cpp.
+const Expected kExpected[] = {
+    {kRest, 0.0f, 5, {-1, 0, 1.5}, {0, 0, 1}},
+    {kRest, 0.0f, 13, {-3, 0, 1.5}, {0, 0, 1}},
+    {kRest, 0.0f, 18, {-4, -0.5, 1}, {0, -1, 0}},
+    {kRest, 0.0f, 25, {-5, 1, 2}, {0, 0, 0}},
+    {kRest, 0.0f, 28, {-6.5, 0, 1}, {0, 0, 0}},
+    {"wave", 0.3f, 5, {-1.125, 0.2165064, 1.5}, {0, 0, 1}},
+    {"wave", 0.3f, 13, {-2.5239849, -0.8329327, 1.4971991}, {-0.06482, 0.03742, 0.9972}},
+    {"wave", 0.3f, 18, {-2.5712322, -1.9796, 1.0653063}, {0.85859, -0.49571, 0.13077}},
+    {"wave", 0.3f, 25, {-4.5022623, -2.0579099, 1.8395247}, {0, 0, 0}},
+    {"wave", 0.3f, 28, {-4.2916666, -3.9692831, 1}, {0, 0, 0}},
+    {"wave", 0.7f, 5, {-1.1662255, 1.2601966, 1.4333486}, {0.08485, -0.03307, 0.99584}},
+    {"wave", 0.7f, 13, {-2.3365847, 0.3178142, 1.5464098}, {-0.39347, 0.31059, 0.86529}},
+    {"wave", 0.7f, 18, {-2.1671723, -0.8559931, 1.8577077}, {0.57101, 0.08022, 0.81701}},
+    {"wave", 0.7f, 25, {-4.0278706, -1.9442377, 1.3304619}, {0, 0, 0}},
+    {"wave", 0.7f, 28, {-3.1229568, -3.96809, 2.2726152}, {0, 0, 0}},
+    {"wave", 1.25f, 5, {-1.0167468, 1, 0.7209936}, {0.24019, 0, 0.97073}},
+    {"wave", 1.25f, 13, {-2.2667468, 1.2165064, 1.2120191}, {0.43301, 0.86603, 0.25}},
+    {"wave", 1.25f, 18, {-2.671875, 1.15625, 2.4214939}, {0.80062, 0.38125, 0.46224}},
+    {"wave", 1.25f, 25, {-4.9330127, 1.3660254, 2.8480763}, {0, 0, 0}},
+    {"wave", 1.25f, 28, {-4.8749999, 1, 5.4796461}, {0, 0, 0}},
+    {"point", 0.0f, 5, {0, 1, 1.5}, {0, 0, 1}},
+    {"point", 0.0f, 13, {0, 3, 1.5}, {0, 0, 1}},
+    {"point", 0.0f, 18, {-0.5, 4, 1}, {-1, 0, 0}},
+    {"point", 0.0f, 25, {1, 5, 2}, {0, 0, 0}},
+    {"point", 0.0f, 28, {0, 6.5, 1}, {0, 0, 0}},
+};
+
+class Golden : public ::testing::Test {
+ protected:
+  Golden() : block_(test::golden_copy()) { EXPECT_EQ(load(block_, file_), Status::ok); }
+  test::AlignedBlock block_;
+  File file_;
+};
+
+TEST_F(Golden, HoldsWhatItsSourceHolds) {
+  ASSERT_EQ(file_.skeleton_count(), 1u);
+  ASSERT_EQ(file_.clip_count(), 2u);
+  ASSERT_EQ(file_.mesh_count(), 2u);
+  const Skeleton skeleton = file_.skeleton(0);
+  ASSERT_EQ(skeleton.joint_count, 3u);
+  EXPECT_EQ(skeleton.root_count, 1u);
+  const char* const names[] = {"shoulder", "elbow", "wrist"};
+  const std::uint16_t parents[] = {kNoParent, 0, 1};
+  for (std::uint32_t j = 0; j < 3; ++j) {
+    EXPECT_STREQ(file_.text(skeleton.names[j]), names[j]);
+    EXPECT_EQ(skeleton.parents[j], parents[j]);
+  }
+  EXPECT_EQ(file_.find_clip("wave"), 0u);
+  EXPECT_EQ(file_.find_clip("point"), 1u);
+  EXPECT_EQ(file_.find_clip("Wave"), 2u);
+  EXPECT_EQ(file_.clip(0).duration_s, 1.25f);
+  EXPECT_EQ(file_.clip(0).tracks.size, 4u);
+  EXPECT_EQ(file_.clip(1).duration_s, 0.0f);
+}
+
+TEST_F(Golden, MeshesKeepTheirAttributes) {
+  const Mesh arm = file_.mesh(0), hat = file_.mesh(1);
+  EXPECT_STREQ(arm.name, "arm");
+  EXPECT_STREQ(arm.material, "skin");
+  EXPECT_EQ(arm.base_colour[0], 0.75f);
+  EXPECT_FALSE(arm.double_sided);
+  EXPECT_TRUE(hat.double_sided);
+  EXPECT_EQ(arm.geometry.vertex_count, 24u);
+  EXPECT_EQ(arm.geometry.index_count, 120u);
+  EXPECT_EQ(hat.geometry.index_count, 12u);
+  EXPECT_EQ(arm.joint_count, 3u);
+  EXPECT_EQ(hat.joint_count, 1u);
+  EXPECT_NE(arm.geometry.tangents, nullptr);
+  EXPECT_EQ(arm.geometry.uvs, nullptr);
+  ASSERT_NE(hat.geometry.uvs, nullptr);
+  ASSERT_NE(hat.geometry.colours, nullptr);
+  const std::uint32_t slot = hat.geometry.source_slots[2];
+  EXPECT_EQ(hat.geometry.uvs[slot * 2], 1.0f);
+  EXPECT_EQ(hat.geometry.uvs[slot * 2 + 1], 1.0f);
+  const std::uint8_t blue[] = {0, 0, 255, 255};
+  EXPECT_EQ(std::memcmp(hat.geometry.colours + slot * 4, blue, 4), 0);
+}
+
+TEST_F(Golden, PosesAsTheSpecificationSays) {
+  int cases = 0;
+  for (const Expected& e : kExpected) {
+    const std::uint32_t clip = e.clip == kRest ? file_.clip_count() : file_.find_clip(e.clip);
+    const std::uint32_t mesh = e.vertex < 24 ? 0 : 1;
+    const std::uint32_t slot = file_.mesh(mesh).geometry.source_slots[e.vertex - mesh * 24];
+    for (const test::Deformer deformer : {test::Deformer::ssd, test::Deformer::as}) {
+      const test::PosedMesh posed = test::pose_mesh(file_, clip, e.time_s, mesh, deformer);
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(static_cast<double>(posed.positions[slot * 3 + i]), e.position[i], 3e-6) << e.vertex << " at " << e.time_s;
+        if (test::length(e.normal) > 0) {
+          EXPECT_NEAR(static_cast<double>(posed.normals[slot * 3 + i]), e.normal[i], 1e-4) << e.vertex << " at " << e.time_s;
+        }
+      }
+      ++cases;
+    }
+  }
+  EXPECT_EQ(cases, 50);
+}
+
+}  // namespace
+}  // namespace marrow

@@ -1,0 +1,40 @@
+#include "road/cooked.h"
+
+#include <stdexcept>
+
+#include "cook/cook.h"
+
+namespace marrow::test {
+namespace {
+
+Vec3 three(const std::vector<float>& v, std::size_t first) {
+  if (v.empty()) return {0, 0, 0};
+  return {static_cast<double>(v[first]), static_cast<double>(v[first + 1]), static_cast<double>(v[first + 2])};
+}
+
+}  // namespace
+
+Cooked::Cooked(const std::string& path) {
+  cook::CookOptions options;
+  options.keep_vertex_order = true;
+  const cook::CookResult result = cook::cook_file(path, options);
+  block_ = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
+  DataError error;
+  if (load(*block_, file_, &error) != Status::ok) throw std::runtime_error(path + ": cooked, but not loaded: " + error.rule);
+}
+
+CookedPose Cooked::pose(std::uint32_t clip, float time_s, Deformer deformer) const {
+  CookedPose out;
+  for (std::uint32_t m = 0; m < file_.mesh_count(); ++m) {
+    const PosedMesh posed = pose_mesh(file_, clip, time_s, m, deformer);
+    for (const std::size_t slot : file_.mesh(m).geometry.source_slots) {
+      out.positions.push_back(three(posed.positions, slot * 3));
+      out.normals.push_back(three(posed.normals, slot * 3));
+      out.tangents.push_back(three(posed.tangents, slot * 4));
+      out.tangent_signs.push_back(posed.tangents.empty() ? 0 : static_cast<double>(posed.tangents[slot * 4 + 3]));
+    }
+  }
+  return out;
+}
+
+}  // namespace marrow::test

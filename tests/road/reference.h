@@ -1,0 +1,56 @@
+// The reference evaluator: glTF 2.0 posed and skinned in double precision from the source file, independent of the
+// cooker and the runtime that it judges.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "road/source.h"
+
+namespace marrow::test {
+
+// Vertices in scene space: for each node of the scene with a mesh in node order, each triangle primitive in order, each
+// vertex of its POSITION accessor in order. All arrays are equally long.
+struct ReferencePose {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;   // unit; zero where not comparable: absent, or the blend is near singular
+  std::vector<Vec3> tangents;  // likewise
+  std::vector<double> tangent_signs;  // ±1 so that sign · cross(normal, tangent) is where the bitangent goes; 0 where absent
+  std::vector<Vec3> rigid;     // where the joint of the largest weight alone takes the vertex
+  std::vector<bool> rigid_unique;  // false where two weights tie for the largest
+};
+
+class Reference {
+ public:
+  explicit Reference(const std::string& path);
+
+  const Source& source() const { return source_; }
+  // Of the bounding box of the rest pose's vertices.
+  double diagonal() const { return diagonal_; }
+  // Vertices that no weight binds to anything: glTF gives them no meaning, so their positions are not compared.
+  std::size_t unbound_count() const { return unbound_count_; }
+  bool comparable(std::size_t vertex) const { return bound_[vertex]; }
+  // Time of the last key of any channel but morph weights'; 0 without.
+  double duration_s(std::size_t animation) const;
+
+  ReferencePose rest() const { return pose(nullptr, 0); }
+  ReferencePose at(std::size_t animation, double time_s) const { return pose(&source_.animations.at(animation), time_s); }
+
+ private:
+  ReferencePose pose(const SourceAnimation* animation, double time_s) const;
+  std::vector<Map> scene_from_node(const SourceAnimation* animation, double time_s) const;
+
+  Source source_;
+  double diagonal_ = 0;
+  std::size_t unbound_count_ = 0;
+  std::vector<bool> bound_;
+};
+
+// A channel's value at a time, glTF 2.0 appendix C: clamped at both ends; rotations come out unit length.
+Quat sample_channel(const SourceChannel& channel, double time_s);
+
+// What the cooker promises to keep of a vertex's influences: zeros dropped, one entry a joint, the eight largest,
+// renormalised; largest first.
+std::vector<SourceInfluence> kept_influences(const std::vector<SourceInfluence>& all);
+
+}  // namespace marrow::test

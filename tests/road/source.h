@@ -1,0 +1,63 @@
+// A glTF file as doubles: the tests' own reading of it, which shares nothing with tools/cook. Valid files only.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/double_math.h"
+
+namespace marrow::test {
+
+struct SourceNode {
+  int parent = -1;
+  bool in_scene = false;
+  bool has_matrix = false;
+  Map matrix;  // parent_from_node if has_matrix, else translate · rotate · scale
+  Vec3 translation{0, 0, 0};
+  Quat rotation{0, 0, 0, 1};
+  Vec3 scale{1, 1, 1};
+  int mesh = -1;
+  int skin = -1;
+};
+
+struct SourceInfluence {
+  int joint;  // index into SourceSkin::joints
+  double weight;
+};
+
+// Arrays are empty or as long as `positions`.
+struct SourcePrimitive {
+  std::vector<Vec3> positions, normals, tangents;
+  std::vector<double> tangent_signs;  // as long as `tangents`
+  std::vector<std::vector<SourceInfluence>> influences;  // as in the file, every set in order, zeros included
+};
+
+struct SourceSkin {
+  std::vector<int> joints;
+  std::vector<Map> inverse_bind;
+};
+
+struct SourceChannel {
+  int node = -1;
+  std::string path, interpolation;
+  std::vector<double> times_s;
+  std::vector<Quat> values;  // one a key, three for CUBICSPLINE; w unused but for rotations
+};
+
+struct SourceAnimation {
+  std::string name;
+  std::vector<SourceChannel> channels;  // morph weights left out
+};
+
+struct Source {
+  std::vector<SourceNode> nodes;
+  std::vector<std::vector<SourcePrimitive>> meshes;  // triangles only
+  std::vector<SourceSkin> skins;
+  std::vector<SourceAnimation> animations;
+};
+
+// Throws std::exception of some kind if the file cannot be read.
+Source read_source(const std::string& path);
+
+}  // namespace marrow::test

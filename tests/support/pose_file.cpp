@@ -1,0 +1,101 @@
+#include "support/pose_file.h"
+
+#include <cstdlib>
+#include <cstring>
+
+#include "asset/format.h"
+
+namespace marrow::test {
+namespace {
+
+// Not a gtest assertion: the fuzz target uses this file too.
+void require(bool ok) {
+  if (!ok) std::abort();
+}
+
+std::uint64_t hash_text(std::uint64_t state, const char* text) { return hash(state, text, std::strlen(text)); }
+
+template <class T>
+std::uint64_t hash_all(std::uint64_t state, const std::vector<T>& v) {
+  return hash(state, v.data(), v.size() * sizeof(T));
+}
+
+std::uint64_t hash_geometry(std::uint64_t state, const Geometry& g) {
+  for (std::uint32_t i = 0; i < g.index_count; ++i) {
+    const std::uint32_t slot = g.index_bytes == 2 ? static_cast<const std::uint16_t*>(g.indices)[i]
+                                                  : static_cast<const std::uint32_t*>(g.indices)[i];
+    require(slot < g.slot_count);
+  }
+  for (const std::uint32_t slot : g.source_slots) require(slot < g.slot_count);
+  if (g.uvs != nullptr) state = hash(state, g.uvs, g.slot_count * std::size_t{8});
+  if (g.colours != nullptr) state = hash(state, g.colours, g.slot_count * std::size_t{4});
+  return state;
+}
+
+}  // namespace
+
+void forge_checksum(std::byte* block, std::size_t size) {
+  if (size < sizeof(format::Header)) return;
+  const std::uint64_t sum = format::checksum(block + sizeof(format::Header), size - sizeof(format::Header));
+  std::memcpy(block + offsetof(format::Header, checksum), &sum, sizeof sum);
+}
+
+std::uint64_t hash(std::uint64_t state, const void* data, std::size_t bytes) {
+  const auto* p = static_cast<const unsigned char*>(data);
+  for (std::size_t i = 0; i < bytes; ++i) state = (state ^ p[i]) * 1099511628211u;
+  return state;
+}
+
+PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, std::uint32_t mesh_index, Deformer deformer) {
+  const Mesh mesh = file.mesh(mesh_index);
+  const Skeleton skeleton = file.skeleton(mesh.skeleton);
+  std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
+  if (clip_index < file.clip_count() && file.clip(clip_index).skeleton == mesh.skeleton)
+    require(sample(skeleton, file.clip(clip_index), time_s, local) == Status::ok);
+  std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
+  require(local_to_model(skeleton, local, model) == Status::ok);
+  require(build_palette(mesh, model, palette) == Status::ok);
+  PosedMesh out;
+  const std::size_t slots = mesh.geometry.slot_count;
+  out.positions.resize(slots * 3);
+  if (mesh.geometry.normals != nullptr) out.normals.resize(slots * 3);
+  if (mesh.geometry.normals != nullptr && mesh.geometry.tangents != nullptr) out.tangents.resize(slots * 4);
+  const SkinOutput output{out.positions, out.normals, out.tangents};
+  Status status = Status::ok;
+  if (deformer == Deformer::as) {
+    std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+    require(as_coordinates(mesh.geometry, coordinates) == Status::ok);
+    status = skin_as(mesh, coordinates, palette, output);
+  } else {
+    status = deformer == Deformer::ssd ? skin_ssd(mesh, palette, output) : skin_rigid(mesh, palette, output);
+  }
+  require(status == Status::ok);
+  return out;
+}
+
+std::uint64_t exercise(const File& file) {
+  std::uint64_t state = kHashStart;
+  for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
+    const Skeleton skeleton = file.skeleton(s);
+    state = hash_text(state, skeleton.name);
+    for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) state = hash_text(state, file.text(skeleton.names[j]));
+  }
+  require(file.find_clip("no clip has such a name") <= file.clip_count());
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
+    const Mesh mesh = file.mesh(m);
+    state = hash_text(hash_text(state, mesh.name), mesh.material);
+    state = hash_geometry(state, mesh.geometry);
+    for (std::uint32_t c = 0; c <= file.clip_count(); ++c) {
+      const float duration_s = c < file.clip_count() ? file.clip(c).duration_s : 0.0f;
+      for (const float part : {0.0f, 0.4f, 1.0f}) {
+        for (const Deformer d : {Deformer::rigid, Deformer::ssd, Deformer::as}) {
+          const PosedMesh posed = pose_mesh(file, c, part * duration_s, m, d);
+          state = hash_all(hash_all(hash_all(state, posed.positions), posed.normals), posed.tangents);
+        }
+      }
+    }
+  }
+  return state;
+}
+
+}  // namespace marrow::test

@@ -1,0 +1,51 @@
+// A frame allocates nothing: every stage works in memory that the caller gave.
+#include <cstdlib>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/allocations.h"
+#include "support/rig.h"
+
+namespace marrow {
+namespace {
+
+TEST(Allocation, TheCounterCounts) {
+  const std::size_t before = test::allocation_count();
+  int* volatile number = new int(1);
+  void* volatile bytes = std::malloc(10);
+  EXPECT_GE(test::allocation_count() - before, 2u);
+  delete number;
+  std::free(bytes);
+}
+
+TEST(Allocation, AThousandFramesAllocateNothing) {
+  const test::TestCharacter c = test::make_character(21, 31, 20, true);
+  const Skeleton skeleton = c.skeleton.view();
+  const Clip clip = c.clip.view();
+  const Mesh mesh = c.mesh.view();
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+  std::vector<float> positions(mesh.geometry.slot_count * 3), normals(positions.size()), tangents(mesh.geometry.slot_count * 4);
+  ASSERT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  const SkinOutput out{positions, normals, tangents};
+
+  int failures = 0;
+  const std::size_t before = test::allocation_count();
+  for (int frame = 0; frame < 1000; ++frame) {
+    const float time_s = static_cast<float>(frame) * clip.duration_s / 999;
+    failures += sample(skeleton, clip, time_s, local) != Status::ok;
+    failures += local_to_model(skeleton, local, model) != Status::ok;
+    failures += build_palette(mesh, model, palette) != Status::ok;
+    failures += skin_rigid(mesh, palette, out) != Status::ok;
+    failures += skin_ssd(mesh, palette, out) != Status::ok;
+    failures += skin_as(mesh, coordinates, palette, out) != Status::ok;
+  }
+  const std::size_t after = test::allocation_count();
+  EXPECT_EQ(after - before, 0u);
+  EXPECT_EQ(failures, 0);
+}
+
+}  // namespace
+}  // namespace marrow

@@ -1,0 +1,102 @@
+// Every truncated prefix of a cooked file and every change of one byte: refused, or harmless all the way to the vertices.
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "asset/format.h"
+#include "support/golden.h"
+#include "support/pose_file.h"
+
+namespace marrow {
+namespace {
+
+using test::AlignedBlock;
+
+// Each in a block of its own size, so that a sanitizer sees a read past the end.
+TEST(Hostile, EveryPrefixIsRefused) {
+  const AlignedBlock golden = test::golden_copy();
+  std::size_t refused = 0;
+  for (std::size_t size = 0; size < golden.size(); ++size) {
+    const AlignedBlock prefix(golden.data(), size);
+    File file;
+    const Status status = load(prefix, file);
+    refused += status == Status::truncated;
+    ASSERT_EQ(file.mesh_count(), 0u);
+  }
+  EXPECT_EQ(refused, golden.size());
+}
+
+// The same with the size and the checksum made to fit: only the rules of the format stand in the way.
+TEST(Hostile, EveryForgedPrefixIsRefusedOrHarmless) {
+  const AlignedBlock golden = test::golden_copy();
+  std::size_t refused = 0;
+  for (std::size_t size = sizeof(format::Header); size < golden.size(); ++size) {
+    AlignedBlock prefix(golden.data(), size);
+    const auto stated = static_cast<std::uint32_t>(size);
+    std::memcpy(prefix.data() + 8, &stated, sizeof stated);
+    test::forge_checksum(prefix.data(), size);
+    File file;
+    if (load(prefix, file) == Status::ok) {
+      test::exercise(file);
+    } else {
+      ++refused;
+    }
+  }
+  EXPECT_EQ(refused, golden.size() - sizeof(format::Header)) << "the last section ends the file, so none can be whole";
+}
+
+// Calls check(block) once for each changed byte; returns how many there were.
+template <class Check>
+std::size_t for_changes(Check check) {
+  AlignedBlock block = test::golden_copy();
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const std::byte old = block.data()[i];
+    for (const std::byte now : {old ^ std::byte{0x01}, old ^ std::byte{0x80}, std::byte{0x00}, std::byte{0xFF}}) {
+      if (now == old) continue;
+      block.data()[i] = now;
+      check(block, i);
+      ++changes;
+    }
+    block.data()[i] = old;
+  }
+  EXPECT_GT(changes, block.size() * 3);
+  return changes;
+}
+
+TEST(Hostile, EveryChangedByteIsSeen) {
+  std::size_t refused = 0;
+  const std::size_t changes = for_changes([&](const AlignedBlock& block, std::size_t) {
+    File file;
+    refused += load(block, file) != Status::ok;
+  });
+  EXPECT_EQ(refused, changes);
+}
+
+TEST(Hostile, EveryForgedByteIsRefusedOrHarmless) {
+  std::size_t refused = 0, harmless = 0;
+  std::uint64_t sum = 0;
+  for_changes([&](AlignedBlock& block, std::size_t i) {
+    if (i >= 16 && i < 24) return;  // the checksum itself, which forging would mend
+    test::forge_checksum(block.data(), block.size());
+    File file;
+    DataError error;
+    if (load(block, file, &error) == Status::ok) {
+      sum ^= test::exercise(file);
+      ++harmless;
+    } else {
+      EXPECT_LT(error.offset, block.size());
+      EXPECT_NE(error.rule[0], 0);
+      ++refused;
+    }
+  });
+  // Both happen: names, colours and most low bits of numbers are free; counts, indices and reserved bytes are not.
+  EXPECT_GT(refused, 1000u);
+  EXPECT_GT(harmless, 1000u);
+  EXPECT_NE(sum, 0u);
+  RecordProperty("refused", static_cast<int>(refused));
+  RecordProperty("harmless", static_cast<int>(harmless));
+}
+
+}  // namespace
+}  // namespace marrow

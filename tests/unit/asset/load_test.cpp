@@ -1,0 +1,229 @@
+// load: what it refuses, with which status, and that it says where.
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "asset/format.h"
+#include "support/golden.h"
+#include "support/pose_file.h"
+
+namespace marrow {
+namespace {
+
+using test::AlignedBlock;
+
+// The golden file with one thing changed at a time.
+class Load : public ::testing::Test {
+ protected:
+  Load() : block_(test::golden_copy()) {
+    EXPECT_EQ(load(block_, original_), Status::ok);
+    for (const File::Section& s : original_.sections()) sections_.push_back(s);
+  }
+  template <class T>
+  void set(std::size_t offset, T value) {
+    ASSERT_LE(offset + sizeof value, block_.size());
+    std::memcpy(block_.data() + offset, &value, sizeof value);
+  }
+  // Offset of the first section of a kind.
+  std::size_t at(format::Kind kind) const {
+    for (const File::Section& s : sections_)
+      if (s.type == format::kTypes[kind]) return s.offset;
+    ADD_FAILURE();
+    return 0;
+  }
+  template <class Header>
+  Header header(format::Kind kind) {
+    Header h;
+    std::memcpy(&h, block_.data() + at(kind), sizeof h);
+    return h;
+  }
+  // Loads the block with a right checksum, expects a refusal at `offset`, and mends the block.
+  void expect_refused(Status status, std::size_t first, std::size_t last, const char* what) {
+    test::forge_checksum(block_.data(), block_.size());
+    File out;
+    DataError error;
+    EXPECT_EQ(load(block_, out, &error), status) << what;
+    EXPECT_EQ(error.status, status) << what;
+    EXPECT_GE(error.offset, first) << what << ": " << error.rule;
+    EXPECT_LE(error.offset, last) << what << ": " << error.rule;
+    EXPECT_GT(std::strlen(error.rule), 5u) << what;
+    EXPECT_EQ(out.skeleton_count() + out.clip_count() + out.mesh_count(), 0u) << "written only on success";
+    std::memcpy(block_.data(), embedded::tiny_v1, block_.size());
+    ++refused_;
+  }
+  template <class T>
+  void refuse(std::size_t offset, T value, const char* what) {
+    set(offset, value);
+    expect_refused(Status::bad_data, 0, block_.size(), what);
+  }
+
+  AlignedBlock block_;
+  File original_;
+  std::vector<File::Section> sections_;
+  int refused_ = 0;
+};
+
+constexpr std::uint32_t kNaN = 0x7FC00000, kInfinity = 0x7F800000;
+
+TEST_F(Load, SucceedsAndClearsTheError) {
+  File out;
+  DataError error{Status::bad_data, 7, "old"};
+  ASSERT_EQ(load(block_, out, &error), Status::ok);
+  EXPECT_EQ(error.status, Status::ok);
+  ASSERT_EQ(load(block_, out), Status::ok) << "an error is optional";
+  EXPECT_EQ(out.mesh_count(), 2u);
+}
+
+TEST_F(Load, BadCalls) {
+  File out;
+  EXPECT_EQ(load({}, out), Status::bad_argument);
+  for (const std::size_t shift : {1u, 4u, 8u, 15u}) {
+    AlignedBlock moved(block_.size() + 16);
+    std::memcpy(moved.data() + shift, block_.data(), block_.size());
+    EXPECT_EQ(load({moved.data() + shift, block_.size()}, out), Status::bad_argument) << shift;
+  }
+  EXPECT_EQ(out.mesh_count(), 0u);
+}
+
+TEST_F(Load, HeaderOfAnotherKind) {
+  set(0, std::uint32_t{0x46546C67});  // "glTF"
+  expect_refused(Status::bad_magic, 0, 0, "magic");
+  set(4, std::uint32_t{2});
+  expect_refused(Status::bad_version, 4, 4, "version");
+  set(8, static_cast<std::uint32_t>(block_.size() + 1));
+  expect_refused(Status::truncated, 8, 8, "longer than the block");
+  set(8, static_cast<std::uint32_t>(block_.size() - 1));
+  expect_refused(Status::bad_data, 8, 8, "shorter than the block");
+  set(24, std::uint64_t{1});
+  expect_refused(Status::bad_data, 24, 24, "reserved");
+}
+
+TEST_F(Load, ADamagedByteIsSeen) {
+  block_.data()[block_.size() / 2] ^= std::byte{0x10};
+  File out;
+  DataError error;
+  EXPECT_EQ(load(block_, out, &error), Status::bad_checksum);
+  EXPECT_EQ(error.offset, 16u);
+}
+
+TEST_F(Load, SectionTable) {
+  const std::size_t entry = sizeof(format::Header);
+  refuse(12, std::uint32_t{0}, "no sections");
+  refuse(12, std::uint32_t{0xFFFFFFFF}, "four thousand million sections");
+  refuse(12, static_cast<std::uint32_t>(sections_.size() - 1), "a section fewer");
+  refuse(entry, format::kTypes[format::kMeshes], "types out of order");
+  refuse(entry, std::uint32_t{0}, "an unknown type");
+  refuse(entry + 4, sections_[0].offset + 16, "a gap");
+  refuse(entry + 4, sections_[0].offset - 16, "an overlap");
+  refuse(entry + 8, std::uint32_t{0xFFFFFFF0}, "a section past the end");
+  refuse(entry + 8, sections_[0].bytes - 1, "a section too short for its counts");
+  set(entry + 12, std::uint32_t{1});
+  expect_refused(Status::unsupported, 0, block_.size(), "a codec");
+  const std::size_t padding = sections_[0].offset + sections_[0].bytes;
+  ASSERT_NE(padding % 16, 0u);
+  refuse(padding, std::uint8_t{1}, "padding");
+}
+
+TEST_F(Load, Skeletons) {
+  const std::size_t base = at(format::kSkeletons);
+  const auto h = header<format::SkeletonHeader>(format::kSkeletons);
+  const format::SkeletonLayout l = layout(h);
+  refuse(base, std::uint32_t{100000}, "name outside the names");
+  refuse(base + 4, std::uint32_t{0}, "no joints");
+  refuse(base + 4, h.joint_count + 1, "a joint more");
+  refuse(base + 4, std::uint32_t{0xFFFFFFFF}, "too many joints");
+  refuse(base + 8, std::uint32_t{0}, "no roots");
+  refuse(base + 12, std::uint32_t{1}, "reserved");
+  refuse(base + l.roots, kNaN, "a root that is not a number");
+  refuse(base + l.rest + 44, kInfinity, "a rest pose that is not finite");
+  refuse(base + l.names + 4, std::uint32_t{100000}, "a joint's name");
+  refuse(base + l.parents, std::uint16_t{0}, "a root with a parent");
+  refuse(base + l.parents + 2, std::uint16_t{1}, "its own parent");
+  refuse(base + l.parents + 2, std::uint16_t{2}, "a parent behind its child");
+  refuse(base + l.parents + 2, kNoParent, "a root behind the roots");
+  EXPECT_EQ(refused_, 13);
+}
+
+TEST_F(Load, Clips) {
+  const std::size_t base = at(format::kClips);
+  const auto h = header<format::ClipHeader>(format::kClips);
+  const format::ClipLayout l = layout(h);
+  refuse(base + 4, std::uint32_t{1}, "another skeleton");
+  refuse(base + 8, kNaN, "duration");
+  refuse(base + 8, -1.0f, "a negative duration");
+  refuse(base + 8, 1.0f, "a duration before the last key");
+  refuse(base + 12, h.track_count + 1, "a track more");
+  refuse(base + 20, std::uint32_t{0x40000000}, "too many values");
+  refuse(base + 24, std::uint32_t{1}, "reserved");
+  const std::size_t track = base + l.tracks;
+  refuse(track, std::uint16_t{3}, "a joint outside the skeleton");
+  refuse(track + 2, std::uint8_t{3}, "a path");
+  refuse(track + 3, std::uint8_t{3}, "an interpolation");
+  refuse(track + 4, std::uint32_t{0}, "no keys");
+  refuse(track + 4, std::uint32_t{0xFFFFFFFF}, "too many keys");
+  refuse(track + 8, std::uint32_t{0xFFFFFFFF}, "times outside");
+  refuse(track + 12, std::uint32_t{0xFFFFFFFF}, "values outside");
+  refuse(track + 12, h.value_count, "values behind the last");
+  refuse(base + l.times, -0.5f, "a negative time");
+  refuse(base + l.times + 4, 0.0f, "times that stand still");
+  refuse(base + l.times, kNaN, "a time that is not a number");
+  refuse(base + l.values + 4, kInfinity, "a value that is not finite");
+  EXPECT_EQ(refused_, 19);
+}
+
+TEST_F(Load, Geometries) {
+  const std::size_t base = at(format::kGeometries);
+  const auto h = header<format::GeometryHeader>(format::kGeometries);
+  const format::GeometryLayout l = layout(h);
+  refuse(base, std::uint32_t{64}, "an unknown flag");
+  refuse(base, h.flags ^ format::kHasNormals, "a flag whose array is there");
+  refuse(base + 4, h.vertex_count - 1, "a vertex fewer than the runs");
+  refuse(base + 8, h.block_count + 1, "a block more");
+  refuse(base + 8, std::uint32_t{0xFFFFFFFF}, "too many blocks");
+  refuse(base + 12, std::uint32_t{0}, "no influences");
+  refuse(base + 16, h.run_count + 1, "a run more");
+  refuse(base + 24, std::uint32_t{0}, "no palette");
+  refuse(base + 24, std::uint32_t{2}, "a set beyond the palette");
+  refuse(base + 28, h.index_count - 1, "not three indices a triangle");
+  refuse(base + 36, kNaN, "a box that is not a number");
+  refuse(base + 60, std::uint32_t{1}, "reserved");
+  refuse(base + l.skin + 8, kNaN, "a position that is not a number");
+  refuse(base + l.normals + 8, kInfinity, "a normal that is not finite");
+  refuse(base + l.runs, std::uint32_t{0}, "a run without vertices");
+  refuse(base + l.runs, std::uint32_t{0xFFFFFFFF}, "a run with too many vertices");
+  refuse(base + l.runs + 4, std::uint32_t{0}, "a run without influences");
+  refuse(base + l.runs + 4, std::uint32_t{9}, "a run with nine influences");
+  refuse(base + l.source_slots, h.block_count * 4, "a source vertex outside the slots");
+  refuse(base + l.indices, static_cast<std::uint16_t>(h.block_count * 4), "an index outside the slots");
+  refuse(base + l.sets, std::uint16_t{3}, "a set outside the palette");
+  EXPECT_EQ(refused_, 21);
+}
+
+TEST_F(Load, Meshes) {
+  const std::size_t base = at(format::kMeshes);
+  const format::MeshLayout l = layout(header<format::MeshHeader>(format::kMeshes));
+  refuse(base, std::uint32_t{100000}, "name");
+  refuse(base + 4, std::uint32_t{100000}, "material");
+  refuse(base + 8, std::uint32_t{1}, "another skeleton");
+  refuse(base + 12, std::uint32_t{2}, "another geometry");
+  refuse(base + 12, std::uint32_t{1}, "a geometry with fewer palette entries");
+  refuse(base + 16, std::uint32_t{2}, "fewer joints");
+  refuse(base + 20, std::uint32_t{2}, "an unknown flag");
+  refuse(base + 24, kNaN, "a colour that is not a number");
+  refuse(base + 40, std::uint32_t{1}, "reserved");
+  refuse(base + l.inverse_bind, kInfinity, "an inverse bind that is not finite");
+  refuse(base + l.joints, std::uint16_t{3}, "a joint outside the skeleton");
+  EXPECT_EQ(refused_, 11);
+}
+
+TEST_F(Load, Names) {
+  const std::size_t base = at(format::kNames);
+  refuse(base, std::uint8_t{'x'}, "the first name must be empty");
+  refuse(block_.size() - 1, std::uint8_t{'x'}, "the last name must end");
+  EXPECT_EQ(refused_, 2);
+}
+
+}  // namespace
+}  // namespace marrow

@@ -1,0 +1,123 @@
+// Every stage refuses memory that is too short, and writes nothing then.
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/rig.h"
+
+namespace marrow {
+namespace {
+
+// A character with everything that a frame needs, all of it just large enough.
+struct Frame {
+  Frame()
+      : c(test::make_character(41, 10, 3, false)),
+        skeleton(c.skeleton.view()),
+        clip(c.clip.view()),
+        mesh(c.mesh.view()),
+        local(c.skeleton.rest),
+        model(10),
+        palette(10),
+        coordinates(as_coordinate_count(mesh.geometry)),
+        positions(mesh.geometry.slot_count * 3, kUntouched),
+        normals(positions.size(), kUntouched),
+        tangents(mesh.geometry.slot_count * 4, kUntouched) {
+    EXPECT_EQ(local_to_model(skeleton, local, model), Status::ok);
+    EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
+    EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  }
+  SkinOutput output() { return {positions, normals, tangents}; }
+  std::vector<Status> skin(Span<const Affine> entries, const SkinOutput& out) {
+    return {skin_rigid(mesh, entries, out), skin_ssd(mesh, entries, out), skin_as(mesh, coordinates, entries, out)};
+  }
+  bool untouched() const {
+    for (const auto* v : {&positions, &normals, &tangents})
+      for (const float f : *v)
+        if (f != kUntouched) return false;
+    return true;
+  }
+
+  static constexpr float kUntouched = -77.0f;
+  test::TestCharacter c;
+  Skeleton skeleton;
+  Clip clip;
+  Mesh mesh;
+  std::vector<SoaTransform> local;
+  std::vector<Affine> model, palette;
+  std::vector<float> coordinates, positions, normals, tangents;
+};
+
+template <class T>
+Span<T> shorter(std::vector<T>& v) {
+  return {v.data(), v.size() - 1};
+}
+
+void expect_refused(const std::vector<Status>& all) {
+  ASSERT_EQ(all.size(), 3u);
+  for (const Status status : all) EXPECT_EQ(status, Status::bad_argument);
+}
+
+TEST(BadCalls, Sample) {
+  Frame f;
+  ASSERT_EQ(sample(f.skeleton, f.clip, 0.5f, f.local), Status::ok);
+  EXPECT_EQ(sample(f.skeleton, f.clip, 0.5f, shorter(f.local)), Status::bad_argument);
+  EXPECT_EQ(sample(f.skeleton, f.clip, 0.5f, {}), Status::bad_argument);
+  EXPECT_EQ(sample(f.skeleton, f.clip, std::nanf(""), f.local), Status::bad_argument);
+  const test::TestSkeleton smaller({{}, {0}, {1}});
+  EXPECT_EQ(sample(smaller.view(), f.clip, 0.5f, f.local), Status::bad_argument);
+}
+
+TEST(BadCalls, LocalToModel) {
+  Frame f;
+  EXPECT_EQ(local_to_model(f.skeleton, shorter(f.local), f.model), Status::bad_argument);
+  EXPECT_EQ(local_to_model(f.skeleton, f.local, shorter(f.model)), Status::bad_argument);
+  EXPECT_EQ(local_to_model(f.skeleton, {}, f.model), Status::bad_argument);
+}
+
+TEST(BadCalls, Palette) {
+  Frame f;
+  EXPECT_EQ(build_palette(f.mesh, shorter(f.model), f.palette), Status::bad_argument);
+  EXPECT_EQ(build_palette(f.mesh, f.model, shorter(f.palette)), Status::bad_argument);
+  EXPECT_EQ(build_palette(f.c.mesh.joints, shorter(f.c.mesh.inverse_bind), f.model, f.palette), Status::bad_argument);
+  const std::vector<std::uint16_t> far = {10};
+  EXPECT_EQ(build_palette(far, f.c.mesh.inverse_bind, f.model, f.palette), Status::bad_argument);
+}
+
+TEST(BadCalls, SkinOutputs) {
+  Frame f;
+  expect_refused(f.skin(shorter(f.palette), f.output()));
+  expect_refused(f.skin(f.palette, {shorter(f.positions), f.normals, f.tangents}));
+  expect_refused(f.skin(f.palette, {f.positions, shorter(f.normals), f.tangents}));
+  expect_refused(f.skin(f.palette, {f.positions, f.normals, shorter(f.tangents)}));
+  expect_refused(f.skin(f.palette, {{}, f.normals, f.tangents}));
+  EXPECT_TRUE(f.untouched());
+}
+
+TEST(BadCalls, SkinAttributesThatAreAbsent) {
+  Frame f;
+  f.mesh.geometry.tangents = nullptr;
+  expect_refused(f.skin(f.palette, f.output()));
+  f.mesh.geometry.normals = nullptr;
+  expect_refused(f.skin(f.palette, {f.positions, f.normals, {}}));
+  EXPECT_TRUE(f.untouched());
+  for (const Status status : f.skin(f.palette, {f.positions, {}, {}})) EXPECT_EQ(status, Status::ok);
+}
+
+TEST(BadCalls, AnimationSpaceCoordinates) {
+  Frame f;
+  EXPECT_EQ(as_coordinates(f.mesh.geometry, shorter(f.coordinates)), Status::bad_argument);
+  EXPECT_EQ(skin_as(f.mesh, shorter(f.coordinates), f.palette, f.output()), Status::bad_argument);
+  EXPECT_TRUE(f.untouched());
+}
+
+TEST(BadCalls, LargerThanNeededIsFine) {
+  Frame f;
+  f.positions.resize(f.positions.size() + 5, Frame::kUntouched);
+  f.palette.resize(20);
+  for (const Status status : f.skin(f.palette, f.output())) EXPECT_EQ(status, Status::ok);
+  for (std::size_t i = f.positions.size() - 5; i < f.positions.size(); ++i) EXPECT_EQ(f.positions[i], Frame::kUntouched);
+}
+
+}  // namespace
+}  // namespace marrow

@@ -1,0 +1,13 @@
+# Preprocesses marrow/marrow.h and fails if it comes to more than MOST_LINES lines.
+set(source ${CMAKE_CURRENT_BINARY_DIR}/header_weight.cpp)
+file(WRITE ${source} "#include \"marrow/marrow.h\"\n")
+execute_process(COMMAND ${CXX} -std=c++20 -E -P -I${INCLUDE} ${source} OUTPUT_VARIABLE text RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "cannot preprocess marrow.h")
+endif()
+string(REGEX MATCHALL "\n" newlines "${text}")
+list(LENGTH newlines lines)
+message("marrow.h preprocesses to ${lines} lines; at most ${MOST_LINES} are allowed")
+if(lines LESS 100 OR lines GREATER ${MOST_LINES})
+  message(FATAL_ERROR "marrow.h is too heavy, or was not found")
+endif()

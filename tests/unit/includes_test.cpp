@@ -1,0 +1,123 @@
+// Which part of the source tree may include which: the arrows of docs/architecture.md, held by reading #include lines.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+  fs::path file;
+  std::string name;  // as written between the quotes or brackets
+};
+
+bool is_source(const fs::path& p) { return p.extension() == ".h" || p.extension() == ".cpp"; }
+
+std::vector<Include> includes_under(const fs::path& folder) {
+  std::vector<Include> out;
+  if (!fs::exists(folder)) return out;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!is_source(entry.path())) continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      const std::size_t hash = line.find_first_not_of(" \t");
+      if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0) continue;
+      const std::size_t open = line.find_first_of("\"<");
+      const std::size_t close = line.find_first_of("\">", open + 1);
+      if (close != std::string::npos) out.push_back({entry.path(), line.substr(open + 1, close - open - 1)});
+    }
+  }
+  return out;
+}
+
+const fs::path kRuntime = fs::path(MARROW_SOURCE_DIR) / "runtime";
+
+// Which folder stands behind a public header: where its functions are implemented.
+const std::map<std::string, std::string> kHeaders = {
+    {"marrow/status.h", "core"}, {"marrow/span.h", "core"},  {"marrow/pose.h", "core"},
+    {"marrow/glm.h", "math"},    {"marrow/file.h", "asset"}, {"marrow/sample.h", "pose"},
+    {"marrow/local_to_model.h", "pose"}, {"marrow/palette.h", "skin"}, {"marrow/skin.h", "skin"}};
+
+std::string part_of(const std::string& include) {
+  const auto header = kHeaders.find(include);
+  if (header != kHeaders.end()) return header->second;
+  if (include.rfind("marrow/gles3", 0) == 0) return "gles3";
+  if (include.rfind("marrow/", 0) == 0) return "a public header that this test does not know: " + include;
+  const std::size_t slash = include.find('/');
+  return slash == std::string::npos ? "" : include.substr(0, slash);
+}
+
+TEST(Includes, PointOneWay) {
+  const std::map<std::string, std::set<std::string>> allowed = {
+      {"core", {"core"}},
+      {"math", {"core", "math"}},
+      {"asset", {"core", "math", "asset"}},
+      {"pose", {"core", "math", "asset", "pose"}},
+      {"skin", {"core", "math", "asset", "skin"}},
+      {"gles3", {"core", "math", "asset", "skin", "gles3"}},
+      {"draco", {"core", "math", "asset", "draco"}}};
+  int checked = 0;
+  for (const auto& [part, may] : allowed) {
+    for (const Include& include : includes_under(kRuntime / part)) {
+      const std::string target = part_of(include.name);
+      if (target.empty() || target == "GLES3" || target == "EGL" || target == "glm") continue;  // system headers
+      EXPECT_TRUE(may.count(target)) << include.file << " includes " << include.name;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 15);
+}
+
+TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
+  const std::set<std::string> known = {"include", "core", "math", "asset", "pose", "skin", "gles3", "draco"};
+  for (const auto& entry : fs::directory_iterator(kRuntime)) {
+    EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
+  }
+}
+
+TEST(Includes, TheRuntimeKnowsNoFilesNoJsonNoStreams) {
+  const std::vector<Include> all = includes_under(kRuntime);
+  EXPECT_GT(all.size(), 30u);
+  const std::set<std::string> heavy = {"vector", "string", "map", "unordered_map", "functional", "memory", "exception",
+                                       "stdexcept", "iostream", "fstream", "filesystem", "cstdio", "stdio.h", "span"};
+  for (const Include& include : all) {
+    EXPECT_FALSE(heavy.count(include.name)) << include.file << " includes " << include.name;
+    for (const char* banned : {"tiny_gltf", "json", "cook/", "common/", "fmt/", "CLI"})
+      EXPECT_EQ(include.name.find(banned), std::string::npos) << include.file << " includes " << include.name;
+  }
+}
+
+TEST(Includes, OnlyTheCookerKnowsTinygltf) {
+  int found = 0;
+  for (const char* folder : {"runtime", "platform", "tools"}) {
+    for (const Include& include : includes_under(fs::path(MARROW_SOURCE_DIR) / folder)) {
+      if (include.name.find("tiny_gltf") == std::string::npos) continue;
+      ++found;
+      EXPECT_NE(include.file.string().find("/tools/cook/"), std::string::npos) << include.file;
+    }
+  }
+  EXPECT_GT(found, 0);
+}
+
+TEST(Includes, IntrinsicsAreSpokenInOnePlace) {
+  const std::set<std::string> intrinsics = {"immintrin.h", "emmintrin.h", "xmmintrin.h", "pmmintrin.h", "smmintrin.h",
+                                            "tmmintrin.h", "arm_neon.h",  "wasm_simd128.h"};
+  int found = 0;
+  for (const char* folder : {"runtime", "platform", "tools"}) {
+    for (const Include& include : includes_under(fs::path(MARROW_SOURCE_DIR) / folder)) {
+      if (!intrinsics.count(include.name)) continue;
+      ++found;
+      EXPECT_EQ(include.file.parent_path(), kRuntime / "math") << include.file;
+    }
+  }
+  EXPECT_GE(found, 2);
+}
+
+}  // namespace

@@ -1,0 +1,151 @@
+// The SIMD layer against plain scalar loops, bit for bit, over ranges and corners of float.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "math/f32x4.h"
+#include "support/rig.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+// Corners, then exponents across the whole range with random fractions and signs.
+std::vector<float> interesting() {
+  std::vector<float> out = {0.0f, -0.0f, 1.0f, -1.0f, 0.5f, 3.0f, kInfinity, -kInfinity, kNaN, -kNaN,
+                            std::numeric_limits<float>::min(), -std::numeric_limits<float>::min(),
+                            std::numeric_limits<float>::denorm_min(), -std::numeric_limits<float>::denorm_min(),
+                            std::bit_cast<float>(0x007FFFFFu), std::numeric_limits<float>::max(),
+                            -std::numeric_limits<float>::max(), std::nextafter(1.0f, 0.0f), std::nextafter(1.0f, 2.0f)};
+  test::Random random(1);
+  for (std::uint32_t exponent = 0; exponent < 255; exponent += 3) {
+    out.push_back(std::bit_cast<float>((random.bits() << 31) | exponent << 23 | (random.bits() & 0x7FFFFFu)));
+  }
+  return out;
+}
+
+// Equal bits; any NaN equals any other, whose sign and payload differ between processors.
+bool same(float a, float b) {
+  return (a != a && b != b) || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+void expect_lanes(f32x4 got, const float (&want)[4], const char* what) {
+  float lanes[4];
+  store(lanes, got);
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(same(lanes[i], want[i])) << what << " lane " << i << ": " << lanes[i] << " for " << want[i];
+}
+
+// Every pair of interesting numbers, four pairs at a time.
+template <class Check>
+int for_pairs(Check check) {
+  const std::vector<float> numbers = interesting();
+  std::vector<float> a, b;
+  for (const float x : numbers)
+    for (const float y : numbers) a.push_back(x), b.push_back(y);
+  while (a.size() % 4 != 0) a.push_back(1.0f), b.push_back(1.0f);
+  int cases = 0;
+  for (std::size_t i = 0; i < a.size(); i += 4, ++cases) check(&a[i], &b[i]);
+  return cases;
+}
+
+TEST(F32x4, ArithmeticEqualsScalar) {
+  const int cases = for_pairs([](const float* a, const float* b) {
+    const f32x4 x = load(a), y = load(b);
+    const float sum[4] = {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
+    const float difference[4] = {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
+    const float product[4] = {a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]};
+    const float quotient[4] = {a[0] / b[0], a[1] / b[1], a[2] / b[2], a[3] / b[3]};
+    expect_lanes(x + y, sum, "+");
+    expect_lanes(x - y, difference, "-");
+    expect_lanes(x * y, product, "*");
+    expect_lanes(x / y, quotient, "/");
+  });
+  EXPECT_GT(cases, 2500);
+}
+
+TEST(F32x4, ComparisonAndSelection) {
+  const int cases = for_pairs([](const float* a, const float* b) {
+    float want[4];
+    for (int i = 0; i < 4; ++i) want[i] = a[i] < b[i] ? a[i] : b[i];
+    const f32x4 x = load(a), y = load(b);
+    expect_lanes(select(x < y, x, y), want, "select");
+  });
+  EXPECT_GT(cases, 2500);
+}
+
+// Products that a fused multiply-add would round once instead of twice.
+TEST(F32x4, NothingIsFused) {
+  test::Random random(2);
+  int differing = 0;
+  for (int i = 0; i < 4000; ++i) {
+    float a[4], b[4], c[4], want[4];
+    for (int lane = 0; lane < 4; ++lane) {
+      a[lane] = std::bit_cast<float>(0x3F800000u | (random.bits() & 0x7FFFFFu));
+      b[lane] = std::bit_cast<float>(0x3F800000u | (random.bits() & 0x7FFFFFu));
+      const float rounded = static_cast<float>(static_cast<double>(a[lane]) * static_cast<double>(b[lane]));
+      c[lane] = -rounded;
+      want[lane] = 0.0f;
+      if (std::fma(a[lane], b[lane], c[lane]) != 0.0f) ++differing;
+    }
+    expect_lanes(load(a) * load(b) + load(c), want, "a * b + c");
+    expect_lanes(dot3(load(a), splat(0.0f), splat(0.0f), load(b), splat(1.0f), splat(1.0f)) + load(c), want, "dot3");
+  }
+  EXPECT_GT(differing, 8000) << "the numbers must be ones where fusing shows";
+}
+
+TEST(F32x4, SquareRoot) {
+  std::vector<float> numbers = interesting();
+  while (numbers.size() % 4 != 0) numbers.push_back(2.0f);
+  for (std::size_t i = 0; i < numbers.size(); i += 4) {
+    const float* const a = &numbers[i];
+    const float want[4] = {std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+    expect_lanes(sqrt(load(a)), want, "sqrt");
+  }
+}
+
+TEST(F32x4, Shuffles) {
+  const float a[4] = {1, -0.0f, kNaN, 4}, b[4] = {5, 6, 7, -0.0f}, c[4] = {9, 10, kInfinity, 12}, d[4] = {13, 14, 15, 16};
+  const f32x4 x = load(a);
+  for (int lane = 0; lane < 4; ++lane) {
+    const float want[4] = {a[lane], a[lane], a[lane], a[lane]};
+    const f32x4 got = lane == 0 ? splat_lane<0>(x) : lane == 1 ? splat_lane<1>(x) : lane == 2 ? splat_lane<2>(x) : splat_lane<3>(x);
+    expect_lanes(got, want, "splat_lane");
+  }
+  expect_lanes(splat(-0.0f), {-0.0f, -0.0f, -0.0f, -0.0f}, "splat");
+  expect_lanes(only_w(x), {0, 0, 0, 4}, "only_w");
+  expect_lanes(only_w(load(b)), {0, 0, 0, -0.0f}, "only_w of -0");
+  f32x4 r0 = load(a), r1 = load(b), r2 = load(c), r3 = load(d);
+  transpose(r0, r1, r2, r3);
+  expect_lanes(r0, {a[0], b[0], c[0], d[0]}, "transpose");
+  expect_lanes(r1, {a[1], b[1], c[1], d[1]}, "transpose");
+  expect_lanes(r2, {a[2], b[2], c[2], d[2]}, "transpose");
+  expect_lanes(r3, {a[3], b[3], c[3], d[3]}, "transpose");
+}
+
+TEST(F32x4, StoreXyzInterleavesAndWritesNoMore) {
+  const float x[4] = {1, 2, 3, 4}, y[4] = {5, 6, 7, 8}, z[4] = {9, 10, 11, 12};
+  float out[14];
+  for (float& f : out) f = -1;
+  store_xyz(out + 1, load(x), load(y), load(z));
+  EXPECT_EQ(out[0], -1.0f);
+  EXPECT_EQ(out[13], -1.0f);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(out[1 + 3 * i], x[i]);
+    EXPECT_EQ(out[2 + 3 * i], y[i]);
+    EXPECT_EQ(out[3 + 3 * i], z[i]);
+  }
+}
+
+TEST(F32x4, InverseLength) {
+  const float squared[4] = {4.0f, 0.0f, 2.0f, kNaN};
+  expect_lanes(inverse_length(load(squared)), {0.5f, 0.0f, 1.0f / std::sqrt(2.0f), 0.0f}, "inverse_length");
+}
+
+}  // namespace
+}  // namespace marrow

@@ -1,0 +1,48 @@
+// build_palette against products in double precision.
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/rig.h"
+
+namespace marrow {
+namespace {
+
+TEST(Palette, IsSceneFromJointTimesBindThroughTheRemap) {
+  test::Random random(7);
+  std::vector<Affine> scene_from_joint, bind;
+  for (int i = 0; i < 5; ++i) {
+    const test::Quat q = random.rotation();
+    scene_from_joint.push_back(test::to_affine(test::from_trs({1.0 * i, 2, -1}, q, {1, -2, 0.5})));
+    const test::Quat r = random.rotation();
+    bind.push_back(test::to_affine(test::from_trs({-3, 0.25, 0.5 * i}, r, {1, 1, 1})));
+  }
+  const std::vector<std::uint16_t> joints = {4, 0, 0, 3, 1};
+  std::vector<Affine> out(6, Affine{});
+  ASSERT_EQ(build_palette(joints, bind, scene_from_joint, out), Status::ok);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const test::Map want = test::to_map(scene_from_joint[joints[i]]) * test::to_map(bind[i]);
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 4; ++c) EXPECT_NEAR(static_cast<double>(out[i].rows[r][c]), want.rows[r][c], 1e-5) << i;
+  }
+  EXPECT_EQ(out[5].rows[0][0], 0.0f) << "only as many entries as joints are written";
+}
+
+TEST(Palette, OfAMeshIsTheSame) {
+  const test::TestCharacter c = test::make_character(3, 9, 2, false);
+  std::vector<Affine> model(9), whole(9), parts(9);
+  ASSERT_EQ(local_to_model(c.skeleton.view(), c.skeleton.rest, model), Status::ok);
+  const Mesh mesh = c.mesh.view();
+  ASSERT_EQ(build_palette(mesh, model, whole), Status::ok);
+  ASSERT_EQ(build_palette(c.mesh.joints, c.mesh.inverse_bind, model, parts), Status::ok);
+  for (std::size_t i = 0; i < 9; ++i)
+    for (int r = 0; r < 3; ++r)
+      for (int k = 0; k < 4; ++k) EXPECT_EQ(whole[i].rows[r][k], parts[i].rows[r][k]);
+}
+
+TEST(Palette, NoJointsIsNoWork) {
+  EXPECT_EQ(build_palette(Span<const std::uint16_t>{}, {}, {}, {}), Status::ok);
+}
+
+}  // namespace
+}  // namespace marrow

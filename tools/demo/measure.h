@@ -1,0 +1,21 @@
+// How long the stages take on this processor: medians of many runs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "marrow/marrow.h"
+
+namespace marrow::tools {
+
+struct Timings {
+  double sample_us = 0;  // one clip at one moment, every joint of its skeleton
+  double ssd_us = 0;     // every mesh, positions and normals
+  double as_us = 0;
+};
+
+// Times the runtime's own calls over memory that is allocated beforehand, at moments spread over the clip. Without a
+// clip nothing is sampled and the rest pose is skinned.
+Timings measure(const File& file, std::optional<std::uint32_t> clip);
+
+}  // namespace marrow::tools

@@ -1,0 +1,26 @@
+// A contact sheet: six moments of a clip, skinned by SSD and by animation space, and where the two differ.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "render/gl.h"
+#include "render/image.h"
+#include "marrow/file.h"
+
+namespace marrow::tools {
+
+struct Sheet {
+  Image image;
+  float largest_m = 0;       // distance between SSD and AS over the moments shown, scene units
+  bool on_gpu = true;        // false: a mesh has too many joints for a uniform block, so the CPU skinned
+};
+
+// The clip that bends joints most, the one worth showing; nullopt if the file has none.
+std::optional<std::uint32_t> liveliest_clip(const File& file);
+
+// title: what the file is called. Without a clip the rest pose is shown from six sides.
+Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> clip, const std::string& title);
+
+}  // namespace marrow::tools

@@ -1,0 +1,78 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace marrow::tools {
+namespace {
+
+constexpr float kYaw = 0.56f;         // radians from +Z towards +X
+constexpr float kPitch = 0.21f;       // radians above the horizon
+constexpr float kFieldOfView = 0.47f;  // radians, vertical: a portrait lens
+
+// The camera's distance along one axis: every point p must satisfy |p.side - at| ≤ slope · (distance - p.depth).
+struct Fit {
+  float high = -1e30f;
+  float low = -1e30f;
+  void add(float side, float depth, float slope) {
+    high = std::max(high, side + slope * depth);
+    low = std::max(low, -side + slope * depth);
+  }
+  float at() const { return 0.5f * (high - low); }
+  float distance(float slope) const { return 0.5f * (high + low) / slope; }
+};
+
+}  // namespace
+
+Camera frame_points(std::span<const glm::vec3> points, float aspect, float margin, float turn_rad) {
+  const float yaw = kYaw + turn_rad;
+  const glm::vec3 back(std::sin(yaw) * std::cos(kPitch), std::sin(kPitch), std::cos(yaw) * std::cos(kPitch));
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
+  const glm::vec3 up = glm::cross(back, right);
+  const float tangent_y = std::tan(0.5f * kFieldOfView);
+  const float slope_y = tangent_y * (1 - 2 * margin);
+  const float slope_x = tangent_y * aspect * (1 - 2 * margin);
+  Fit x, y;
+  float nearest = -1e30f;
+  Box box;
+  for (const glm::vec3& p : points) {
+    const float depth = glm::dot(p, back);
+    x.add(glm::dot(p, right), depth, slope_x);
+    y.add(glm::dot(p, up), depth, slope_y);
+    nearest = std::max(nearest, depth);
+    box.add(p);
+  }
+  const float radius = std::max(box.radius(), 1e-20f);
+  // A flat or tiny thing must not pull the lens into itself.
+  const float distance = std::max({x.distance(slope_x), y.distance(slope_y), nearest + 0.5f * radius});
+  Camera camera;
+  camera.position = right * x.at() + up * y.at() + back * distance;
+  const float near_plane = std::max(0.5f * (distance - nearest), 1e-3f * radius);
+  const float far_plane = 2 * (distance - glm::dot(box.centre(), back)) + 20 * radius;
+  camera.clip_from_scene = glm::perspective(kFieldOfView, aspect, near_plane, far_plane) *
+                           glm::lookAt(camera.position, camera.position - back, glm::vec3(0, 1, 0));
+  return camera;
+}
+
+Camera moved(const Camera& camera, glm::vec3 by) {
+  Camera out = camera;
+  out.position += by;
+  out.clip_from_scene = camera.clip_from_scene * glm::translate(glm::mat4(1), -by);
+  return out;
+}
+
+LightView frame_box(const Box& box, glm::vec3 direction, float margin) {
+  const glm::vec3 centre = box.centre();
+  const float radius = std::max(box.radius(), 1e-20f) * (1 + margin);
+  const glm::vec3 up = std::abs(direction.y) > 0.99f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
+  const glm::mat4 view = glm::lookAt(centre + direction * (2 * radius), centre, up);
+  LightView out;
+  out.clip_from_scene = glm::ortho(-radius, radius, -radius, radius, radius, 3 * radius) * view;
+  out.extent = {2 * radius, 2 * radius};
+  return out;
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,47 @@
+// Where a picture is taken from: a view that holds a whole performance in the frame.
+#pragma once
+
+#include <span>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace marrow::tools {
+
+// An axis-aligned box; empty while min > max.
+struct Box {
+  glm::vec3 min{1e30f};
+  glm::vec3 max{-1e30f};
+
+  void add(glm::vec3 p) {
+    min = glm::min(min, p);
+    max = glm::max(max, p);
+  }
+  bool empty() const { return min.x > max.x; }
+  glm::vec3 centre() const { return 0.5f * (min + max); }
+  float radius() const { return 0.5f * glm::length(max - min); }
+};
+
+struct Camera {
+  glm::vec3 position{0};    // scene space
+  glm::mat4 clip_from_scene{1};
+};
+
+// A three-quarter view from the front (+Z) and a little above that frames all points, as large as the margins allow.
+// points: scene space; not empty. aspect: width / height. margin: share of the frame left free on every side.
+// turn_rad: how far the camera has walked round the character. Lengths do not matter: near and far planes follow the
+// points.
+Camera frame_points(std::span<const glm::vec3> points, float aspect, float margin, float turn_rad = 0);
+
+// The same camera moved.
+Camera moved(const Camera& camera, glm::vec3 by);
+
+// Seen along -direction by a light far away: maps the box, grown by `margin` times its radius, to clip space.
+// extent: width of the view and depth of its range, scene units.
+struct LightView {
+  glm::mat4 clip_from_scene{1};
+  glm::vec2 extent{1};
+};
+LightView frame_box(const Box& box, glm::vec3 direction, float margin);
+
+}  // namespace marrow::tools

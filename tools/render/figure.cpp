@@ -1,0 +1,141 @@
+#include "render/figure.h"
+
+#include <algorithm>
+
+#include "common/failure.h"
+
+namespace marrow::tools {
+namespace {
+
+gles3::Deformer gpu_deformer(Deformer deformer) {
+  switch (deformer) {
+    case Deformer::rigid: return gles3::Deformer::rigid;
+    case Deformer::ssd: return gles3::Deformer::ssd;
+    case Deformer::as: return gles3::Deformer::as;
+  }
+  return gles3::Deformer::ssd;
+}
+
+// White means that a texture, which is not carried, would have the say: such meshes get the colour of clay.
+glm::vec4 base_colour(const Mesh& mesh) {
+  const bool white = mesh.base_colour[0] >= 0.99f && mesh.base_colour[1] >= 0.99f && mesh.base_colour[2] >= 0.99f;
+  if (white && mesh.geometry.colours == nullptr) return {0.56f, 0.42f, 0.32f, 1};
+  return {mesh.base_colour[0], mesh.base_colour[1], mesh.base_colour[2], mesh.base_colour[3]};
+}
+
+void stream(const Gl& gl, GLuint buffer, std::span<const float> values) {
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  const auto bytes = static_cast<std::ptrdiff_t>(values.size_bytes());
+  gl.BufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+  gl.BufferSubData(GL_ARRAY_BUFFER, 0, bytes, values.data());
+}
+
+void attribute(const Gl& gl, GLuint buffer, GLuint location, int size) {
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.EnableVertexAttribArray(location);
+  gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+}  // namespace
+
+Figure::Figure(const Gl& gl, const File& file) : gl_(gl), file_(file) {
+  std::uint32_t joints = 0;
+  std::vector<std::byte> scratch;
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
+    const Mesh mesh = file.mesh(i);
+    Part& part = parts_.emplace_back();
+    part.bind.resize(mesh.joint_count);
+    scratch.resize(std::max(scratch.size(), gles3::prepare_scratch_bytes(mesh)));
+    const Status status = gles3::prepare(gl, gl.caps(), mesh, {}, scratch, part.bind, part.gpu);
+    if (status == Status::unsupported) {
+      if (!too_large_) too_large_ = i;
+    } else {
+      marrow::tools::check(status);
+    }
+    make_streams(mesh, part);
+    joints += mesh.joint_count;
+  }
+  const std::uint32_t meshes = std::max(1u, file.mesh_count());
+  marrow::tools::check(gles3::create_palette_ring(gl, gl.caps(), std::max(1u, joints), meshes, ring_));
+  gl.check("preparing a character");
+}
+
+Figure::~Figure() {
+  for (Part& part : parts_) gles3::destroy(gl_, part.gpu);
+  gles3::destroy(gl_, ring_);
+}
+
+void Figure::make_streams(const Mesh& mesh, Part& part) {
+  const Geometry& g = mesh.geometry;
+  part.indices = GlBuffer(gl_);
+  part.positions = GlBuffer(gl_);
+  part.normals = GlBuffer(gl_);
+  part.colours = GlBuffer(gl_);
+  part.array = GlVertexArray(gl_);
+  gl_.BindVertexArray(part.array);
+  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, part.indices);
+  const std::size_t bytes = std::size_t{g.index_count} * g.index_bytes;
+  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<std::ptrdiff_t>(bytes), g.indices, GL_STATIC_DRAW);
+  attribute(gl_, part.positions, gles3::kPositionLocation, 3);
+  if (g.normals != nullptr) attribute(gl_, part.normals, gles3::kNormalLocation, 3);
+  // Always there, so that a heat map has somewhere to put its colours.
+  attribute(gl_, part.colours, gles3::kColourLocation, 4);
+  gl_.BindVertexArray(0);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deformer) {
+  std::vector<Drawable> drawables;
+  std::vector<Affine> palette;
+  gles3::begin_frame(gl_, ring_);
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
+    const Mesh mesh = file_.mesh(i);
+    const Part& part = parts_[i];
+    palette.resize(mesh.joint_count);
+    const Span<const std::uint16_t> joints(mesh.joints, mesh.joint_count);
+    marrow::tools::check(build_palette(joints, part.bind, character.scene_from_joint(mesh.skeleton), palette));
+    Drawable d;
+    marrow::tools::check(gles3::push_palette(gl_, ring_, palette, d.palette_offset));
+    d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;
+    d.index_count = part.gpu.index_count;
+    d.index_type = part.gpu.index_type;
+    const int features = part.gpu.features & (gles3::kNormals | gles3::kColours);
+    d.program = {gpu_deformer(deformer), part.gpu.influences, static_cast<std::uint8_t>(features)};
+    d.coordinate_scale = part.gpu.coordinate_scale;
+    d.base_colour = base_colour(mesh);
+    drawables.push_back(d);
+  }
+  return drawables;
+}
+
+std::vector<Drawable> Figure::from_cpu(std::span<const PosedMesh> posed, std::span<const std::vector<float>> colours) {
+  std::vector<Drawable> drawables;
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
+    const Mesh mesh = file_.mesh(i);
+    const Geometry& g = mesh.geometry;
+    const Part& part = parts_[i];
+    stream(gl_, part.positions, posed[i].positions);
+    if (g.normals != nullptr) stream(gl_, part.normals, posed[i].normals);
+    std::vector<float> own(std::size_t{4} * g.slot_count, 1.0f);
+    for (std::size_t c = 0; g.colours != nullptr && c < own.size(); ++c) own[c] = static_cast<float>(g.colours[c]) / 255.0f;
+    stream(gl_, part.colours, colours.empty() ? own : colours[i]);
+    Drawable d;
+    d.vertex_array = part.array;
+    d.index_count = g.index_count;
+    d.index_type = g.index_bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+    const int features = (g.normals != nullptr ? gles3::kNormals : 0) | gles3::kColours;
+    d.program = {gles3::Deformer::none, 4, static_cast<std::uint8_t>(features)};
+    d.base_colour = colours.empty() ? base_colour(mesh) : glm::vec4(1);
+    drawables.push_back(d);
+  }
+  gl_.BindBuffer(GL_ARRAY_BUFFER, 0);
+  return drawables;
+}
+
+std::uint64_t Figure::gpu_vertex_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const Part& part : parts_) bytes += part.gpu.vertex_bytes;
+  return bytes;
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,52 @@
+// A character on the GPU: every mesh of a file, ready to be drawn in any pose by any deformer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pose/evaluate.h"
+#include "render/studio.h"
+
+namespace marrow::tools {
+
+class Figure {
+ public:
+  // Throws Failure (internal) if the driver refuses. `gl` and `file` outlive it.
+  Figure(const Gl& gl, const File& file);
+  ~Figure();
+  Figure(const Figure&) = delete;
+  Figure& operator=(const Figure&) = delete;
+
+  // Index of the first mesh whose palette is too large for a uniform block, if there is one.
+  std::optional<std::uint32_t> too_large() const { return too_large_; }
+
+  // Skinned by the vertex shader; palettes go up now. Precondition: !too_large().
+  std::vector<Drawable> on_gpu(const Character& character, Deformer deformer);
+
+  // Skinned already, a PosedMesh a mesh; positions and normals go up now. colours: if not empty, 4 floats a slot and
+  // mesh, linear, instead of the mesh's own.
+  std::vector<Drawable> from_cpu(std::span<const PosedMesh> posed, std::span<const std::vector<float>> colours = {});
+
+  const gles3::PaletteRing& palettes() const { return ring_; }
+  std::uint64_t gpu_vertex_bytes() const;
+
+ private:
+  struct Part {
+    gles3::GpuMesh gpu;         // empty where the palette is too large
+    std::vector<Affine> bind;   // what palettes are built with
+    GlBuffer indices, positions, normals, colours;
+    GlVertexArray array;
+  };
+
+  void make_streams(const Mesh& mesh, Part& part);
+
+  const Gl& gl_;
+  File file_;
+  std::vector<Part> parts_;
+  gles3::PaletteRing ring_;
+  std::optional<std::uint32_t> too_large_;
+};
+
+}  // namespace marrow::tools

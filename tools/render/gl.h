@@ -1,0 +1,112 @@
+// The tools' OpenGL: a headless context, its functions, and objects that delete themselves.
+#pragma once
+
+#define GL_GLES_PROTOTYPES 0
+#include <GLES3/gl3.h>
+
+#include <string>
+#include <utility>
+
+#include "marrow/egl.h"
+#include "marrow/gles3.h"
+
+// What drawing pictures needs beyond marrow::gles3: X(return type, name, parameters).
+#define MARROW_TOOL_GL_FUNCTIONS(X)                                                                          \
+  X(void, ActiveTexture, (GLenum unit))                                                                      \
+  X(void, BindFramebuffer, (GLenum target, GLuint framebuffer))                                              \
+  X(void, BindRenderbuffer, (GLenum target, GLuint renderbuffer))                                            \
+  X(void, BindSampler, (GLuint unit, GLuint sampler))                                                        \
+  X(void, BindTexture, (GLenum target, GLuint texture))                                                      \
+  X(void, BlitFramebuffer,                                                                                   \
+    (GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0, GLint to_y0, GLint to_x1, GLint to_y1,              \
+     GLbitfield mask, GLenum filter))                                                                        \
+  X(GLenum, CheckFramebufferStatus, (GLenum target))                                                         \
+  X(void, Clear, (GLbitfield mask))                                                                          \
+  X(void, ClearDepthf, (GLfloat depth))                                                                      \
+  X(void, DeleteFramebuffers, (GLsizei count, const GLuint* framebuffers))                                   \
+  X(void, DeleteRenderbuffers, (GLsizei count, const GLuint* renderbuffers))                                 \
+  X(void, DeleteSamplers, (GLsizei count, const GLuint* samplers))                                           \
+  X(void, DeleteTextures, (GLsizei count, const GLuint* textures))                                           \
+  X(void, DepthMask, (GLboolean on))                                                                         \
+  X(void, Disable, (GLenum capability))                                                                      \
+  X(void, DrawArrays, (GLenum mode, GLint first, GLsizei count))                                             \
+  X(void, DrawBuffers, (GLsizei count, const GLenum* buffers))                                               \
+  X(void, Enable, (GLenum capability))                                                                       \
+  X(void, FramebufferRenderbuffer, (GLenum target, GLenum attachment, GLenum kind, GLuint renderbuffer))     \
+  X(void, FramebufferTexture2D, (GLenum target, GLenum attachment, GLenum kind, GLuint texture, GLint level)) \
+  X(void, GenFramebuffers, (GLsizei count, GLuint* framebuffers))                                            \
+  X(void, GenRenderbuffers, (GLsizei count, GLuint* renderbuffers))                                          \
+  X(void, GenSamplers, (GLsizei count, GLuint* samplers))                                                    \
+  X(void, GenTextures, (GLsizei count, GLuint* textures))                                                    \
+  X(void, GetInternalformativ, (GLenum target, GLenum format, GLenum name, GLsizei size, GLint* values))     \
+  X(void, PixelStorei, (GLenum name, GLint value))                                                           \
+  X(void, PolygonOffset, (GLfloat factor, GLfloat units))                                                    \
+  X(void, ReadPixels, (GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* out)) \
+  X(void, RenderbufferStorageMultisample,                                                                    \
+    (GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height))                          \
+  X(void, SamplerParameteri, (GLuint sampler, GLenum name, GLint value))                                     \
+  X(void, TexStorage2D, (GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height))       \
+  X(void, Uniform1i, (GLint location, GLint value))                                                          \
+  X(void, Uniform2fv, (GLint location, GLsizei count, const GLfloat* values))                                \
+  X(void, Uniform3fv, (GLint location, GLsizei count, const GLfloat* values))                                \
+  X(void, Uniform4fv, (GLint location, GLsizei count, const GLfloat* values))                                \
+  X(void, UniformMatrix4fv, (GLint location, GLsizei count, GLboolean transpose, const GLfloat* values))     \
+  X(void, UseProgram, (GLuint program))                                                                      \
+  X(void, Viewport, (GLint x, GLint y, GLsizei width, GLsizei height))
+
+namespace marrow::tools {
+
+struct GlFunctions : gles3::Api {
+#define MARROW_MEMBER(Result, Name, Parameters) Result(*Name) Parameters = nullptr;
+  MARROW_TOOL_GL_FUNCTIONS(MARROW_MEMBER)
+#undef MARROW_MEMBER
+};
+
+// A current OpenGL ES 3.0 context without a window. Throws Failure (unsupported) where there is none.
+class Gl : public GlFunctions {
+ public:
+  Gl();
+  Gl(const Gl&) = delete;
+  Gl& operator=(const Gl&) = delete;
+
+  const gles3::Caps& caps() const { return caps_; }
+  // "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL ES 3.2 Mesa 22.3.6"
+  const std::string& driver() const { return driver_; }
+  // Throws Failure (internal) if GL has recorded an error since the last check; `doing` says during what.
+  void check(const char* doing) const;
+
+ private:
+  egl::HeadlessContext context_;
+  gles3::Caps caps_;
+  std::string driver_;
+};
+
+// A GL object's name that is deleted with its owner. The context outlives it.
+template <auto Gen, auto Delete>
+class GlObject {
+ public:
+  GlObject() = default;
+  explicit GlObject(const Gl& gl) : gl_(&gl) { (gl.*Gen)(1, &name_); }
+  GlObject(GlObject&& other) noexcept : gl_(std::exchange(other.gl_, nullptr)), name_(std::exchange(other.name_, 0)) {}
+  GlObject& operator=(GlObject&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  ~GlObject() {
+    if (name_ != 0) (gl_->*Delete)(1, &name_);
+  }
+  operator GLuint() const { return name_; }
+
+ private:
+  const Gl* gl_ = nullptr;
+  GLuint name_ = 0;
+};
+using GlBuffer = GlObject<&GlFunctions::GenBuffers, &GlFunctions::DeleteBuffers>;
+using GlVertexArray = GlObject<&GlFunctions::GenVertexArrays, &GlFunctions::DeleteVertexArrays>;
+using GlTexture = GlObject<&GlFunctions::GenTextures, &GlFunctions::DeleteTextures>;
+using GlSampler = GlObject<&GlFunctions::GenSamplers, &GlFunctions::DeleteSamplers>;
+using GlFramebuffer = GlObject<&GlFunctions::GenFramebuffers, &GlFunctions::DeleteFramebuffers>;
+using GlRenderbuffer = GlObject<&GlFunctions::GenRenderbuffers, &GlFunctions::DeleteRenderbuffers>;
+
+}  // namespace marrow::tools

@@ -1,0 +1,89 @@
+#include "render/performance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marrow::tools {
+namespace {
+
+constexpr int kMoments = 16;
+constexpr std::size_t kPointsPerMoment = 4000;
+
+glm::vec3 point(const PosedMesh& mesh, std::size_t slot) {
+  return {mesh.positions[3 * slot], mesh.positions[3 * slot + 1], mesh.positions[3 * slot + 2]};
+}
+
+}  // namespace
+
+std::vector<PosedMesh> skin_all(const File& file, const Character& character, Deformer deformer) {
+  std::vector<PosedMesh> posed(file.mesh_count());
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) character.skin(i, deformer, posed[i]);
+  return posed;
+}
+
+Box box_of(const std::vector<PosedMesh>& posed) {
+  Box box;
+  for (const PosedMesh& mesh : posed) {
+    for (std::size_t slot = 0; 3 * slot < mesh.positions.size(); ++slot) box.add(point(mesh, slot));
+  }
+  if (box.empty()) box.add(glm::vec3(0));
+  return box;
+}
+
+// The mean of all joints on the ground plane: steadier than the middle of a box with waving arms.
+glm::vec3 Performance::anchor(const Character& character) const {
+  glm::dvec3 sum(0);
+  double count = 0;
+  for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
+    for (const Affine& joint : character.scene_from_joint(i)) {
+      sum += glm::dvec3(static_cast<double>(joint.rows[0][3]), 0, static_cast<double>(joint.rows[2][3]));
+      count += 1;
+    }
+  }
+  return count > 0 ? glm::vec3(sum / count) : glm::vec3(0);
+}
+
+Performance::Performance(const File& file, Character& character, std::optional<std::uint32_t> clip) : file_(file) {
+  character.pose(std::nullopt, 0);
+  diagonal_ = 2 * box_of(skin_all(file, character, Deformer::ssd)).radius();
+  duration_s_ = clip ? file.clip(*clip).duration_s : 0;
+  const int moments = clip && duration_s_ > 0 ? kMoments : 1;
+  std::vector<glm::vec3> anchors;
+  std::vector<std::vector<glm::vec3>> points;
+  Box ground, trail;
+  radius_ = 0;
+  for (int m = 0; m < moments; ++m) {
+    character.pose(clip, duration_s_ * static_cast<float>(m) / static_cast<float>(moments));
+    const std::vector<PosedMesh> posed = skin_all(file, character, Deformer::ssd);
+    const Box box = box_of(posed);
+    ground.add(box.min);
+    radius_ = std::max(radius_, box.radius());
+    anchors.push_back(anchor(character));
+    trail.add(anchors.back());
+    std::size_t slots = 0;
+    for (const PosedMesh& mesh : posed) slots += mesh.positions.size() / 3;
+    const std::size_t stride = std::max<std::size_t>(1, slots / kPointsPerMoment);
+    std::vector<glm::vec3>& kept = points.emplace_back();
+    for (const PosedMesh& mesh : posed) {
+      for (std::size_t slot = 0; 3 * slot < mesh.positions.size(); slot += stride) kept.push_back(point(mesh, slot));
+    }
+    if (kept.empty()) kept.push_back(box.centre());
+  }
+  follows_ = trail.radius() > 0.5f * radius_;
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    for (const glm::vec3& p : points[m]) points_.push_back(follows_ ? p - anchors[m] : p);
+  }
+  ground_height_ = ground.min.y;
+  radius_ = std::max(radius_, 1e-20f);
+}
+
+Shot Performance::shot(const Character& character, float aspect, float margin, float turn_rad) const {
+  Shot shot;
+  shot.camera = frame_points(points_, aspect, margin, turn_rad);
+  if (follows_) shot.camera = moved(shot.camera, anchor(character));
+  shot.radius = radius_;
+  shot.ground_height = ground_height_;
+  return shot;
+}
+
+}  // namespace marrow::tools

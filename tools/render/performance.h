@@ -1,0 +1,44 @@
+// A clip as the camera sees it: where the character is over the whole of it, and how to frame that.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pose/evaluate.h"
+#include "render/camera.h"
+#include "render/studio.h"
+
+namespace marrow::tools {
+
+class Performance {
+ public:
+  // Looks at 16 moments of the clip, or at the rest pose. Leaves `character` in some pose.
+  Performance(const File& file, Character& character, std::optional<std::uint32_t> clip);
+
+  float duration_s() const { return duration_s_; }
+  // Diagonal of the rest pose's box, scene units.
+  float diagonal() const { return diagonal_; }
+
+  // A picture of this shape that frames the whole performance. A character that walks off is followed: `character`
+  // stands where it is shot.
+  Shot shot(const Character& character, float aspect, float margin, float turn_rad = 0) const;
+
+ private:
+  glm::vec3 anchor(const Character& character) const;
+
+  File file_;
+  std::vector<glm::vec3> points_;  // scene space, minus the anchor where the camera follows
+  float ground_height_ = 0;
+  float radius_ = 1;
+  float duration_s_ = 0;
+  float diagonal_ = 1;
+  bool follows_ = false;
+};
+
+// Box of all vertices of a posed character.
+Box box_of(const std::vector<PosedMesh>& posed);
+// Every mesh deformed.
+std::vector<PosedMesh> skin_all(const File& file, const Character& character, Deformer deformer);
+
+}  // namespace marrow::tools

@@ -1,0 +1,122 @@
+#include "render/render.h"
+
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "common/failure.h"
+#include "common/load_mrw.h"
+#include "render/figure.h"
+#include "render/heat.h"
+#include "render/performance.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr int kLargestSide = 8192;
+constexpr float kMargin = 0.09f;
+
+struct Arguments {
+  std::string file, clip, heatmap, output;
+  std::string deformer = "ssd";
+  std::string path = "ubo";
+  std::string size = "960x720";
+  double time_s = 0;
+};
+
+struct Size {
+  int width, height;
+};
+
+Size parse_size(const std::string& text) {
+  int width = 0, height = 0, end = 0;
+  const int fields = std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &end);
+  const bool whole = fields == 2 && static_cast<std::size_t>(end) == text.size();
+  if (!whole || width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
+    throw Failure(Exit::usage, "--size", "", "\"" + text + "\" is not a size", "give WIDTHxHEIGHT, each 1 to 8192, as in 960x720");
+  }
+  return {width, height};
+}
+
+// "ssd:as" → the two deformers.
+std::pair<Deformer, Deformer> parse_pair(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::optional<Deformer> a = parse_deformer(text.substr(0, colon));
+  const std::optional<Deformer> b = colon == std::string::npos ? std::nullopt : parse_deformer(text.substr(colon + 1));
+  if (!a || !b) {
+    throw Failure(Exit::usage, "--heatmap", "", "\"" + text + "\" is not a pair of deformers",
+                  "give two of rigid, ssd and as, as in ssd:as");
+  }
+  return {*a, *b};
+}
+
+std::vector<Drawable> make_drawables(const Arguments& arguments, const File& file, const Character& character, Figure& figure) {
+  const Deformer deformer = *parse_deformer(arguments.deformer);
+  if (arguments.path == "cpu") return figure.from_cpu(skin_all(file, character, deformer));
+  if (const std::optional<std::uint32_t> mesh = figure.too_large()) {
+    throw Failure(Exit::unsupported, arguments.file, "mesh " + std::to_string(*mesh),
+                  "more joints than one uniform block holds (" + std::to_string(gles3::kPaletteJoints) + ")",
+                  "use --path cpu");
+  }
+  return figure.on_gpu(character, deformer);
+}
+
+void run(const Arguments& arguments) {
+  const Size size = parse_size(arguments.size);
+  std::optional<std::pair<Deformer, Deformer>> pair;
+  if (!arguments.heatmap.empty()) pair = parse_pair(arguments.heatmap);
+  const LoadedFile loaded = load_mrw(arguments.file);
+  const File& file = loaded.file;
+  std::optional<std::uint32_t> clip;
+  if (!arguments.clip.empty()) clip = find_clip(arguments.file, file, arguments.clip);
+
+  Character character(file);
+  const Performance performance(file, character, clip);
+  character.pose(clip, static_cast<float>(arguments.time_s));
+  const Gl gl;
+  Figure figure(gl, file);
+  Studio studio(gl, size.width, size.height);
+  Shot shot = performance.shot(character, static_cast<float>(size.width) / static_cast<float>(size.height), kMargin);
+  shot.palettes = &figure.palettes();
+  shot.box = box_of(skin_all(file, character, pair ? pair->first : *parse_deformer(arguments.deformer)));
+
+  std::vector<Drawable> drawables;
+  if (pair) {
+    const std::vector<PosedMesh> a = skin_all(file, character, pair->first);
+    const std::vector<PosedMesh> b = skin_all(file, character, pair->second);
+    const HeatMap map = compare(a, b, sensible_scale(largest_distance(a, b), performance.diagonal()));
+    drawables = figure.from_cpu(a, map.colours);
+    shot.shading = 0.25f;
+    std::printf("%s: largest distance %.6g mm (%.3g of the diagonal); the hottest colour is %.6g mm\n", arguments.heatmap.c_str(),
+                1e3 * static_cast<double>(map.largest), static_cast<double>(map.largest / performance.diagonal()),
+                1e3 * static_cast<double>(map.full_scale));
+  } else {
+    drawables = make_drawables(arguments, file, character, figure);
+  }
+  write_png(arguments.output, studio.shoot(shot, drawables));
+  std::fprintf(stderr, "%s: %dx%d, %s\n", arguments.output.c_str(), size.width, size.height, gl.driver().c_str());
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip");
+  command->add_option("file", arguments->file, "the cooked file")->required()->type_name("FILE");
+  command->add_option("--clip", arguments->clip, "clip by name or index; without it the rest pose")->type_name("C");
+  command->add_option("--time", arguments->time_s, "seconds from the clip's start")->type_name("S")->check(CLI::Number);
+  command->add_option("--deformer", arguments->deformer, "how vertices follow joints")
+      ->check(CLI::IsMember({"rigid", "ssd", "as"}))
+      ->capture_default_str();
+  command->add_option("--path", arguments->path, "cpu: skinned by the processor; ubo: by the vertex shader")
+      ->check(CLI::IsMember({"cpu", "ubo"}))
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "pixels")->type_name("WxH")->capture_default_str();
+  command->add_option("--heatmap", arguments->heatmap, "colour the distance between two deformers, as in ssd:as")
+      ->type_name("A:B");
+  command->add_option("-o,--output", arguments->output, "the picture, PNG")->required()->type_name("P.png");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,251 @@
+#include "render/studio.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "common/failure.h"
+
+namespace marrow::embedded {
+extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],
+    shader_backdrop_vert[], shader_backdrop_frag[], shader_studio[];
+}
+
+namespace marrow::tools {
+namespace {
+
+constexpr std::uint32_t kPaletteBinding = 0;
+constexpr int kKeyMapSize = 2048;
+constexpr int kSkyMapSize = 1024;
+constexpr float kPenumbra = 0.2f;  // of the radius: room round a shadow map, more than the widest softness
+constexpr GLint kKeyShadowUnit = 0;
+constexpr GLint kKeyDepthUnit = 1;
+constexpr GLint kSkyDepthUnit = 2;
+
+// From the upper left, in front.
+const glm::vec3 kKeyDirection = glm::normalize(glm::vec3(-0.55f, 0.95f, 0.62f));
+const glm::vec3 kSkyDirection(0, 1, 0);
+
+const char* text(const unsigned char* embedded) { return reinterpret_cast<const char*>(embedded); }
+
+gles3::Program build(const Gl& gl, const gles3::ProgramKey& key, const unsigned char* vertex, const std::string& fragment) {
+  gles3::Program program;
+  std::array<char, 1024> log;
+  const gles3::ProgramSource source{text(vertex), fragment.c_str(), {}};
+  if (gles3::build_program(gl, key, source, kPaletteBinding, program, log) != Status::ok) {
+    throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl.driver());
+  }
+  return program;
+}
+
+// Clip space → the [0, 1]³ of a texture.
+glm::mat4 texture_from(const glm::mat4& clip_from_scene) {
+  return glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f)) * clip_from_scene;
+}
+
+GlSampler make_sampler(const Gl& gl, GLint filter, GLint compare) {
+  GlSampler sampler(gl);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filter);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filter);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, compare);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  return sampler;
+}
+
+GlRenderbuffer make_renderbuffer(const Gl& gl, int samples, GLenum format, int width, int height) {
+  GlRenderbuffer buffer(gl);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  return buffer;
+}
+
+}  // namespace
+
+Studio::Studio(const Gl& gl, int width, int height)
+    : gl_(gl),
+      width_(width),
+      height_(height),
+      compare_sampler_(make_sampler(gl, GL_LINEAR, GL_COMPARE_REF_TO_TEXTURE)),
+      depth_sampler_(make_sampler(gl, GL_NEAREST, GL_NONE)),
+      sampled_framebuffer_(gl),
+      resolved_framebuffer_(gl),
+      no_vertices_(gl) {
+  const std::string fragment = std::string(text(embedded::shader_studio)) + text(embedded::shader_backdrop_frag);
+  backdrop_ = build(gl, {gles3::Deformer::none, 4, 0}, embedded::shader_backdrop_vert, fragment);
+  make_shadow_map(key_, kKeyMapSize);
+  make_shadow_map(sky_, kSkyMapSize);
+
+  // The largest count comes first.
+  GLint most_samples = 0;
+  gl.GetInternalformativ(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, GL_SAMPLES, 1, &most_samples);
+  const int samples = std::min(most_samples, 4);
+  samples_ = make_renderbuffer(gl, samples, GL_SRGB8_ALPHA8, width, height);
+  samples_depth_ = make_renderbuffer(gl, samples, GL_DEPTH_COMPONENT24, width, height);
+  resolved_ = make_renderbuffer(gl, 0, GL_SRGB8_ALPHA8, width, height);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, sampled_framebuffer_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samples_depth_);
+  const bool sampled = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_);
+  if (!sampled || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE || gl.GetError() != GL_NO_ERROR) {
+    throw Failure(Exit::unsupported, "OpenGL ES", "", "no frame buffer of " + std::to_string(width) + "x" + std::to_string(height),
+                  "ask for a smaller picture");
+  }
+}
+
+Studio::~Studio() {
+  for (auto& [key, program] : programs_) gles3::destroy(gl_, program);
+  gles3::destroy(gl_, backdrop_);
+}
+
+void Studio::make_shadow_map(ShadowMap& map, int size) {
+  map.size = size;
+  map.depth = GlTexture(gl_);
+  map.framebuffer = GlFramebuffer(gl_);
+  gl_.BindTexture(GL_TEXTURE_2D, map.depth);
+  gl_.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT24, size, size);
+  gl_.BindTexture(GL_TEXTURE_2D, 0);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.depth, 0);
+  const GLenum none = GL_NONE;
+  gl_.DrawBuffers(1, &none);
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Failure(Exit::unsupported, "OpenGL ES", "", "no depth texture can be drawn to", "use another driver");
+  }
+}
+
+const gles3::Program& Studio::program(Role role, gles3::ProgramKey key) {
+  if (role == Role::depth) key.features = 0;
+  const std::uint32_t number = static_cast<std::uint32_t>(role) << 24 | static_cast<std::uint32_t>(key.deformer) << 16 |
+                               static_cast<std::uint32_t>(key.influences) << 8 | key.features;
+  const auto found = programs_.find(number);
+  if (found != programs_.end()) return found->second;
+  const gles3::Program made =
+      role == Role::depth
+          ? build(gl_, key, embedded::shader_depth_vert, text(embedded::shader_depth_frag))
+          : build(gl_, key, embedded::shader_surface_vert,
+                  std::string(text(embedded::shader_studio)) + text(embedded::shader_surface_frag));
+  return programs_.emplace(number, made).first->second;
+}
+
+void Studio::draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program) {
+  if (drawable.program.deformer != gles3::Deformer::none) {
+    gles3::bind_palette(gl_, *shot.palettes, drawable.palette_offset, kPaletteBinding);
+  }
+  if (program.coordinate_scale >= 0) gl_.Uniform1f(program.coordinate_scale, drawable.coordinate_scale);
+  gl_.BindVertexArray(drawable.vertex_array);
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(drawable.index_count), drawable.index_type, nullptr);
+}
+
+void Studio::draw_depth(const ShadowMap& map, const LightView& view, const Shot& shot, std::span<const Drawable> drawables) {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+  gl_.Viewport(0, 0, map.size, map.size);
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  for (const Drawable& drawable : drawables) {
+    const gles3::Program& with = program(Role::depth, drawable.program);
+    gl_.UseProgram(with.id);
+    gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE, glm::value_ptr(view.clip_from_scene));
+    draw(shot, drawable, with);
+  }
+}
+
+void Studio::set_studio(GLuint id, const Shot& shot) {
+  const auto at = [&](const char* name) { return gl_.GetUniformLocation(id, name); };
+  gl_.Uniform3fv(at("camera_position"), 1, glm::value_ptr(shot.camera.position));
+  gl_.Uniform1f(at("scene_radius"), shot.radius);
+  gl_.Uniform1f(at("ground_height"), shot.ground_height);
+  gl_.Uniform3fv(at("key_direction"), 1, glm::value_ptr(kKeyDirection));
+  gl_.UniformMatrix4fv(at("key_from_scene"), 1, GL_FALSE, glm::value_ptr(texture_from(key_view_.clip_from_scene)));
+  gl_.UniformMatrix4fv(at("sky_from_scene"), 1, GL_FALSE, glm::value_ptr(texture_from(sky_view_.clip_from_scene)));
+  gl_.Uniform2fv(at("key_extent"), 1, glm::value_ptr(key_view_.extent));
+  gl_.Uniform2fv(at("sky_extent"), 1, glm::value_ptr(sky_view_.extent));
+  gl_.Uniform1i(at("key_shadow"), kKeyShadowUnit);
+  gl_.Uniform1i(at("key_depth"), kKeyDepthUnit);
+  gl_.Uniform1i(at("sky_depth"), kSkyDepthUnit);
+}
+
+void Studio::draw_backdrop(const Shot& shot) {
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.UseProgram(backdrop_.id);
+  set_studio(backdrop_.id, shot);
+  const glm::mat4 scene_from_clip = glm::inverse(shot.camera.clip_from_scene);
+  const glm::vec3 centre = shot.box.centre();
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(backdrop_.id, "scene_from_clip"), 1, GL_FALSE, glm::value_ptr(scene_from_clip));
+  gl_.Uniform3fv(gl_.GetUniformLocation(backdrop_.id, "scene_centre"), 1, glm::value_ptr(centre));
+  gl_.BindVertexArray(no_vertices_);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_.Enable(GL_DEPTH_TEST);
+}
+
+void Studio::draw_surfaces(const Shot& shot, std::span<const Drawable> drawables) {
+  for (const Drawable& drawable : drawables) {
+    const gles3::Program& with = program(Role::surface, drawable.program);
+    gl_.UseProgram(with.id);
+    set_studio(with.id, shot);
+    gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
+                         glm::value_ptr(shot.camera.clip_from_scene));
+    gl_.Uniform4fv(gl_.GetUniformLocation(with.id, "base_colour"), 1, glm::value_ptr(drawable.base_colour));
+    gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), shot.shading);
+    draw(shot, drawable, with);
+  }
+}
+
+Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthMask(GL_TRUE);
+  gl_.ClearDepthf(1.0f);
+  Box shaded = shot.box;
+  shaded.add({shot.box.centre().x, shot.ground_height, shot.box.centre().z});
+  key_view_ = frame_box(shaded, kKeyDirection, kPenumbra);
+  sky_view_ = frame_box(shaded, kSkyDirection, kPenumbra);
+  draw_depth(key_, key_view_, shot, drawables);
+  draw_depth(sky_, sky_view_, shot, drawables);
+
+  const std::array<std::pair<GLuint, GLuint>, 3> maps{
+      {{key_.depth, compare_sampler_}, {key_.depth, depth_sampler_}, {sky_.depth, depth_sampler_}}};
+  for (GLuint unit = 0; unit < maps.size(); ++unit) {
+    gl_.ActiveTexture(GL_TEXTURE0 + unit);
+    gl_.BindTexture(GL_TEXTURE_2D, maps[unit].first);
+    gl_.BindSampler(unit, maps[unit].second);
+  }
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, sampled_framebuffer_);
+  gl_.Viewport(0, 0, width_, height_);
+  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  draw_backdrop(shot);
+  draw_surfaces(shot, drawables);
+  for (GLuint unit = 0; unit < maps.size(); ++unit) {
+    gl_.ActiveTexture(GL_TEXTURE0 + unit);
+    gl_.BindTexture(GL_TEXTURE_2D, 0);
+    gl_.BindSampler(unit, 0);
+  }
+  gl_.BindVertexArray(0);
+  gl_.UseProgram(0);
+  Image image = read_back();
+  gl_.check("drawing a picture");
+  return image;
+}
+
+Image Studio::read_back() {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, sampled_framebuffer_);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_);
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_framebuffer_);
+  std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  Image image(width_, height_);
+  for (int y = 0; y < height_; ++y) {
+    // GL's first row is the lowest.
+    const std::uint8_t* from = rgba.data() + 4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_ - 1 - y);
+    for (int x = 0; x < width_; ++x) std::copy_n(from + 4 * x, 3, image.pixel(x, y));
+  }
+  return image;
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,76 @@
+// The photographer's studio: lights, ground and backdrop round whatever is put in it → a picture.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "render/camera.h"
+#include "render/gl.h"
+#include "render/image.h"
+
+namespace marrow::tools {
+
+// One thing to draw: vertices on the GPU, and the palette that skins them if they are not skinned yet.
+struct Drawable {
+  GLuint vertex_array = 0;
+  GLuint index_count = 0;
+  GLenum index_type = GL_UNSIGNED_SHORT;
+  gles3::ProgramKey program;
+  float coordinate_scale = 1;
+  std::uint32_t palette_offset = 0;  // in the palette ring
+  glm::vec4 base_colour{1};          // linear
+};
+
+struct Shot {
+  Camera camera;
+  Box box;                 // of the character now, scene space
+  float radius = 1;        // of the character, scene units: what light and shadow are scaled by
+  float ground_height = 0;
+  float shading = 1;       // 1: lit; 0: colours as they are
+  const gles3::PaletteRing* palettes = nullptr;
+};
+
+class Studio {
+ public:
+  // Pictures of this size, 1 … 8192 each way. Throws Failure (unsupported) if the driver cannot hold one.
+  Studio(const Gl& gl, int width, int height);
+  ~Studio();
+  Studio(const Studio&) = delete;
+  Studio& operator=(const Studio&) = delete;
+
+  Image shoot(const Shot& shot, std::span<const Drawable> drawables);
+
+ private:
+  enum class Role : std::uint8_t { surface, depth };
+  struct ShadowMap {
+    int size = 0;
+    GlTexture depth;
+    GlFramebuffer framebuffer;
+  };
+
+  const gles3::Program& program(Role role, gles3::ProgramKey key);
+  void make_shadow_map(ShadowMap& map, int size);
+  void draw_depth(const ShadowMap& map, const LightView& view, const Shot& shot, std::span<const Drawable> drawables);
+  void draw_backdrop(const Shot& shot);
+  void draw_surfaces(const Shot& shot, std::span<const Drawable> drawables);
+  void draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program);
+  void set_studio(GLuint id, const Shot& shot);
+  Image read_back();
+
+  const Gl& gl_;
+  int width_, height_;
+  std::map<std::uint32_t, gles3::Program> programs_;
+  gles3::Program backdrop_;
+  ShadowMap key_, sky_;
+  LightView key_view_, sky_view_;
+  GlSampler compare_sampler_, depth_sampler_;
+  GlRenderbuffer samples_, samples_depth_, resolved_;
+  GlFramebuffer sampled_framebuffer_, resolved_framebuffer_;
+  GlVertexArray no_vertices_;
+};
+
+}  // namespace marrow::tools
