@@ -85,7 +85,8 @@ vec3 marrow_from_octahedron(vec2 e) {
 
 // The bind normal through the inverse transpose of the matrix with rows a, b, c, up to a positive factor: its cofactors,
 // turned round where it mirrors. Rows are brought to unit size first: cofactors of millimetre-sized matrices underflow.
-vec3 marrow_normal(vec3 a, vec3 b, vec3 c, vec3 normal) {
+// mirrored: -1 where the matrix mirrors, else 1; with it the triad of normal, tangent and bitangent changes hands.
+vec3 marrow_normal(vec3 a, vec3 b, vec3 c, vec3 normal, out float mirrored) {
   float size = max(dot(a, a), max(dot(b, b), dot(c, c)));
   float unit = inversesqrt(max(size, 1e-30));
   a *= unit;
@@ -93,7 +94,8 @@ vec3 marrow_normal(vec3 a, vec3 b, vec3 c, vec3 normal) {
   c *= unit;
   vec3 bc = cross(b, c);
   vec3 n = vec3(dot(bc, normal), dot(cross(c, a), normal), dot(cross(a, b), normal));
-  return marrow_unit(dot(a, bc) < 0.0 ? -n : n);
+  mirrored = dot(a, bc) < 0.0 ? -1.0 : 1.0;
+  return mirrored * marrow_unit(n);
 }
 
 #if MARROW_DEFORMER == 3
@@ -172,12 +174,14 @@ MarrowVertex marrow_skin() {
   v.position = vec3(dot(x, p), dot(y, p), dot(z, p));
 #endif
 
+  float mirrored = 1.0;
 #if MARROW_NORMAL
-  v.normal = marrow_normal(x.xyz, y.xyz, z.xyz, marrow_from_octahedron(in_normal));
+  v.normal = marrow_normal(x.xyz, y.xyz, z.xyz, marrow_from_octahedron(in_normal), mirrored);
 #endif
 #if MARROW_TANGENT
   vec3 t = marrow_from_octahedron(vec2(in_tangent.x, abs(in_tangent.y) * 2.0 - 1.0));
-  v.tangent = vec4(marrow_unit(vec3(dot(x.xyz, t), dot(y.xyz, t), dot(z.xyz, t))), in_tangent.y < 0.0 ? -1.0 : 1.0);
+  v.tangent = vec4(marrow_unit(vec3(dot(x.xyz, t), dot(y.xyz, t), dot(z.xyz, t))),
+                   in_tangent.y < 0.0 ? -mirrored : mirrored);
 #endif
 #endif
   return v;

@@ -1,5 +1,6 @@
 #include "gl/feedback.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
+#include "marrow/palette.h"
 
 namespace marrow::test {
 namespace {
@@ -104,6 +106,13 @@ Feedback::Feedback(const Mesh& mesh) : mesh_(mesh), bind_(mesh.joint_count) {
   prepared_ = gles3::prepare(gl(), caps, mesh, {}, scratch, bind_, gpu_);
   if (!ok()) return;
   EXPECT_EQ(gles3::create_palette_ring(gl(), caps, 2 * mesh.joint_count, 2, ring_), Status::ok);
+  // A draw call wants a complete framebuffer even if nothing is rasterised.
+  colour_ = tools::GlRenderbuffer(gl());
+  target_ = tools::GlFramebuffer(gl());
+  gl().BindRenderbuffer(GL_RENDERBUFFER, colour_);
+  gl().RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, 1, 1);
+  gl().BindFramebuffer(GL_FRAMEBUFFER, target_);
+  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
   capture_ = tools::GlBuffer(gl());
   gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, capture_);
   const std::size_t bytes = kFloats * sizeof(float) * mesh.geometry.slot_count;
@@ -130,6 +139,7 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
   const gles3::Program& with = program({deformer, gpu_.influences, gpu_.features});
   gl().UseProgram(with.id);
   if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
+  gl().BindFramebuffer(GL_FRAMEBUFFER, target_);
   gl().Enable(GL_RASTERIZER_DISCARD);
   more().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, capture_);
   gl().BindVertexArray(deformer == gles3::Deformer::as ? gpu_.as_array : gpu_.ssd_array);

@@ -39,6 +39,8 @@ class Feedback {
   gles3::PaletteRing ring_;
   std::vector<Affine> bind_;
   tools::GlBuffer capture_;
+  tools::GlRenderbuffer colour_;
+  tools::GlFramebuffer target_;
   Status prepared_ = Status::bad_argument;
 };
 

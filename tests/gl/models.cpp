@@ -20,7 +20,9 @@ fs::path assets() {
 
 }  // namespace
 
-bool have_assets() { return fs::is_directory(assets()); }
+bool have_assets() {
+  return fs::is_directory(assets());
+}
 
 std::vector<std::string> model_paths() {
   std::vector<std::string> paths;

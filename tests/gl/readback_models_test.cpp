@@ -36,14 +36,16 @@ Worst compare_mesh(const Mesh& mesh, const tools::Character& character, std::uin
       deformer == tools::Deformer::rigid
           ? std::vector<double>(mesh.geometry.slot_count, 1.0)
           : conditioning(mesh.geometry, character.palette(index), deformer == tools::Deformer::as);
-  return compare(mesh.geometry, got, {posed.positions, posed.normals, posed.tangents}, diagonal, well, kLeastConditioning);
+  return compare(mesh.geometry, got, {posed.positions, posed.normals, posed.tangents}, diagonal, well,
+                 kLeastConditioning);
 }
 
 Tally read_back(const Model& model) {
   const File& file = model.file;
   Tally tally;
   tools::Character character(file);
-  const double diagonal = 2 * static_cast<double>(tools::box_of(tools::skin_all(file, character, tools::Deformer::ssd)).radius());
+  const double diagonal =
+      2 * static_cast<double>(tools::box_of(tools::skin_all(file, character, tools::Deformer::ssd)).radius());
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
     const Mesh mesh = file.mesh(m);
     Feedback feedback(mesh);
@@ -117,8 +119,9 @@ TEST(Readback, EveryModel) {
   }
   std::printf("%s\n", gl().driver().c_str());
   expect_promises("worst of all (rigid, SSD, AS)", all);
-  std::printf("%zu models, %zu meshes, %zu refused for their joints, %zu vertices compared, %zu normals, %zu tangents\n", models,
-              all.meshes, all.refused, all.as.vertices, all.as.normals, all.as.tangents);
+  std::printf(
+      "%zu models, %zu meshes, %zu refused for their joints, %zu vertices compared, %zu normals, %zu tangents\n",
+      models, all.meshes, all.refused, all.as.vertices, all.as.normals, all.as.tangents);
   EXPECT_EQ(models, model_paths().size());
   EXPECT_GE(all.meshes, models - 1);
   EXPECT_GE(all.poses, all.meshes);

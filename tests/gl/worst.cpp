@@ -3,10 +3,13 @@
 namespace marrow::test {
 namespace {
 
-double row_dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double row_dot(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 double conditioning_of(const double m[9]) {
-  const double det = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+  const double det =
+      m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
   const double size = std::sqrt(row_dot(m, m) * row_dot(m + 3, m + 3) * row_dot(m + 6, m + 6));
   return size > 0 ? std::fabs(det) / size : 0;
 }
@@ -42,8 +45,8 @@ std::vector<double> conditioning(const Geometry& g, Span<const Affine> palette, 
   return out;
 }
 
-Worst compare(const Geometry& g, const Skinned& got, const SkinOutput& want, double diagonal, const std::vector<double>& well,
-              double least) {
+Worst compare(const Geometry& g, const Skinned& got, const SkinOutput& want, double diagonal,
+              const std::vector<double>& well, double least) {
   Worst worst;
   for (std::size_t slot = 0; slot < g.slot_count; ++slot) {
     double squared = 0;
@@ -52,7 +55,7 @@ Worst compare(const Geometry& g, const Skinned& got, const SkinOutput& want, dou
       squared += d * d;
     }
     // A NaN must not pass for a small error.
-    worst.position = squared >= 0 ? std::max(worst.position, std::sqrt(squared) / diagonal) : INFINITY;
+    worst.position = squared >= 0 ? std::max(worst.position, std::sqrt(squared) / diagonal) : 1e30;
     ++worst.vertices;
     if (well[slot] < least) continue;
     const auto length2 = [](const float* v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; };
@@ -62,7 +65,7 @@ Worst compare(const Geometry& g, const Skinned& got, const SkinOutput& want, dou
     }
     if (!want.tangents.empty() && length2(&want.tangents[4 * slot]) > 0.5f) {
       worst.tangent_deg = std::max(worst.tangent_deg, angle_deg(&got.tangents[4 * slot], &want.tangents[4 * slot]));
-      worst.wrong_signs += got.tangents[4 * slot + 3] * want.tangents[4 * slot + 3] > 0 ? 0 : 1;
+      if (!(got.tangents[4 * slot + 3] * want.tangents[4 * slot + 3] > 0)) ++worst.wrong_signs;
       ++worst.tangents;
     }
   }

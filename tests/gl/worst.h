@@ -32,7 +32,8 @@ inline double angle_deg(const float* a, const float* b) {
   double dot = 0, cross2 = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const double c = static_cast<double>(a[j]) * static_cast<double>(b[k]) - static_cast<double>(a[k]) * static_cast<double>(b[j]);
+    const double c =
+        static_cast<double>(a[j]) * static_cast<double>(b[k]) - static_cast<double>(a[k]) * static_cast<double>(b[j]);
     dot += static_cast<double>(a[i]) * static_cast<double>(b[i]);
     cross2 += c * c;
   }

@@ -1,0 +1,121 @@
+// Bad calls and missing functions: a status that says so, nothing changed, nothing leaked.
+#include <cstring>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "gl/feedback.h"
+#include "support/rig.h"
+
+namespace marrow::test {
+namespace {
+
+const char* hidden_function = nullptr;
+
+void* load_all_but_one(const char* name) {
+  return std::strcmp(name, hidden_function) == 0 ? nullptr : egl::load_proc(name);
+}
+
+TEST(Api, AMissingFunctionIsNamed) {
+  gl();
+  std::set<std::string> names;
+#define MARROW_NAME(Result, Name, Parameters) names.insert("gl" #Name);
+  MARROW_GLES3_FUNCTIONS(MARROW_NAME)
+#undef MARROW_NAME
+  EXPECT_GE(names.size(), 30u);
+  for (const std::string& name : names) {
+    hidden_function = name.c_str();
+    gles3::Api api;
+    const char* missing = "";
+    EXPECT_EQ(gles3::load_api(api, load_all_but_one, &missing), Status::unsupported);
+    EXPECT_EQ(name, missing);
+    EXPECT_EQ(api.DrawElements, nullptr) << "written on failure";
+  }
+  gles3::Api api;
+  EXPECT_EQ(gles3::load_api(api, nullptr), Status::bad_argument);
+}
+
+TEST(Api, CapsAreAtLeastTheLeast) {
+  gles3::Caps caps;
+  ASSERT_EQ(gles3::query_caps(gl(), caps), Status::ok);
+  EXPECT_GE(caps.uniform_block_bytes, 16384u);
+  EXPECT_LE(caps.uniform_offset_alignment, 256u);
+  EXPECT_GE(caps.vertex_attributes, 16u);
+}
+
+TEST(Api, AnotherVersionIsRefused) {
+  gles3::Api api = gl();
+  gles3::Caps caps;
+  api.GetString = [](unsigned) { return reinterpret_cast<const unsigned char*>("OpenGL ES 2.0 Somebody"); };
+  EXPECT_EQ(gles3::query_caps(api, caps), Status::unsupported);
+  api.GetString = [](unsigned) { return reinterpret_cast<const unsigned char*>("4.6.0 Somebody"); };
+  EXPECT_EQ(gles3::query_caps(api, caps), Status::unsupported);
+  api.GetString = [](unsigned) -> const unsigned char* { return nullptr; };
+  EXPECT_EQ(gles3::query_caps(api, caps), Status::unsupported);
+}
+
+TEST(Api, PrepareRefusesBadCalls) {
+  const TestCharacter character = make_character(3, 10, 2, false);
+  const Mesh mesh = character.mesh.view();
+  std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh));
+  std::vector<Affine> bind(mesh.joint_count);
+  gles3::GpuMesh out;
+  const gles3::Caps caps;
+  EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {false, false}, scratch, bind, out), Status::bad_argument);
+  EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {}, {scratch.data(), scratch.size() - 1}, bind, out),
+            Status::bad_argument);
+  EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {}, scratch, {bind.data(), bind.size() - 1}, out), Status::bad_argument);
+  gles3::Caps small = caps;
+  small.uniform_block_bytes = 48 * (mesh.joint_count - 1);
+  EXPECT_EQ(gles3::prepare(gl(), small, mesh, {}, scratch, bind, out), Status::unsupported);
+  EXPECT_EQ(out.ssd_array, 0u);
+  ASSERT_EQ(gles3::prepare(gl(), caps, mesh, {true, false}, scratch, bind, out), Status::ok);
+  EXPECT_NE(out.ssd_array, 0u);
+  EXPECT_EQ(out.as_array, 0u);
+  EXPECT_EQ(gles3::draw(gl(), out, gles3::Deformer::as, {}), Status::bad_argument);
+  gles3::destroy(gl(), out);
+  EXPECT_EQ(out.ssd_array, 0u);
+}
+
+unsigned pretend_out_of_memory() {
+  static int calls = 0;
+  return ++calls % 2 == 1 ? 0u : 0x0505u;  // clean before, GL_OUT_OF_MEMORY after
+}
+
+TEST(Api, OutOfMemoryLeavesNothing) {
+  const TestCharacter character = make_character(4, 10, 2, false);
+  const Mesh mesh = character.mesh.view();
+  std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh));
+  std::vector<Affine> bind(mesh.joint_count, Affine{});
+  gles3::Api api = gl();
+  api.GetError = pretend_out_of_memory;
+  gles3::GpuMesh out;
+  EXPECT_EQ(gles3::prepare(api, {}, mesh, {}, scratch, bind, out), Status::gl_error);
+  EXPECT_EQ(out.ssd_buffer, 0u);
+  EXPECT_EQ(bind[0].rows[0][0], 0.0f) << "written on failure";
+}
+
+TEST(Api, TheRingFillsUpAndEmpties) {
+  gles3::PaletteRing ring;
+  EXPECT_EQ(gles3::create_palette_ring(gl(), {}, 0, 1, ring), Status::bad_argument);
+  ASSERT_EQ(gles3::create_palette_ring(gl(), {}, 20, 2, ring), Status::ok);
+  const std::vector<Affine> palette(gles3::kPaletteJoints + 1, Affine{});
+  std::uint32_t first = 1, second = 0;
+  gles3::begin_frame(gl(), ring);
+  EXPECT_EQ(gles3::push_palette(gl(), ring, {palette.data(), 10}, first), Status::ok);
+  EXPECT_EQ(gles3::push_palette(gl(), ring, {palette.data(), 10}, second), Status::ok);
+  EXPECT_EQ(first, 0u);
+  EXPECT_EQ(second % 256, 0u);
+  EXPECT_GE(second, 480u);
+  EXPECT_EQ(gles3::push_palette(gl(), ring, {palette.data(), 30}, second), Status::unsupported);
+  EXPECT_EQ(gles3::push_palette(gl(), ring, {palette.data(), 0}, second), Status::bad_argument);
+  EXPECT_EQ(gles3::push_palette(gl(), ring, palette, second), Status::bad_argument);
+  gles3::begin_frame(gl(), ring);
+  EXPECT_EQ(gles3::push_palette(gl(), ring, {palette.data(), 20}, first), Status::ok);
+  gles3::destroy(gl(), ring);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace marrow::test

@@ -1,0 +1,114 @@
+// `marrow render` as a program: pictures that show something, and the same bytes however many threads the driver uses.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <png.h>
+#include <unistd.h>
+
+namespace marrow::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Picture : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              ("marrow_picture_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
+               std::to_string(std::hash<std::string>{}(std::to_string(::getpid()))));
+    fs::create_directories(folder_);
+    ASSERT_EQ(run("cook " + std::string(MARROW_SAMPLE) + " -o " + path("newt.mrw") + " 2>/dev/null"), 0);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  // Exit code of the program.
+  static int run(const std::string& arguments, const std::string& environment = "") {
+    const int status = std::system((environment + " " + MARROW_PROGRAM + " " + arguments + " >/dev/null").c_str());
+    return status < 0 ? -1 : status / 256;
+  }
+  int render(const std::string& options, const std::string& name, const std::string& environment = "") const {
+    return run("render " + path("newt.mrw") + " --clip 0 --time 0.5 --size 200x160 " + options + " -o " + path(name),
+               environment);
+  }
+  std::string bytes(const std::string& name) const {
+    std::ifstream in(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::vector<png_byte> pixels(const std::string& name) const {
+    png_image image = {};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_NE(png_image_begin_read_from_file(&image, path(name).c_str()), 0);
+    image.format = PNG_FORMAT_RGB;
+    std::vector<png_byte> out(PNG_IMAGE_SIZE(image));
+    EXPECT_NE(png_image_finish_read(&image, nullptr, out.data(), 0, nullptr), 0);
+    return out;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+// Share of pixels that differ by more than eight levels.
+double difference(const std::vector<png_byte>& a, const std::vector<png_byte>& b) {
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.size(); i += 3) {
+    for (std::size_t c = i; c < i + 3; ++c) {
+      if (std::abs(a[c] - b[c]) > 8) {
+        ++different;
+        break;
+      }
+    }
+  }
+  return static_cast<double>(different) * 3 / static_cast<double>(a.size());
+}
+
+TEST_F(Picture, ShowsTheCharacterTheSameOnEveryPath) {
+  ASSERT_EQ(render("--deformer ssd --path ubo", "ubo.png"), 0);
+  ASSERT_EQ(render("--deformer ssd --path cpu", "cpu.png"), 0);
+  ASSERT_EQ(render("--deformer as --path ubo", "as.png"), 0);
+  ASSERT_EQ(render("--deformer rigid --path ubo", "rigid.png"), 0);
+  const std::vector<png_byte> ubo = pixels("ubo.png");
+  ASSERT_EQ(ubo.size(), 200u * 160 * 3);
+  std::set<int> reds, greens;
+  for (std::size_t i = 0; i < ubo.size(); i += 3) {
+    reds.insert(ubo[i]);
+    greens.insert(ubo[i + 1]);
+  }
+  EXPECT_GT(reds.size(), 100u) << "blank";
+  EXPECT_GT(greens.size(), 100u) << "blank";
+  EXPECT_LE(difference(ubo, pixels("cpu.png")), 0.01);
+  EXPECT_LE(difference(ubo, pixels("as.png")), 0.01);
+  EXPECT_GT(difference(ubo, pixels("rigid.png")), 0.002) << "rigid must look otherwise";
+}
+
+TEST_F(Picture, IsTheSameForAnyNumberOfThreads) {
+  ASSERT_EQ(render("--deformer as", "one.png", "LP_NUM_THREADS=1"), 0);
+  ASSERT_EQ(render("--deformer as", "again.png", "LP_NUM_THREADS=1"), 0);
+  ASSERT_EQ(render("--deformer as", "four.png", "LP_NUM_THREADS=4"), 0);
+  EXPECT_FALSE(bytes("one.png").empty());
+  EXPECT_TRUE(bytes("one.png") == bytes("again.png"));
+  EXPECT_TRUE(bytes("one.png") == bytes("four.png"));
+}
+
+TEST_F(Picture, BadArgumentsLeaveNoFile) {
+  EXPECT_EQ(render("--size 0x10", "bad.png", "exec 2>/dev/null;"), 1);
+  EXPECT_EQ(render("--heatmap ssd", "bad.png", "exec 2>/dev/null;"), 1);
+  EXPECT_EQ(render("--clip no-such-clip", "bad.png", "exec 2>/dev/null;"), 1);
+  EXPECT_EQ(render("", "no/such/folder/bad.png", "exec 2>/dev/null;"), 2);
+  EXPECT_FALSE(fs::exists(path("bad.png")));
+}
+
+TEST_F(Picture, HeatMapsSayTheLargestDistance) {
+  EXPECT_EQ(render("--heatmap rigid:ssd", "heat.png"), 0);
+  EXPECT_GT(difference(pixels("heat.png"), (render("", "plain.png"), pixels("plain.png"))), 0.02);
+}
+
+}  // namespace
+}  // namespace marrow::test

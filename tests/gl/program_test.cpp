@@ -1,0 +1,111 @@
+// Every combination of defines compiles and links on the driver at hand, within the least that GLES 3.0 promises.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "gl/feedback.h"
+
+namespace marrow::embedded {
+extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],
+    shader_backdrop_vert[], shader_backdrop_frag[], shader_studio[];
+}
+
+namespace marrow::test {
+namespace {
+
+std::string text(const unsigned char* embedded) {
+  return reinterpret_cast<const char*>(embedded);
+}
+
+// Reads everything that the skinning text may give, so that no attribute is optimised away.
+constexpr const char* kAllVertex = R"(
+out vec4 everything;
+void main() {
+  MarrowVertex v = marrow_skin();
+  everything = vec4(v.normal, 1.0) + v.tangent;
+#if MARROW_UV
+  everything.xy += in_uv;
+#endif
+#if MARROW_COLOUR
+  everything += in_colour;
+#endif
+  gl_Position = vec4(v.position, 1.0);
+}
+)";
+constexpr const char* kAllFragment = R"(
+precision highp float;
+in vec4 everything;
+out vec4 colour;
+void main() { colour = everything; }
+)";
+
+Status build(const gles3::ProgramKey& key, const std::string& vertex, const std::string& fragment, std::string& log) {
+  log.assign(4096, '\0');
+  gles3::Program program;
+  const Status status = gles3::build_program(gl(), key, {vertex.c_str(), fragment.c_str(), {}}, 0, program, log);
+  log.resize(log.find('\0'));
+  gles3::destroy(gl(), program);
+  return status;
+}
+
+TEST(Program, CompilesInEveryCombination) {
+  int count = 0;
+  for (int deformer = 0; deformer < 4; ++deformer) {
+    for (const int influences : {4, 8}) {
+      for (int features = 0; features < 16; ++features) {
+        const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
+                                    static_cast<std::uint8_t>(features)};
+        std::string log;
+        EXPECT_EQ(build(key, kAllVertex, kAllFragment, log), Status::ok) << deformer << influences << features << log;
+        ++count;
+      }
+    }
+  }
+  EXPECT_EQ(count, 128);
+}
+
+TEST(Program, TheStudioCompiles) {
+  const std::string studio = text(embedded::shader_studio);
+  std::string log;
+  int count = 0;
+  for (int deformer = 0; deformer < 4; ++deformer) {
+    for (const int influences : {4, 8}) {
+      for (const int features : {0, 1, 8, 9}) {
+        const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
+                                    static_cast<std::uint8_t>(features)};
+        EXPECT_EQ(build(key, text(embedded::shader_surface_vert), studio + text(embedded::shader_surface_frag), log),
+                  Status::ok)
+            << log;
+        EXPECT_EQ(build(key, text(embedded::shader_depth_vert), text(embedded::shader_depth_frag), log), Status::ok)
+            << log;
+        ++count;
+      }
+    }
+  }
+  EXPECT_EQ(count, 32);
+  EXPECT_EQ(build({gles3::Deformer::none, 4, 0}, text(embedded::shader_backdrop_vert),
+                  studio + text(embedded::shader_backdrop_frag), log),
+            Status::ok)
+      << log;
+}
+
+TEST(Program, WhatDoesNotCompileIsNamed) {
+  std::string log;
+  EXPECT_EQ(build({}, "void main() { no_such_function(); }", kAllFragment, log), Status::gl_error);
+  EXPECT_NE(log.find("no_such_function"), std::string::npos) << log;
+  EXPECT_EQ(build({}, kAllVertex, "nonsense", log), Status::gl_error);
+  EXPECT_EQ(build({gles3::Deformer::ssd, 5, 0}, kAllVertex, kAllFragment, log), Status::bad_argument);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+}
+
+TEST(Program, StaysWithinTheLeastThatGlesPromises) {
+  EXPECT_LE(gles3::kPaletteBlockBytes, 16384u);
+  EXPECT_LT(gles3::kColourLocation, 16u);
+  const gles3::Caps least;
+  EXPECT_EQ(least.uniform_block_bytes, 16384u);
+  EXPECT_EQ(least.uniform_offset_alignment, 256u);
+  EXPECT_EQ(least.vertex_attributes, 16u);
+}
+
+}  // namespace
+}  // namespace marrow::test

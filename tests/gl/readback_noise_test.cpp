@@ -1,0 +1,123 @@
+// Meshes that no artist makes: every influence count, mirrored joints, residuals, many joints, one vertex, none.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "gl/feedback.h"
+#include "gl/worst.h"
+#include "support/rig.h"
+
+namespace marrow::test {
+namespace {
+
+constexpr double kMostPosition = 2e-4;
+constexpr double kMostNormalDeg = 1;
+constexpr double kLeastConditioning = 0.05;
+
+Mesh with_box(const TestMesh& source) {
+  Mesh mesh = source.view();
+  std::fill_n(mesh.geometry.box_min, 3, 1e30f);
+  std::fill_n(mesh.geometry.box_max, 3, -1e30f);
+  for (const TestRun& run : source.source) {
+    for (const TestVertex& v : run.vertices) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        mesh.geometry.box_min[c] = std::min(mesh.geometry.box_min[c], static_cast<float>(v.position[c]));
+        mesh.geometry.box_max[c] = std::max(mesh.geometry.box_max[c], static_cast<float>(v.position[c]));
+      }
+    }
+  }
+  return mesh;
+}
+
+struct Buffers {
+  std::vector<float> positions, normals, tangents;
+  explicit Buffers(const Geometry& g)
+      : positions(std::size_t{3} * g.slot_count), normals(positions.size()), tangents(std::size_t{4} * g.slot_count) {}
+  SkinOutput output() { return {positions, normals, tangents}; }
+};
+
+double diagonal_of(const std::vector<float>& positions) {
+  double squared = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    float low = 1e30f, high = -1e30f;
+    for (std::size_t i = c; i < positions.size(); i += 3) {
+      low = std::min(low, positions[i]);
+      high = std::max(high, positions[i]);
+    }
+    squared += static_cast<double>(high - low) * static_cast<double>(high - low);
+  }
+  return std::sqrt(squared);
+}
+
+// All deformers at a few moments.
+Worst run_character(std::uint64_t seed, std::size_t joints, bool residuals) {
+  const TestCharacter character = make_character(seed, joints, 13, residuals);
+  const Skeleton skeleton = character.skeleton.view();
+  const Clip clip = character.clip.view();
+  const Mesh mesh = with_box(character.mesh);
+  Feedback feedback(mesh);
+  EXPECT_EQ(feedback.prepared(), Status::ok);
+  Worst worst;
+  if (!feedback.ok()) return worst;
+  EXPECT_EQ(feedback.gpu().influences, 8);
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<Affine> scene(skeleton.joint_count), palette(mesh.joint_count);
+  for (int moment = 0; moment < 3; ++moment) {
+    EXPECT_EQ(sample(skeleton, clip, clip.duration_s * static_cast<float>(moment) / 2, local), Status::ok);
+    EXPECT_EQ(local_to_model(skeleton, local, scene), Status::ok);
+    EXPECT_EQ(build_palette(mesh, scene, palette), Status::ok);
+    const std::vector<double> ones(mesh.geometry.slot_count, 1.0);
+    const std::vector<double> ssd_well = conditioning(mesh.geometry, palette, false);
+    const std::vector<double> as_well = conditioning(mesh.geometry, palette, true);
+    Buffers rigid(mesh.geometry), ssd(mesh.geometry), as(mesh.geometry);
+    EXPECT_EQ(skin_rigid(mesh, palette, rigid.output()), Status::ok);
+    EXPECT_EQ(skin_ssd(mesh, palette, ssd.output()), Status::ok);
+    EXPECT_EQ(skin_as(mesh, coordinates, palette, as.output()), Status::ok);
+    const double diagonal = diagonal_of(ssd.positions);
+    const auto add = [&](gles3::Deformer deformer, Buffers& want, const std::vector<double>& well) {
+      worst.add(
+          compare(mesh.geometry, feedback.skin(deformer, scene), want.output(), diagonal, well, kLeastConditioning));
+    };
+    add(gles3::Deformer::rigid, rigid, ones);
+    add(gles3::Deformer::ssd, ssd, ssd_well);
+    add(gles3::Deformer::as, as, as_well);
+  }
+  return worst;
+}
+
+void expect_promises(const char* what, const Worst& worst) {
+  std::printf("%s: position %.1e of the diagonal, normal %.3f deg, tangent %.3f deg, %zu vertices\n", what,
+              worst.position, worst.normal_deg, worst.tangent_deg, worst.vertices);
+  EXPECT_LE(worst.position, kMostPosition) << what;
+  EXPECT_LE(worst.normal_deg, kMostNormalDeg) << what;
+  EXPECT_LE(worst.tangent_deg, kMostNormalDeg) << what;
+  EXPECT_EQ(worst.wrong_signs, 0u) << what;
+  EXPECT_GE(worst.vertices, 500u) << what;
+  EXPECT_GE(worst.normals, worst.vertices / 2) << what;
+  EXPECT_EQ(worst.tangents, worst.normals) << what;
+}
+
+TEST(Noise, EveryInfluenceCountAndMirroredJoints) {
+  expect_promises("lift", run_character(11, 40, false));
+}
+TEST(Noise, Residuals) {
+  expect_promises("residuals", run_character(12, 40, true));
+}
+TEST(Noise, JointNumbersOfTwoBytes) {
+  expect_promises("300 joints", run_character(13, 300, false));
+}
+TEST(Noise, AsManyJointsAsABlockHolds) {
+  expect_promises("341 joints", run_character(14, gles3::kPaletteJoints, false));
+}
+
+TEST(Noise, OneJointMoreIsRefused) {
+  const TestCharacter character = make_character(15, gles3::kPaletteJoints + 1, 2, false);
+  Feedback feedback(with_box(character.mesh));
+  EXPECT_EQ(feedback.prepared(), Status::unsupported);
+  EXPECT_EQ(feedback.gpu().ssd_array, 0u);
+}
+
+}  // namespace
+}  // namespace marrow::test
