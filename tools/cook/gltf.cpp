@@ -48,7 +48,8 @@ Document read_document(const Container& container, const std::optional<std::stri
   return document;
 }
 
-RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, const std::optional<std::string>& folder) {
+RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
+                    const std::optional<std::string>& folder) {
   Report report(name);
   const Container container = split_container(bytes, report);
   const Document document = read_document(container, folder, report);

@@ -15,14 +15,22 @@ struct Layout {
 
 constexpr Layout layout_of(Shape shape) {
   switch (shape) {
-    case Shape::scalar: return {1, 1};
-    case Shape::vec2: return {2, 1};
-    case Shape::vec3: return {3, 1};
-    case Shape::vec4: return {4, 1};
-    case Shape::mat2: return {2, 2};
-    case Shape::mat3: return {3, 3};
-    case Shape::mat4: return {4, 4};
-    case Shape::unknown: break;
+    case Shape::scalar:
+      return {1, 1};
+    case Shape::vec2:
+      return {2, 1};
+    case Shape::vec3:
+      return {3, 1};
+    case Shape::vec4:
+      return {4, 1};
+    case Shape::mat2:
+      return {2, 2};
+    case Shape::mat3:
+      return {3, 3};
+    case Shape::mat4:
+      return {4, 4};
+    case Shape::unknown:
+      break;
   }
   return {1, 1};
 }
@@ -36,28 +44,39 @@ double load(const std::byte* from) {
 
 double load_component(const std::byte* from, Component component) {
   switch (component) {
-    case Component::i8: return load<std::int8_t>(from);
-    case Component::u8: return load<std::uint8_t>(from);
-    case Component::i16: return load<std::int16_t>(from);
-    case Component::u16: return load<std::uint16_t>(from);
-    case Component::u32: return load<std::uint32_t>(from);
-    case Component::f32: return load<float>(from);
+    case Component::i8:
+      return load<std::int8_t>(from);
+    case Component::u8:
+      return load<std::uint8_t>(from);
+    case Component::i16:
+      return load<std::int16_t>(from);
+    case Component::u16:
+      return load<std::uint16_t>(from);
+    case Component::u32:
+      return load<std::uint32_t>(from);
+    case Component::f32:
+      return load<float>(from);
   }
   return 0;
 }
 
-constexpr std::size_t align4(std::size_t size) { return (size + 3) & ~std::size_t{3}; }
+constexpr std::size_t align4(std::size_t size) {
+  return (size + 3) & ~std::size_t{3};
+}
 
 }  // namespace
 
 std::size_t size_of(Component component) {
   switch (component) {
     case Component::i8:
-    case Component::u8: return 1;
+    case Component::u8:
+      return 1;
     case Component::i16:
-    case Component::u16: return 2;
+    case Component::u16:
+      return 2;
     case Component::u32:
-    case Component::f32: break;
+    case Component::f32:
+      break;
   }
   return 4;
 }
@@ -105,12 +124,18 @@ void ElementReader::read_raw(std::uint64_t index, double* out) {
 
 double normalise(double raw, Component component) {
   switch (component) {
-    case Component::i8: return std::max(raw / 127.0, -1.0);
-    case Component::u8: return raw / 255.0;
-    case Component::i16: return std::max(raw / 32767.0, -1.0);
-    case Component::u16: return raw / 65535.0;
-    case Component::u32: return raw / 4294967295.0;
-    case Component::f32: break;
+    case Component::i8:
+      return std::max(raw / 127.0, -1.0);
+    case Component::u8:
+      return raw / 255.0;
+    case Component::i16:
+      return std::max(raw / 32767.0, -1.0);
+    case Component::u16:
+      return raw / 65535.0;
+    case Component::u32:
+      return raw / 4294967295.0;
+    case Component::f32:
+      break;
   }
   return raw;
 }

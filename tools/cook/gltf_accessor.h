@@ -25,18 +25,18 @@ struct Accessor {
   Shape shape = Shape::unknown;
   bool normalised = false;
   std::uint64_t count = 0;
-  int view = -1;                        // index of the base data's buffer view
-  std::uint64_t offset = 0;             // in the view
-  const std::byte* base = nullptr;      // nullptr: zeros
+  int view = -1;                    // index of the base data's buffer view
+  std::uint64_t offset = 0;         // in the view
+  const std::byte* base = nullptr;  // nullptr: zeros
   std::size_t stride = 0;
   std::uint64_t sparse_count = 0;
   Component sparse_component = Component::u16;
   const std::byte* sparse_indices = nullptr;  // strictly increasing, each below `count`
   const std::byte* sparse_values = nullptr;
-  bool has_bounds = false;              // both min and max are given
-  std::vector<double> min, max;         // as in the file: of the raw, not of the normalised values
+  bool has_bounds = false;       // both min and max are given
+  std::vector<double> min, max;  // as in the file: of the raw, not of the normalised values
 
-  std::size_t components() const;       // 1 to 16
+  std::size_t components() const;  // 1 to 16
   bool has_data() const { return base != nullptr || sparse_values != nullptr; }
 };
 

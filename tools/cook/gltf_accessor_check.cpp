@@ -55,8 +55,15 @@ class Checker {
   Component component_at(const Json& object, const std::string& where) const {
     const auto code = object.at("componentType").get<std::uint64_t>();
     switch (code) {
-      case 5120: case 5121: case 5122: case 5123: case 5125: case 5126: return static_cast<Component>(code);
-      default: report_.invalid(under(where, "componentType"), "unknown component type", "export again");
+      case 5120:
+      case 5121:
+      case 5122:
+      case 5123:
+      case 5125:
+      case 5126:
+        return static_cast<Component>(code);
+      default:
+        report_.invalid(under(where, "componentType"), "unknown component type", "export again");
     }
   }
 
@@ -114,7 +121,8 @@ class Checker {
     }
     check_alignment(offset, view, size_of(accessor_.component), where_);
     if (is_matrix() && offset % 4 != 0) {
-      report_.invalid(under(where_, "byteOffset"), "misaligned", "a matrix starts on a four-byte boundary; export again");
+      report_.invalid(under(where_, "byteOffset"), "misaligned",
+                      "a matrix starts on a four-byte boundary; export again");
     }
     check_fits(offset, accessor_.stride, used, accessor_.count, view.length, where_);
     if (view.present) accessor_.base = view.bytes.data() + offset;
@@ -136,8 +144,8 @@ class Checker {
     const std::uint64_t size = stride * (count - 1) + used;
     if (offset <= length && size <= length - offset) return;
     report_.invalid(where, "beyond the bufferView's end",
-                    "it needs " + std::to_string(size) + " bytes from " + std::to_string(offset) + " but the view has " +
-                        std::to_string(length) + "; export again");
+                    "it needs " + std::to_string(size) + " bytes from " + std::to_string(offset) +
+                        " but the view has " + std::to_string(length) + "; export again");
   }
 
   const View& plain_view(const Json& object, const std::string& where) {

@@ -11,10 +11,10 @@ namespace marrow::cook::gltf {
 
 // Views into the file's bytes.
 struct Container {
-  bool binary = false;              // a .glb
+  bool binary = false;  // a .glb
   std::string_view json;
-  std::size_t json_offset = 0;      // of `json` in the file
-  bool has_bin = false;             // a BIN chunk is there; it may be empty
+  std::size_t json_offset = 0;  // of `json` in the file
+  bool has_bin = false;         // a BIN chunk is there; it may be empty
   std::span<const std::byte> bin;
 };
 

@@ -20,9 +20,14 @@ namespace marrow::cook::gltf {
 // in bounds.
 class DracoGeometry {
  public:
-  // `expected_points` is what the document promises; data that claims another number is refused, if possible before
-  // it is unfolded.
-  DracoGeometry(std::span<const std::byte> bytes, std::uint64_t expected_points, const std::string& where,
+  // What the document promises about the data. Data that differs is refused, as a rule before it is unfolded: a few
+  // bytes of Draco can stand for millions of points.
+  struct Promise {
+    std::uint64_t points;
+    std::uint64_t most_faces;
+  };
+
+  DracoGeometry(std::span<const std::byte> bytes, const Promise& promise, const std::string& where,
                 const Report& report);
   ~DracoGeometry();
   DracoGeometry(const DracoGeometry&) = delete;

@@ -14,14 +14,33 @@ namespace {
 constexpr std::array<std::string_view, 2> kRead = {"KHR_mesh_quantization", "KHR_draco_mesh_compression"};
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
-constexpr std::array<std::string_view, 24> kHarmless = {
-    "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
-    "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_iridescence",
-    "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular",
-    "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_variants", "KHR_materials_volume",
-    "KHR_texture_transform", "KHR_lights_punctual", "KHR_xmp_json_ld", "KHR_xmp", "KHR_node_visibility",
-    "KHR_animation_pointer", "KHR_node_hoverability", "KHR_node_selectability", "EXT_lights_image_based",
-    "FB_ngon_encoding"};
+constexpr std::array<std::string_view, 27> kHarmless = {"KHR_materials_anisotropy",
+                                                        "KHR_materials_clearcoat",
+                                                        "KHR_materials_diffuse_transmission",
+                                                        "KHR_materials_dispersion",
+                                                        "KHR_materials_emissive_strength",
+                                                        "KHR_materials_ior",
+                                                        "KHR_materials_iridescence",
+                                                        "KHR_materials_pbrSpecularGlossiness",
+                                                        "KHR_materials_sheen",
+                                                        "KHR_materials_specular",
+                                                        "KHR_materials_transmission",
+                                                        "KHR_materials_unlit",
+                                                        "KHR_materials_variants",
+                                                        "KHR_materials_volume",
+                                                        "KHR_texture_transform",
+                                                        "KHR_lights_punctual",
+                                                        "KHR_xmp_json_ld",
+                                                        "KHR_xmp",
+                                                        "KHR_node_visibility",
+                                                        "KHR_animation_pointer",
+                                                        "KHR_node_hoverability",
+                                                        "KHR_node_selectability",
+                                                        "EXT_lights_image_based",
+                                                        "FB_ngon_encoding",
+                                                        "EXT_texture_webp",
+                                                        "EXT_texture_avif",
+                                                        "MSFT_texture_dds"};
 
 struct Version {
   int major = 0;

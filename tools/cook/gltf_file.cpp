@@ -24,10 +24,14 @@ std::uint64_t size_of_regular_file(const std::string& path, const std::string& w
     report.unreadable(where, "cannot read", error.message() + "; check the name and the permissions");
   }
   switch (status.type()) {
-    case std::filesystem::file_type::regular: break;
-    case std::filesystem::file_type::not_found: report.unreadable(where, "no such file", "check the name");
-    case std::filesystem::file_type::directory: report.unreadable(where, "is a directory", "name a file in it");
-    default: report.unreadable(where, "not a regular file", "devices, pipes and sockets are never read");
+    case std::filesystem::file_type::regular:
+      break;
+    case std::filesystem::file_type::not_found:
+      report.unreadable(where, "no such file", "check the name");
+    case std::filesystem::file_type::directory:
+      report.unreadable(where, "is a directory", "name a file in it");
+    default:
+      report.unreadable(where, "not a regular file", "devices, pipes and sockets are never read");
   }
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) report.unreadable(where, "cannot read", error.message());

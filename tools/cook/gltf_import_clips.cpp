@@ -47,7 +47,8 @@ class ChannelImporter {
     std::vector<float> values = read_floats(accessor);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (std::isfinite(values[i])) continue;
-      report_.invalid(where, "not a finite number", "key " + std::to_string(i / accessor.components()) + "; export again");
+      report_.invalid(where, "not a finite number",
+                      "key " + std::to_string(i / accessor.components()) + "; export again");
     }
     return values;
   }
@@ -68,11 +69,13 @@ class ChannelImporter {
       }
     }
     if (late > 0) {
-      report_.mend(where, "keys-too-late", std::to_string(late) + " keys are more than a day after the start; left out");
+      report_.mend(where, "keys-too-late",
+                   std::to_string(late) + " keys are more than a day after the start; left out");
     }
     // Zeros stand for a buffer that is not there, and are no finding about the times.
     if (close > 0 && input.has_data()) {
-      report_.mend(where, "keys-too-close", std::to_string(close) + " keys are not a microsecond after the one before; left out");
+      report_.mend(where, "keys-too-close",
+                   std::to_string(close) + " keys are not a microsecond after the one before; left out");
     }
     return keys;
   }

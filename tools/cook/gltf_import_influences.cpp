@@ -45,9 +45,11 @@ void report_findings(const Findings& findings, const std::string& where, Report&
   };
   say(findings.negative, "weights-negative", " weights are below zero; taken as zero");
   say(findings.tiny, "weights-denormal", " weights are too small to compute with; taken as zero");
-  say(findings.merged, "joints-listed-twice", " influences name a joint that the vertex has already; the weights are added");
+  say(findings.merged, "joints-listed-twice",
+      " influences name a joint that the vertex has already; the weights are added");
   say(findings.unweighted, "weights-zero", " vertices have no weight at all; they follow the first joint listed");
-  say(findings.bad_sums, "weights-not-normalised", " vertices have weights that do not add up to one; they will be scaled to do so");
+  say(findings.bad_sums, "weights-not-normalised",
+      " vertices have weights that do not add up to one; they will be scaled to do so");
 }
 
 }  // namespace
@@ -60,14 +62,16 @@ void import_influences(VertexSource& source, RawPrimitive& raw, Report& report) 
   std::string attribute = "JOINTS_0";
   for (std::size_t set = 0; source.has(attribute); attribute = "JOINTS_" + std::to_string(++set)) {
     const std::string where = source.pointer_of(attribute);
-    if (set == kMostSets) report.unsupported(where, "too many joint sets", "at most " + std::to_string(kMostSets) + " are read");
+    if (set == kMostSets)
+      report.unsupported(where, "too many joint sets", "at most " + std::to_string(kMostSets) + " are read");
     const std::string weight_name = "WEIGHTS_" + std::to_string(set);
     const std::vector<float> joints = source.read(attribute);
     const std::vector<float> weights = source.read(weight_name);
     for (std::size_t v = 0; v < source.count(); ++v) {
       for (std::size_t i = v * 4; i < v * 4 + 4; ++i) {
         if (!std::isfinite(weights[i])) {
-          report.invalid(source.pointer_of(weight_name), "not a finite number", "vertex " + std::to_string(v) + "; export again");
+          report.invalid(source.pointer_of(weight_name), "not a finite number",
+                         "vertex " + std::to_string(v) + "; export again");
         }
         // Draco data may hold any type of number here.
         if (!(joints[i] >= 0 && joints[i] <= 65535) || joints[i] != std::floor(joints[i])) {

@@ -7,7 +7,7 @@ namespace marrow::cook::gltf {
 namespace {
 
 constexpr std::uint64_t kFreeBytes = std::uint64_t{1} << 28;
-constexpr std::uint64_t kMostExpansion = 32;  // Draco reaches about 20 on smooth meshes
+constexpr std::uint64_t kMostExpansion = 32;    // Draco reaches about 20 on smooth meshes
 constexpr std::uint64_t kBytesPerVertex = 128;  // a RawPrimitive's, with influences
 
 // Degenerate triangles join the parts of a strip and show nothing.
@@ -37,13 +37,17 @@ std::vector<std::uint32_t> import_triangles(VertexSource& source, const tinygltf
   switch (source.is_draco() ? TINYGLTF_MODE_TRIANGLES : primitive.mode) {
     case TINYGLTF_MODE_TRIANGLES:
       if (indices.size() % 3 != 0) {
-        report.warn(where, "incomplete-triangle", "the vertices are not a multiple of three; the last ones are left out");
+        report.warn(where, "incomplete-triangle",
+                    "the vertices are not a multiple of three; the last ones are left out");
         indices.resize(indices.size() / 3 * 3);
       }
       return indices;
-    case TINYGLTF_MODE_TRIANGLE_STRIP: return unroll_strip(indices);
-    case TINYGLTF_MODE_TRIANGLE_FAN: return unroll_fan(indices);
-    default: break;
+    case TINYGLTF_MODE_TRIANGLE_STRIP:
+      return unroll_strip(indices);
+    case TINYGLTF_MODE_TRIANGLE_FAN:
+      return unroll_fan(indices);
+    default:
+      break;
   }
   report.warn(where, "points-and-lines-dropped", "only triangles are drawn");
   return {};

@@ -137,7 +137,8 @@ std::vector<glm::dmat4> rest_matrices(const std::vector<RawNode>& nodes) {
     for (; !way.empty(); way.pop_back()) {
       const RawNode& node = nodes[way.back()];
       matrices[way.back()] = local_matrix(node);
-      if (node.parent != kNone) matrices[way.back()] = matrices[static_cast<std::size_t>(node.parent)] * matrices[way.back()];
+      if (node.parent != kNone)
+        matrices[way.back()] = matrices[static_cast<std::size_t>(node.parent)] * matrices[way.back()];
       known[way.back()] = true;
     }
   }
@@ -254,7 +255,8 @@ std::vector<RawInstance> import_instances(const Document& document, std::vector<
     const HighestJoint& used = highest[mesh];
     if (instance.skin != kNone && used.joint < 0) {
       if (!meshes[mesh].primitives.empty()) {
-        report.mend(pointer("nodes", i, "skin"), "skin-without-weights", "the mesh has no joints or weights; drawn rigidly");
+        report.mend(pointer("nodes", i, "skin"), "skin-without-weights",
+                    "the mesh has no joints or weights; drawn rigidly");
       }
       instance.skin = kNone;
     } else if (instance.skin == kNone && used.joint >= 0) {

@@ -15,6 +15,11 @@ constexpr float kUnitSlack = 0.02F;     // an 8-bit normal is off by up to one p
 constexpr float kSmallestUnit = 1e-6F;  // shorter vectors have no direction worth keeping
 constexpr float kClampSlack = 1e-3F;
 
+// While decoding: Draco's corner table and attribute maps.
+constexpr std::uint64_t kDracoBytesPerPoint = 64;
+constexpr std::uint64_t kDracoBytesPerFace = 32;
+constexpr std::uint64_t kFacesPerPoint = 8;  // where the document is silent; a closed surface has two
+
 const tinygltf::Value* find_draco(const tinygltf::Primitive& primitive) {
   const auto found = primitive.extensions.find("KHR_draco_mesh_compression");
   return found == primitive.extensions.end() ? nullptr : &found->second;
@@ -62,17 +67,23 @@ void VertexSource::open_draco() {
   if (primitive_.mode != TINYGLTF_MODE_TRIANGLES && primitive_.mode != TINYGLTF_MODE_TRIANGLE_STRIP) {
     report_.invalid(under(where_, "mode"), "not triangles", "Draco data holds triangles only; export again");
   }
-  const View& view = document_.buffers.views[static_cast<std::size_t>(find_draco(primitive_)->Get("bufferView").GetNumberAsInt())];
+  const View& view =
+      document_.buffers.views[static_cast<std::size_t>(find_draco(primitive_)->Get("bufferView").GetNumberAsInt())];
   if (!view.present) report_.invalid(under(where, "bufferView"), "no data", "the buffer has no bytes; export again");
-  budget_.take(count_ * 64, where, report_);
-  draco_ = std::make_unique<DracoGeometry>(view.bytes, count_, where, report_);
+  const bool promised = primitive_.indices >= 0 && primitive_.mode == TINYGLTF_MODE_TRIANGLES;
+  const std::uint64_t most_faces =
+      promised ? document_.accessors[static_cast<std::size_t>(primitive_.indices)].count / 3 : count_ * kFacesPerPoint;
+  budget_.take(count_ * kDracoBytesPerPoint + most_faces * kDracoBytesPerFace, where, report_);
+  draco_ = std::make_unique<DracoGeometry>(view.bytes, DracoGeometry::Promise{count_, most_faces}, where, report_);
 }
 
 const Accessor& VertexSource::accessor_of(const std::string& attribute) const {
   return document_.accessors[static_cast<std::size_t>(primitive_.attributes.at(attribute))];
 }
 
-std::size_t VertexSource::components(const std::string& attribute) const { return accessor_of(attribute).components(); }
+std::size_t VertexSource::components(const std::string& attribute) const {
+  return accessor_of(attribute).components();
+}
 
 bool VertexSource::has_data(const std::string& attribute) const {
   return draco_ != nullptr || accessor_of(attribute).has_data();
@@ -99,7 +110,8 @@ std::vector<std::uint32_t> VertexSource::read_vertex_indices() {
     if (primitive_.indices >= 0 && primitive_.mode == TINYGLTF_MODE_TRIANGLES) {
       const Accessor& promised = document_.accessors[static_cast<std::size_t>(primitive_.indices)];
       if (promised.count != indices.size()) {
-        report_.invalid(where, "differs from the Draco data in count", std::to_string(indices.size()) + " indices are decoded");
+        report_.invalid(where, "differs from the Draco data in count",
+                        std::to_string(indices.size()) + " indices are decoded");
       }
     }
   } else if (primitive_.indices >= 0) {
@@ -110,7 +122,8 @@ std::vector<std::uint32_t> VertexSource::read_vertex_indices() {
                                   : accessor.component == Component::u16 ? 0xFFFF
                                                                          : 0xFFFFFFFF;
     for (std::size_t i = 0; i < indices.size(); ++i) {
-      if (indices[i] == restart) report_.invalid(where, "primitive restart value", "index " + std::to_string(i) + "; split the strip");
+      if (indices[i] == restart)
+        report_.invalid(where, "primitive restart value", "index " + std::to_string(i) + "; split the strip");
     }
   } else {
     budget_.take(count_ * sizeof(std::uint32_t), where, report_);
@@ -120,8 +133,8 @@ std::vector<std::uint32_t> VertexSource::read_vertex_indices() {
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (indices[i] < count_) continue;
     report_.invalid(where, "vertex that does not exist",
-                    "index " + std::to_string(i) + " is " + std::to_string(indices[i]) + " of " + std::to_string(count_) +
-                        "; export again");
+                    "index " + std::to_string(i) + " is " + std::to_string(indices[i]) + " of " +
+                        std::to_string(count_) + "; export again");
   }
   return indices;
 }
@@ -134,7 +147,8 @@ void import_positions(VertexSource& source, RawPrimitive& raw, Report& report) {
   raw.positions.reserve(source.count());
   for (std::size_t v = 0; v < source.count(); ++v) {
     const float* from = &values[v * 3];
-    if (!is_finite(from, 3)) report.invalid(where, "not a finite number", "vertex " + std::to_string(v) + "; export again");
+    if (!is_finite(from, 3))
+      report.invalid(where, "not a finite number", "vertex " + std::to_string(v) + "; export again");
     raw.positions.emplace_back(from[0], from[1], from[2]);
     const bool near = std::all_of(from, from + 3, [](float x) { return std::abs(x) <= kFarthest_m; });
     if (near) sum += glm::dvec3(raw.positions.back());
@@ -170,7 +184,8 @@ void import_normals(VertexSource& source, RawPrimitive& raw, Report& report) {
   }
   const std::string where = source.pointer_of("NORMAL");
   if (remade > 0 && source.has_data("NORMAL")) {
-    report.mend(where, "normals-remade", std::to_string(remade) + " normals have no direction; computed from the triangles");
+    report.mend(where, "normals-remade",
+                std::to_string(remade) + " normals have no direction; computed from the triangles");
   }
   if (rescaled > 0) report.mend(where, "normals-not-unit", std::to_string(rescaled) + " normals were normalised");
 }
@@ -196,7 +211,8 @@ void import_tangents(VertexSource& source, RawPrimitive& raw, Report& report) {
     raw.tangents.emplace_back(direction, from[3] < 0 ? -1.0F : 1.0F);
   }
   if (mended > 0 && source.has_data("TANGENT")) {
-    report.mend(where, "tangents-mended", std::to_string(mended) + " tangents were not of unit length with a sign of one");
+    report.mend(where, "tangents-mended",
+                std::to_string(mended) + " tangents were not of unit length with a sign of one");
   }
 }
 
@@ -212,7 +228,8 @@ void import_colours_and_uvs(VertexSource& source, RawPrimitive& raw, Report& rep
     raw.uvs.reserve(source.count());
     for (std::size_t v = 0; v < source.count(); ++v) raw.uvs.emplace_back(values[v * 2], values[v * 2 + 1]);
     if (mended > 0) {
-      report.mend(source.pointer_of("TEXCOORD_0"), "uvs-mended", std::to_string(mended) + " are out of reach; now zero");
+      report.mend(source.pointer_of("TEXCOORD_0"), "uvs-mended",
+                  std::to_string(mended) + " are out of reach; now zero");
     }
   }
   if (source.has("COLOR_0")) {

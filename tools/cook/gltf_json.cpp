@@ -1,8 +1,6 @@
 // JSON text to a document tree, for text that nobody vouches for.
 #include "cook/gltf_json.h"
 
-#include <cctype>
-
 namespace marrow::cook::gltf {
 namespace {
 
@@ -61,9 +59,6 @@ class TreeBuilder {
     std::string reason = error.what();
     reason.erase(0, reason.find("] ") + 2);
     if (reason.starts_with("parse error")) reason.erase(0, reason.find(": ") + 2);
-    for (char& c : reason) {
-      if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
-    }
     report_.invalid(at_offset(text_offset_ + (position == 0 ? 0 : position - 1)), "not JSON", reason);
   }
 

@@ -120,9 +120,8 @@ Json slim_document(Json& root, Report& report) {
     return keep(skin, {"name", "joints", "skeleton", "inverseBindMatrices"});
   });
   slim["scenes"] = map_items(root, "scenes", [](Json& scene, std::size_t) { return keep(scene, {"nodes"}); });
-  slim["animations"] = map_items(root, "animations", [&](Json& animation, std::size_t index) {
-    return keep_animation(animation, index, report);
-  });
+  slim["animations"] = map_items(
+      root, "animations", [&](Json& animation, std::size_t index) { return keep_animation(animation, index, report); });
   if (root.contains("scene")) slim["scene"] = std::move(root.at("scene"));
   return slim;
 }

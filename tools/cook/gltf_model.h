@@ -11,7 +11,7 @@ namespace marrow::cook::gltf {
 
 // Everything that the rules and the import start from.
 struct Document {
-  tinygltf::Model model;            // meshes, nodes, skins, animations, materials and scenes; no bytes
+  tinygltf::Model model;  // meshes, nodes, skins, animations, materials and scenes; no bytes
   std::vector<std::string> extensions_used;
   std::vector<Accessor> accessors;  // by the document's numbering
   Buffers buffers;

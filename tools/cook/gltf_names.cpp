@@ -2,33 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdint>
 #include <string_view>
 
 #include "cook/gltf_import.h"
+#include "cook/gltf_text.h"
 
 namespace marrow::cook::gltf {
 namespace {
 
 constexpr std::size_t kLongestName = 1024;
-
-// Decodes one character of valid UTF-8 (the JSON parser has seen to that) and its length in bytes.
-std::pair<std::uint32_t, std::size_t> decode(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[at + i])); };
-  const std::uint32_t lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-  std::uint32_t code = lead & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byte(i) & 0x3F);
-  return {code, length};
-}
-
-// Control characters, line separators, byte-order marks and what reorders or hides text.
-bool is_deceptive(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x200B && code <= 0x200F) ||
-         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF ||
-         (code >= 0xFFF9 && code <= 0xFFFF);
-}
 
 bool is_path(std::string_view name) {
   if (name.empty()) return false;
@@ -59,7 +41,7 @@ std::string clean_name(const std::string& name, const std::string& where, Report
   std::string clean;
   clean.reserve(name.size());
   for (std::size_t at = 0; at < name.size();) {
-    const auto [code, length] = decode(name, at);
+    const auto [code, length] = decode_character(name, at);
     if (clean.size() + length > kLongestName) break;
     const bool separator = path && (code == '/' || code == '\\');
     if (is_deceptive(code) || separator) {
@@ -70,7 +52,8 @@ std::string clean_name(const std::string& name, const std::string& where, Report
     at += length;
   }
   if (is_device(clean) || clean == "." || clean == "..") clean += '_';
-  if (clean != name) report.warn(under(where, "name"), "name-cleaned", "unfit to print or to name a file; now \"" + clean + '"');
+  if (clean != name)
+    report.warn(under(where, "name"), "name-cleaned", "unfit to print or to name a file; now \"" + clean + '"');
   return clean;
 }
 

@@ -8,14 +8,14 @@ constexpr std::size_t kListedPerRule = 8;
 
 }  // namespace
 
-void Report::warn(std::string where, std::string rule, std::string text) {
+void Report::warn(const std::string& where, const std::string& rule, const std::string& text) {
   if (++count_of_rule_[rule] > kListedPerRule) return;
-  warnings_.push_back({std::move(where), std::move(rule), std::move(text)});
+  warnings_.push_back({printable(where), rule, printable(text)});
 }
 
-void Report::mend(std::string where, std::string rule, std::string text) {
-  if (library_) invalid(std::move(where), std::move(rule), std::move(text));
-  warn(std::move(where), std::move(rule), std::move(text));
+void Report::mend(const std::string& where, const std::string& rule, const std::string& text) {
+  if (library_) invalid(where, rule, text);
+  warn(where, rule, text);
 }
 
 std::vector<RawWarning> Report::take_warnings() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/failure.h"
+#include "cook/gltf_text.h"
 #include "cook/raw.h"
 
 namespace marrow::cook::gltf {
@@ -28,7 +29,9 @@ inline void append_step(std::string& pointer, std::string_view key) {
   }
 }
 
-inline void append_step(std::string& pointer, std::integral auto index) { pointer += '/' + std::to_string(index); }
+inline void append_step(std::string& pointer, std::integral auto index) {
+  pointer += '/' + std::to_string(index);
+}
 
 // pointer("nodes", 3, "matrix") is "/nodes/3/matrix".
 template <class... Steps>
@@ -45,31 +48,34 @@ std::string under(std::string base, const Steps&... steps) {
   return base;
 }
 
-inline std::string at_offset(std::size_t offset) { return '@' + std::to_string(offset); }
+inline std::string at_offset(std::size_t offset) {
+  return '@' + std::to_string(offset);
+}
 
 class Report {
  public:
   explicit Report(std::string file) : file_(std::move(file)) {}
 
-  [[noreturn]] void fail(tools::Exit code, std::string where, std::string rule, std::string advice) const {
-    throw tools::Failure(code, file_, std::move(where), std::move(rule), std::move(advice));
+  [[noreturn]] void fail(tools::Exit code, const std::string& where, const std::string& rule,
+                         const std::string& advice) const {
+    throw tools::Failure(code, file_, printable(where), printable(rule), printable(advice));
   }
-  [[noreturn]] void invalid(std::string where, std::string rule, std::string advice) const {
-    fail(tools::Exit::invalid, std::move(where), std::move(rule), std::move(advice));
+  [[noreturn]] void invalid(const std::string& where, const std::string& rule, const std::string& advice) const {
+    fail(tools::Exit::invalid, where, rule, advice);
   }
-  [[noreturn]] void unsupported(std::string where, std::string rule, std::string advice) const {
-    fail(tools::Exit::unsupported, std::move(where), std::move(rule), std::move(advice));
+  [[noreturn]] void unsupported(const std::string& where, const std::string& rule, const std::string& advice) const {
+    fail(tools::Exit::unsupported, where, rule, advice);
   }
-  [[noreturn]] void unreadable(std::string where, std::string rule, std::string advice) const {
-    fail(tools::Exit::io, std::move(where), std::move(rule), std::move(advice));
+  [[noreturn]] void unreadable(const std::string& where, const std::string& rule, const std::string& advice) const {
+    fail(tools::Exit::io, where, rule, advice);
   }
 
   // Legal, but not carried or not as the author may expect.
-  void warn(std::string where, std::string rule, std::string text);
+  void warn(const std::string& where, const std::string& rule, const std::string& text);
 
   // Wrong, but with one sensible meaning, which the caller goes on with. A file without scenes is a library of parts
   // (glTF 2.0, section 3.5.1): nobody can look at the result, so nothing is guessed there and the finding is final.
-  void mend(std::string where, std::string rule, std::string text);
+  void mend(const std::string& where, const std::string& rule, const std::string& text);
 
   void set_library(bool library) { library_ = library; }
   bool library() const { return library_; }

@@ -11,9 +11,9 @@
 namespace marrow::cook::gltf {
 
 struct NodeGraph {
-  std::vector<int> parent;      // kNone for a root
-  std::vector<int> root;        // of the tree that a node is in
-  std::vector<bool> in_scene;   // reachable from the default scene; all when the document has none
+  std::vector<int> parent;     // kNone for a root
+  std::vector<int> root;       // of the tree that a node is in
+  std::vector<bool> in_scene;  // reachable from the default scene; all when the document has none
 };
 
 // Nodes form a forest, scenes list roots, skins hang together; transforms are given in one way.

@@ -14,22 +14,39 @@ using tinygltf::Primitive;
 
 // Component type and normalisation as one bit, so that a set of formats is a number.
 enum Format : unsigned {
-  f32 = 1, u32 = 2, u8 = 4, u16 = 8, i8 = 16, i16 = 32, u8n = 64, u16n = 128, i8n = 256, i16n = 512
+  f32 = 1,
+  u32 = 2,
+  u8 = 4,
+  u16 = 8,
+  i8 = 16,
+  i16 = 32,
+  u8n = 64,
+  u16n = 128,
+  i8n = 256,
+  i16n = 512
 };
 
 unsigned format_of(const Accessor& accessor) {
   switch (accessor.component) {
-    case Component::i8: return accessor.normalised ? i8n : i8;
-    case Component::u8: return accessor.normalised ? u8n : u8;
-    case Component::i16: return accessor.normalised ? i16n : i16;
-    case Component::u16: return accessor.normalised ? u16n : u16;
-    case Component::u32: return u32;
-    case Component::f32: break;
+    case Component::i8:
+      return accessor.normalised ? i8n : i8;
+    case Component::u8:
+      return accessor.normalised ? u8n : u8;
+    case Component::i16:
+      return accessor.normalised ? i16n : i16;
+    case Component::u16:
+      return accessor.normalised ? u16n : u16;
+    case Component::u32:
+      return u32;
+    case Component::f32:
+      break;
   }
   return f32;
 }
 
-constexpr unsigned bit(Shape shape) { return 1U << static_cast<unsigned>(shape); }
+constexpr unsigned bit(Shape shape) {
+  return 1U << static_cast<unsigned>(shape);
+}
 
 // glTF 2.0, section 3.7.2.1; the last column is what KHR_mesh_quantization adds.
 struct Semantic {
@@ -189,7 +206,8 @@ class Checker {
         report_.mend(here, "morph-target-wrong", "not an attribute of glTF 2.0");
       }
       if (data.count != count) report_.mend(here, "morph-target-wrong", "it differs from the base in count");
-      if (!primitive.attributes.contains(name)) report_.mend(here, "morph-target-wrong", "the base has no such attribute");
+      if (!primitive.attributes.contains(name))
+        report_.mend(here, "morph-target-wrong", "the base has no such attribute");
       if (name == "POSITION" && !data.has_bounds) report_.mend(here, "bounds-missing", "POSITION needs min and max");
       check_layout(index, kVertexRole, here);
     }
@@ -222,8 +240,8 @@ class Checker {
 
   const Document& document_;
   Report& report_;
-  std::vector<std::uint8_t> role_;     // by buffer view
-  std::vector<int> vertex_accessor_;   // the last one seen in a buffer view
+  std::vector<std::uint8_t> role_;    // by buffer view
+  std::vector<int> vertex_accessor_;  // the last one seen in a buffer view
 };
 
 std::int64_t highest_texture_coordinate(const Json& material) {

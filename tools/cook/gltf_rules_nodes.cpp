@@ -111,8 +111,9 @@ void check_inverse_binds(const Document& document, std::size_t index, Report& re
     report.invalid(where, "wrong accessor", "inverse bind matrices are float MAT4; export again");
   }
   if (accessor.count < skin.joints.size()) {
-    report.invalid(where, "too few matrices",
-                   std::to_string(accessor.count) + " for " + std::to_string(skin.joints.size()) + " joints; export again");
+    report.invalid(
+        where, "too few matrices",
+        std::to_string(accessor.count) + " for " + std::to_string(skin.joints.size()) + " joints; export again");
   }
   if (accessor.view >= 0 && document.buffers.views[static_cast<std::size_t>(accessor.view)].stride != 0) {
     report.mend(where, "stride-not-allowed", "only vertex data may have a byteStride; honoured all the same");
@@ -121,7 +122,8 @@ void check_inverse_binds(const Document& document, std::size_t index, Report& re
 
 // joints.size() if all are inside.
 std::size_t first_outside_scene(const std::vector<int>& joints, const NodeGraph& graph) {
-  const auto found = std::ranges::find_if(joints, [&](int joint) { return !graph.in_scene[static_cast<std::size_t>(joint)]; });
+  const auto found =
+      std::ranges::find_if(joints, [&](int joint) { return !graph.in_scene[static_cast<std::size_t>(joint)]; });
   return static_cast<std::size_t>(found - joints.begin());
 }
 
@@ -132,13 +134,16 @@ void check_skin(const Document& document, std::size_t index, const NodeGraph& gr
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     if (graph.root[static_cast<std::size_t>(skin.joints[j])] == root) continue;
     if (stray < skin.joints.size()) {
-      report.invalid(pointer("skins", index, "joints", stray), "no common root", "a joint is outside the scene; export again");
+      report.invalid(pointer("skins", index, "joints", stray), "no common root",
+                     "a joint is outside the scene; export again");
     }
-    report.mend(pointer("skins", index, "joints", j), "no-common-root", "not in the first joint's tree; the scene joins them");
+    report.mend(pointer("skins", index, "joints", j), "no-common-root",
+                "not in the first joint's tree; the scene joins them");
     break;
   }
   if (skin.skeleton >= 0 && !is_above_all(skin.skeleton, skin.joints, graph)) {
-    report.mend(pointer("skins", index, "skeleton"), "skeleton-not-above-joints", "not an ancestor of all joints; ignored");
+    report.mend(pointer("skins", index, "skeleton"), "skeleton-not-above-joints",
+                "not an ancestor of all joints; ignored");
   }
   check_inverse_binds(document, index, report);
 }

@@ -44,9 +44,11 @@ class Walker {
   void check_object(Json& value, const Schema& schema, const Path& path) {
     if (!value.is_object()) wrong_kind(path, "an object");
     for (auto member = value.begin(); member != value.end();) {
-      const bool at_root = path.up == nullptr && std::ranges::count(schema.properties, member.key(), &Property::name) > 0;
+      const bool at_root =
+          path.up == nullptr && std::ranges::count(schema.properties, member.key(), &Property::name) > 0;
       if (at_root && member->is_array() && member->empty()) {
-        report_.mend(path.step(member.key()).text(), "empty-array", "left out; a collection like /nodes has elements or is not there");
+        report_.mend(path.step(member.key()).text(), "empty-array",
+                     "left out; a collection like /nodes has elements or is not there");
         member = value.erase(member);
         continue;
       }
@@ -77,17 +79,35 @@ class Walker {
       case Kind::boolean:
         if (!value.is_boolean()) wrong_kind(path, "true or false");
         break;
-      case Kind::text: check_text(value, property, path); break;
-      case Kind::texts: check_texts(value, property, path); break;
-      case Kind::integer: check_integer(value, property.min, property.max, path); break;
-      case Kind::number: check_number(value, property, path); break;
-      case Kind::index: check_index(value, property, path); break;
-      case Kind::index_map: check_index_map(value, property, path); break;
-      case Kind::object: check_object(value, *property.schema, path); break;
-      case Kind::indices: check_indices(value, property, path); break;
+      case Kind::text:
+        check_text(value, property, path);
+        break;
+      case Kind::texts:
+        check_texts(value, property, path);
+        break;
+      case Kind::integer:
+        check_integer(value, property.min, property.max, path);
+        break;
+      case Kind::number:
+        check_number(value, property, path);
+        break;
+      case Kind::index:
+        check_index(value, property, path);
+        break;
+      case Kind::index_map:
+        check_index_map(value, property, path);
+        break;
+      case Kind::object:
+        check_object(value, *property.schema, path);
+        break;
+      case Kind::indices:
+        check_indices(value, property, path);
+        break;
       case Kind::numbers:
       case Kind::index_maps:
-      case Kind::objects: check_items(value, property, path); break;
+      case Kind::objects:
+        check_items(value, property, path);
+        break;
     }
   }
 
@@ -103,7 +123,8 @@ class Walker {
   void check_length(const Json& value, const Property& property, const Path& path) {
     if (!value.is_array()) wrong_kind(path, "an array, as /nodes is");
     if (value.size() < property.shortest || value.size() > property.longest) {
-      report_.invalid(path.text(), "wrong number of items", "it has " + std::to_string(value.size()) + "; export again");
+      report_.invalid(path.text(), "wrong number of items",
+                      "it has " + std::to_string(value.size()) + "; export again");
     }
     if (value.size() > kLongestCollection) {
       report_.unsupported(path.text(), "too many items",
@@ -154,7 +175,7 @@ class Walker {
 
   void check_index(Json& value, const Property& property, const Path& path) {
     if (property.of.empty()) return check_integer(value, 0, std::numeric_limits<std::int32_t>::max(), path);
-    check_integer(value, -kLargestFloat, kLargestFloat, path);
+    check_integer(value, -kLargestInteger, kLargestInteger, path);
     const auto collection = root_.find(property.of);
     const std::size_t size = collection == root_.end() || !collection->is_array() ? 0 : collection->size();
     const double number = value.get<double>();

@@ -36,7 +36,9 @@ constexpr Property code(std::string_view name, bool required) {
   return {.name = name, .kind = Kind::integer, .required = required, .min = 0, .max = kLargestEnum};
 }
 
-constexpr Property flag(std::string_view name) { return {.name = name, .kind = Kind::boolean}; }
+constexpr Property flag(std::string_view name) {
+  return {.name = name, .kind = Kind::boolean};
+}
 
 constexpr Schema kOpen{{}, true};
 
@@ -66,8 +68,7 @@ constexpr Property kTarget[] = {index_of("node", "nodes"), text("path", true)};
 constexpr Schema kTargetSchema{kTarget};
 constexpr Property kChannel[] = {count_of("sampler", 0, true), object("target", kTargetSchema, true)};
 constexpr Schema kChannelSchema{kChannel};
-constexpr Property kAnimationSampler[] = {index_of("input", "accessors", true),
-                                          index_of("output", "accessors", true),
+constexpr Property kAnimationSampler[] = {index_of("input", "accessors", true), index_of("output", "accessors", true),
                                           text("interpolation", false, "LINEAR STEP CUBICSPLINE")};
 constexpr Schema kAnimationSamplerSchema{kAnimationSampler};
 constexpr Property kAnimation[] = {objects("channels", kChannelSchema, true),
@@ -76,12 +77,11 @@ constexpr Schema kAnimationSchema{kAnimation};
 
 constexpr Property kBuffer[] = {text("uri"), count_of("byteLength", 1, true)};
 constexpr Schema kBufferSchema{kBuffer};
-constexpr Property kBufferView[] = {
-    index_of("buffer", "buffers", true),
-    count_of("byteOffset", 0),
-    count_of("byteLength", 1, true),
-    {.name = "byteStride", .kind = Kind::integer, .min = 4, .max = 252},
-    code("target", false)};
+constexpr Property kBufferView[] = {index_of("buffer", "buffers", true),
+                                    count_of("byteOffset", 0),
+                                    count_of("byteLength", 1, true),
+                                    {.name = "byteStride", .kind = Kind::integer, .min = 4, .max = 252},
+                                    code("target", false)};
 constexpr Schema kBufferViewSchema{kBufferView};
 
 constexpr Property kImage[] = {text("uri"), text("mimeType"), index_of("bufferView", "bufferViews")};
@@ -112,26 +112,22 @@ constexpr Property kDraco[] = {index_of("bufferView", "bufferViews", true),
 constexpr Schema kDracoSchema{kDraco};
 constexpr Property kPrimitiveExtensions[] = {object("KHR_draco_mesh_compression", kDracoSchema)};
 constexpr Schema kPrimitiveExtensionsSchema{kPrimitiveExtensions, true};
-constexpr Property kPrimitive[] = {
-    {.name = "attributes", .kind = Kind::index_map, .required = true, .of = "accessors"},
-    index_of("indices", "accessors"),
-    index_of("material", "materials"),
-    {.name = "mode", .kind = Kind::integer, .min = 0, .max = 6},
-    {.name = "targets", .kind = Kind::index_maps, .of = "accessors"},
-    object("extensions", kPrimitiveExtensionsSchema)};
+constexpr Property kPrimitive[] = {{.name = "attributes", .kind = Kind::index_map, .required = true, .of = "accessors"},
+                                   index_of("indices", "accessors"),
+                                   index_of("material", "materials"),
+                                   {.name = "mode", .kind = Kind::integer, .min = 0, .max = 6},
+                                   {.name = "targets", .kind = Kind::index_maps, .of = "accessors"},
+                                   object("extensions", kPrimitiveExtensionsSchema)};
 constexpr Schema kPrimitiveSchema{kPrimitive};
 constexpr Property kMesh[] = {objects("primitives", kPrimitiveSchema, true), numbers("weights", 1, kAnyLength)};
 constexpr Schema kMeshSchema{kMesh};
 
-constexpr Property kNode[] = {index_of("camera", "cameras"),
-                              {.name = "children", .kind = Kind::indices, .of = "nodes"},
-                              index_of("skin", "skins"),
-                              numbers("matrix", 16, 16),
-                              index_of("mesh", "meshes"),
-                              numbers("rotation", 4, 4),
-                              numbers("scale", 3, 3),
-                              numbers("translation", 3, 3),
-                              numbers("weights", 1, kAnyLength)};
+constexpr Property kNode[] = {
+    index_of("camera", "cameras"),    {.name = "children", .kind = Kind::indices, .of = "nodes"},
+    index_of("skin", "skins"),        numbers("matrix", 16, 16),
+    index_of("mesh", "meshes"),       numbers("rotation", 4, 4),
+    numbers("scale", 3, 3),           numbers("translation", 3, 3),
+    numbers("weights", 1, kAnyLength)};
 constexpr Schema kNodeSchema{kNode};
 constexpr Property kScene[] = {{.name = "nodes", .kind = Kind::indices, .of = "nodes"}};
 constexpr Schema kSceneSchema{kScene};

@@ -11,16 +11,16 @@ namespace marrow::cook::gltf {
 enum class Kind {
   boolean,
   text,
-  texts,      // array of distinct strings
+  texts,  // array of distinct strings
   integer,
   number,
-  numbers,    // array
-  index,      // into the root collection `of`
-  indices,    // array of distinct ones
-  index_map,  // an object whose members are indices, such as a primitive's attributes
-  index_maps, // array of them
-  object,     // of `schema`
-  objects,    // array of them
+  numbers,     // array
+  index,       // into the root collection `of`
+  indices,     // array of distinct ones
+  index_map,   // an object whose members are indices, such as a primitive's attributes
+  index_maps,  // array of them
+  object,      // of `schema`
+  objects,     // array of them
 };
 
 inline constexpr double kLargestFloat = std::numeric_limits<float>::max();

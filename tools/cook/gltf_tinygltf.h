@@ -7,4 +7,6 @@
 #define TINYGLTF_NO_FS
 #define TINYGLTF_NO_INCLUDE_JSON
 #include <nlohmann/json.hpp>
+
+// After the JSON library, which it expects to be there.
 #include <tiny_gltf.h>
