@@ -1,12 +1,7 @@
 # Tests of the cooker and of the program; included where the tools are built.
-set(cook_sources golden/golden_cook_test.cpp)
-foreach(source unit/cook/gltf_test.cpp unit/sample_test.cpp)
-  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
-    list(APPEND cook_sources ${source})
-  endif()
-endforeach()
-marrow_test(marrow_cook_tests cook ${cook_sources})
-target_link_libraries(marrow_cook_tests PRIVATE marrow_cook)
+marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/gltf_test.cpp)
+marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 # The reference evaluator, written from the glTF specification; it shares nothing with the cooker.
@@ -24,4 +19,13 @@ marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")
+if(MARROW_GLES)
+  target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_GLES)
+endif()
 add_dependencies(marrow_cli_tests marrow)
+
+add_executable(marrow_gltf_fuzz fuzz/gltf_fuzz.cpp fuzz/driver.cpp)
+target_link_libraries(marrow_gltf_fuzz PRIVATE marrow_test_support marrow_cook)
+marrow_warnings(marrow_gltf_fuzz)
+add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRENT_SOURCE_DIR}/golden/tiny.gltf)
+set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)

@@ -1,5 +1,5 @@
-// Stands in for libFuzzer where there is none: mutates seed files in a fixed pseudo-random way, so that every run is the
-// same. Usage: TARGET --iterations N SEED…
+// Stands in for libFuzzer where there is none: mutates seed files in a fixed pseudo-random way, so that every run is
+// the same. Usage: TARGET --iterations N SEED…
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -20,8 +20,10 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using marrow::test::Random;
 
-constexpr std::uint32_t kCorners[] = {0, 1, 2, 3, 4, 8, 9, 15, 16, 255, 256, 0x7FFF, 0x8000, 0xFFFF, 0x10000, 0x3FFFFFFF,
-                                      0x40000000, 0x7F800000, 0x7FC00000, 0x7FFFFFFF, 0x80000000, 0xFFFFFFF0, 0xFFFFFFFF};
+constexpr std::uint32_t kCorners[] = {0,          1,          2,          3,          4,          8,
+                                      9,          15,         16,         255,        256,        0x7FFF,
+                                      0x8000,     0xFFFF,     0x10000,    0x3FFFFFFF, 0x40000000, 0x7F800000,
+                                      0x7FC00000, 0x7FFFFFFF, 0x80000000, 0xFFFFFFF0, 0xFFFFFFFF};
 
 // One change; a file's first 512 bytes, with its tables and counts, are hit as often as all the rest.
 void mutate(Random& random, Bytes& bytes) {
@@ -30,9 +32,15 @@ void mutate(Random& random, Bytes& bytes) {
   const std::uint32_t reach = random.below(2) == 0 ? std::min(size, 512u) : size;
   const std::uint32_t at = random.below(reach), word = at & ~3u;
   switch (random.below(6)) {
-    case 0: bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ 1u << random.below(8)); break;
-    case 1: bytes[at] = static_cast<std::uint8_t>(random.bits()); break;
-    case 2: bytes[at] = static_cast<std::uint8_t>(bytes[at] + (random.below(2) == 0 ? 1 : 255)); break;
+    case 0:
+      bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ 1u << random.below(8));
+      break;
+    case 1:
+      bytes[at] = static_cast<std::uint8_t>(random.bits());
+      break;
+    case 2:
+      bytes[at] = static_cast<std::uint8_t>(bytes[at] + (random.below(2) == 0 ? 1 : 255));
+      break;
     case 3:
       if (word + 4 <= size) std::memcpy(&bytes[word], &kCorners[random.below(std::size(kCorners))], 4);
       break;

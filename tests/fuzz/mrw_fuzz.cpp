@@ -1,4 +1,5 @@
-// Fuzz target: bytes → load → every stage. The checksum is made to fit, so that the rules of the format are what is tested.
+// Fuzz target: bytes → load → every stage. The checksum is made to fit, so that the rules of the format are what is
+// tested.
 #include <cstddef>
 #include <cstdint>
 

@@ -24,7 +24,9 @@ TEST(GoldenCook, GivesTheGoldenBytes) {
   for (std::size_t i = 0; i < golden.size(); ++i) ASSERT_EQ(cooked.file[i], golden.data()[i]) << "byte " << i;
 }
 
-TEST(GoldenCook, TwiceGivesTheSameBytes) { EXPECT_EQ(cook_tiny().file, cook_tiny().file); }
+TEST(GoldenCook, TwiceGivesTheSameBytes) {
+  EXPECT_EQ(cook_tiny().file, cook_tiny().file);
+}
 
 }  // namespace
 }  // namespace marrow

@@ -1,4 +1,5 @@
-// Files of every version of the format keep loading and keep their shape: today's loader on the golden file of version 1.
+// Files of every version of the format keep loading and keep their shape: today's loader on the golden file of
+// version 1.
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -112,9 +113,11 @@ TEST_F(Golden, PosesAsTheSpecificationSays) {
     for (const test::Deformer deformer : {test::Deformer::ssd, test::Deformer::as}) {
       const test::PosedMesh posed = test::pose_mesh(file_, clip, e.time_s, mesh, deformer);
       for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(static_cast<double>(posed.positions[slot * 3 + i]), e.position[i], 3e-6) << e.vertex << " at " << e.time_s;
+        EXPECT_NEAR(static_cast<double>(posed.positions[slot * 3 + i]), e.position[i], 3e-6)
+            << e.vertex << " at " << e.time_s;
         if (test::length(e.normal) > 0) {
-          EXPECT_NEAR(static_cast<double>(posed.normals[slot * 3 + i]), e.normal[i], 1e-4) << e.vertex << " at " << e.time_s;
+          EXPECT_NEAR(static_cast<double>(posed.normals[slot * 3 + i]), e.normal[i], 1e-4)
+              << e.vertex << " at " << e.time_s;
         }
       }
       ++cases;

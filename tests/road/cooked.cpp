@@ -20,7 +20,8 @@ Cooked::Cooked(const std::string& path) {
   const cook::CookResult result = cook::cook_file(path, options);
   block_ = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
   DataError error;
-  if (load(*block_, file_, &error) != Status::ok) throw std::runtime_error(path + ": cooked, but not loaded: " + error.rule);
+  if (load(*block_, file_, &error) != Status::ok)
+    throw std::runtime_error(path + ": cooked, but not loaded: " + error.rule);
 }
 
 CookedPose Cooked::pose(std::uint32_t clip, float time_s, Deformer deformer) const {

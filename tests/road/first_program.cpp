@@ -23,5 +23,6 @@ int main(int argc, char** argv) {
       build_palette(mesh, joints, palette) != marrow::Status::ok ||
       skin_ssd(mesh, palette, {.positions = positions, .normals = {}, .tangents = {}}) != marrow::Status::ok)
     return 1;
-  std::printf("%s: vertex 0 at %g %g %g m\n", mesh.name, double(positions[0]), double(positions[1]), double(positions[2]));
+  std::printf("%s: vertex 0 at %g %g %g m\n", mesh.name, double(positions[0]), double(positions[1]),
+              double(positions[2]));
 }

@@ -85,8 +85,10 @@ std::vector<SourceInfluence> kept_influences(const std::vector<SourceInfluence>&
   for (const SourceInfluence& influence : all) {
     if (!(influence.weight > 0)) continue;
     const auto same = std::find_if(kept.begin(), kept.end(), [&](const auto& k) { return k.joint == influence.joint; });
-    if (same == kept.end()) kept.push_back(influence);
-    else same->weight += influence.weight;
+    if (same == kept.end())
+      kept.push_back(influence);
+    else
+      same->weight += influence.weight;
   }
   std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
   if (kept.size() > 8) kept.resize(8);
@@ -125,7 +127,8 @@ Reference::Reference(const std::string& path) : source_(read_source(path)) {
 
 double Reference::duration_s(std::size_t animation) const {
   double duration = 0;
-  for (const SourceChannel& c : source_.animations.at(animation).channels) duration = std::max(duration, c.times_s.back());
+  for (const SourceChannel& c : source_.animations.at(animation).channels)
+    duration = std::max(duration, c.times_s.back());
   return duration;
 }
 
@@ -135,8 +138,10 @@ std::vector<Map> Reference::scene_from_node(const SourceAnimation* animation, do
     for (const SourceChannel& c : animation->channels) {
       const Quat v = sample_channel(c, time_s);
       SourceNode& n = nodes[static_cast<std::size_t>(c.node)];
-      if (c.path == "rotation") n.rotation = v;
-      else (c.path == "translation" ? n.translation : n.scale) = {v[0], v[1], v[2]};
+      if (c.path == "rotation")
+        n.rotation = v;
+      else
+        (c.path == "translation" ? n.translation : n.scale) = {v[0], v[1], v[2]};
     }
   }
   std::vector<Map> out(nodes.size());
@@ -168,7 +173,8 @@ ReferencePose Reference::pose(const SourceAnimation* animation, double time_s) c
       const bool skinned = node.skin >= 0 && !p.influences.empty();
       for (std::size_t v = 0; v < p.positions.size(); ++v) {
         const bool unbound = skinned && p.influences[v].empty();
-        add_vertex(pose, p, v, skinned && !unbound ? blend(p.influences[v], palette) : Blend{global[i], global[i], true});
+        add_vertex(pose, p, v,
+                   skinned && !unbound ? blend(p.influences[v], palette) : Blend{global[i], global[i], true});
       }
     }
   }

@@ -15,8 +15,9 @@ struct ReferencePose {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;   // unit; zero where not comparable: absent, or the blend is near singular
   std::vector<Vec3> tangents;  // likewise
-  std::vector<double> tangent_signs;  // ±1 so that sign · cross(normal, tangent) is where the bitangent goes; 0 where absent
-  std::vector<Vec3> rigid;     // where the joint of the largest weight alone takes the vertex
+  std::vector<double>
+      tangent_signs;        // ±1 so that sign · cross(normal, tangent) is where the bitangent goes; 0 where absent
+  std::vector<Vec3> rigid;  // where the joint of the largest weight alone takes the vertex
   std::vector<bool> rigid_unique;  // false where two weights tie for the largest
 };
 
@@ -34,7 +35,9 @@ class Reference {
   double duration_s(std::size_t animation) const;
 
   ReferencePose rest() const { return pose(nullptr, 0); }
-  ReferencePose at(std::size_t animation, double time_s) const { return pose(&source_.animations.at(animation), time_s); }
+  ReferencePose at(std::size_t animation, double time_s) const {
+    return pose(&source_.animations.at(animation), time_s);
+  }
 
  private:
   ReferencePose pose(const SourceAnimation* animation, double time_s) const;

@@ -10,7 +10,8 @@
 namespace marrow::test {
 namespace {
 
-SourceChannel channel(const char* path, const char* interpolation, std::vector<double> times_s, std::vector<Quat> values) {
+SourceChannel channel(const char* path, const char* interpolation, std::vector<double> times_s,
+                      std::vector<Quat> values) {
   SourceChannel c;
   c.path = path;
   c.interpolation = interpolation;
@@ -58,15 +59,15 @@ TEST(Reference, KeepsTheEightLargestInfluences) {
   EXPECT_NEAR(sum, 1, 1e-12);
 }
 
-// The arm of the golden file: scaled by 2, turned a quarter about z and moved by (0, 0, 1) above the shoulder, so a bind
-// vertex (x, y, z) rests at (-2 y, 2 x, 2 z + 1), whatever its node's own transform.
+// The arm of the golden file: scaled by 2, turned a quarter about z and moved by (0, 0, 1) above the shoulder, so a
+// bind vertex (x, y, z) rests at (-2 y, 2 x, 2 z + 1), whatever its node's own transform.
 TEST(Reference, RestPoseOfTheGoldenFileByHand) {
   const Reference reference(std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny.gltf");
   const ReferencePose rest = reference.rest();
   ASSERT_EQ(rest.positions.size(), 29u);
   const auto expect = [](const Vec3& got, const Vec3& want) { EXPECT_LT(length(minus(got, want)), 1e-6) << got[0]; };
-  expect(rest.positions[0], {0, 0.5, 1});        // ring 0, (0.25, 0, 0)
-  expect(rest.positions[21], {-5, 0, 1.5});      // ring 5, (0, 2.5, 0.25)
+  expect(rest.positions[0], {0, 0.5, 1});    // ring 0, (0.25, 0, 0)
+  expect(rest.positions[21], {-5, 0, 1.5});  // ring 5, (0, 2.5, 0.25)
   expect(rest.normals[0], {0, 1, 0});
   expect(rest.normals[1], {0, 0, 1});
   expect(rest.tangents[0], {-1, 0, 0});

@@ -67,8 +67,8 @@ void compare_directions(const ReferencePose& want, const CookedPose& got, std::s
   }
 }
 
-void compare(const Reference& reference, const ReferencePose& want, const Cooked& cooked, std::uint32_t clip, float time_s,
-             Worst& worst) {
+void compare(const Reference& reference, const ReferencePose& want, const Cooked& cooked, std::uint32_t clip,
+             float time_s, Worst& worst) {
   const CookedPose ssd = cooked.pose(clip, time_s, Deformer::ssd);
   const CookedPose as = cooked.pose(clip, time_s, Deformer::as);
   const CookedPose rigid = cooked.pose(clip, time_s, Deformer::rigid);
@@ -131,10 +131,11 @@ TEST_P(Road, AgreesWithTheReference) {
   EXPECT_LE(worst.normal_deg, kMostNormalDeg);
   EXPECT_LE(worst.tangent_deg, kMostNormalDeg);
   EXPECT_EQ(worst.wrong_signs, 0u);
-  std::printf("%-28s %9zu B %6zu poses %10zu vertices  position %8.2e  lift %8.2e  rigid %8.2e  normal %7.4f°  tangent %7.4f°"
-              "  (%zu normals, %zu tangents)\n",
-              fs::path(GetParam()).stem().c_str(), cooked.bytes(), worst.poses, worst.vertices, worst.position, worst.lift,
-              worst.rigid, worst.normal_deg, worst.tangent_deg, worst.normals, worst.tangents);
+  std::printf(
+      "%-28s %9zu B %6zu poses %10zu vertices  position %8.2e  lift %8.2e  rigid %8.2e  normal %7.4f°  tangent %7.4f°"
+      "  (%zu normals, %zu tangents)\n",
+      fs::path(GetParam()).stem().c_str(), cooked.bytes(), worst.poses, worst.vertices, worst.position, worst.lift,
+      worst.rigid, worst.normal_deg, worst.tangent_deg, worst.normals, worst.tangents);
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
@@ -147,7 +148,8 @@ INSTANTIATE_TEST_SUITE_P(Models, Road, ::testing::ValuesIn(models()), test_name)
 
 TEST(RoadModels, AreAllThere) {
   if (!fs::exists(assets() / "manifest.json")) {
-    std::fprintf(stderr, "NO MODELS at %s: set MARROW_ASSETS. Only the project's own models are tested.\n", assets().c_str());
+    std::fprintf(stderr, "NO MODELS at %s: set MARROW_ASSETS. Only the project's own models are tested.\n",
+                 assets().c_str());
     GTEST_SKIP();
   }
   std::ifstream manifest(assets() / "manifest.json");

@@ -30,12 +30,18 @@ Bytes from_base64(const std::string& text) {
   int count = 0;
   for (const char c : text) {
     unsigned v = 0;
-    if (c >= 'A' && c <= 'Z') v = static_cast<unsigned>(c - 'A');
-    else if (c >= 'a' && c <= 'z') v = static_cast<unsigned>(c - 'a') + 26;
-    else if (c >= '0' && c <= '9') v = static_cast<unsigned>(c - '0') + 52;
-    else if (c == '+') v = 62;
-    else if (c == '/') v = 63;
-    else break;
+    if (c >= 'A' && c <= 'Z')
+      v = static_cast<unsigned>(c - 'A');
+    else if (c >= 'a' && c <= 'z')
+      v = static_cast<unsigned>(c - 'a') + 26;
+    else if (c >= '0' && c <= '9')
+      v = static_cast<unsigned>(c - '0') + 52;
+    else if (c == '+')
+      v = 62;
+    else if (c == '/')
+      v = 63;
+    else
+      break;
     bits = (bits << 6 | v) & 0xFFFFFF;
     if ((count += 6) >= 8) out.push_back(static_cast<std::uint8_t>(bits >> (count -= 8) & 0xFF));
   }
@@ -52,16 +58,24 @@ T load_as(const std::uint8_t* at) {
 // One component as glTF 2.0 section 3.11 turns it into a number.
 double component(const std::uint8_t* at, int type, bool normalised) {
   switch (type) {
-    case 5120: return normalised ? std::max(load_as<std::int8_t>(at) / 127.0, -1.0) : load_as<std::int8_t>(at);
-    case 5121: return normalised ? *at / 255.0 : *at;
-    case 5122: return normalised ? std::max(load_as<std::int16_t>(at) / 32767.0, -1.0) : load_as<std::int16_t>(at);
-    case 5123: return normalised ? load_as<std::uint16_t>(at) / 65535.0 : load_as<std::uint16_t>(at);
-    case 5125: return load_as<std::uint32_t>(at);
-    default: return static_cast<double>(load_as<float>(at));
+    case 5120:
+      return normalised ? std::max(load_as<std::int8_t>(at) / 127.0, -1.0) : load_as<std::int8_t>(at);
+    case 5121:
+      return normalised ? *at / 255.0 : *at;
+    case 5122:
+      return normalised ? std::max(load_as<std::int16_t>(at) / 32767.0, -1.0) : load_as<std::int16_t>(at);
+    case 5123:
+      return normalised ? load_as<std::uint16_t>(at) / 65535.0 : load_as<std::uint16_t>(at);
+    case 5125:
+      return load_as<std::uint32_t>(at);
+    default:
+      return static_cast<double>(load_as<float>(at));
   }
 }
 
-std::size_t component_bytes(int type) { return type <= 5121 ? 1 : type <= 5123 ? 2 : 4; }
+std::size_t component_bytes(int type) {
+  return type <= 5121 ? 1 : type <= 5123 ? 2 : 4;
+}
 
 struct Reader {
   Json json;
@@ -69,7 +83,8 @@ struct Reader {
 
   explicit Reader(const std::filesystem::path& path);
   const std::uint8_t* view(const Json& view_json, std::size_t offset) const {
-    return buffers.at(view_json.at("buffer").get<std::size_t>()).data() + view_json.value("byteOffset", std::size_t{0}) + offset;
+    return buffers.at(view_json.at("buffer").get<std::size_t>()).data() +
+           view_json.value("byteOffset", std::size_t{0}) + offset;
   }
   std::vector<double> accessor(std::size_t index, std::size_t& components) const;
   std::vector<Vec3> vectors(std::size_t index) const;
@@ -98,14 +113,18 @@ Reader::Reader(const std::filesystem::path& path) {
   }
   for (const Json& buffer : json.value("buffers", Json::array())) {
     const std::string uri = buffer.value("uri", "");
-    if (uri.empty()) buffers.push_back(glb_bin);
-    else if (uri.rfind("data:", 0) == 0) buffers.push_back(from_base64(uri.substr(uri.find(',') + 1)));
-    else buffers.push_back(read_bytes(path.parent_path() / uri));
+    if (uri.empty())
+      buffers.push_back(glb_bin);
+    else if (uri.rfind("data:", 0) == 0)
+      buffers.push_back(from_base64(uri.substr(uri.find(',') + 1)));
+    else
+      buffers.push_back(read_bytes(path.parent_path() / uri));
   }
 }
 
 std::vector<double> Reader::accessor(std::size_t index, std::size_t& components) const {
-  static const std::map<std::string, std::size_t> kComponents = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+  static const std::map<std::string, std::size_t> kComponents = {
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
   const Json& a = json.at("accessors").at(index);
   components = kComponents.at(a.at("type").get<std::string>());
   const int type = a.at("componentType").get<int>();
@@ -125,10 +144,13 @@ std::vector<double> Reader::accessor(std::size_t index, std::size_t& components)
   if (a.contains("sparse")) {
     const Json &s = a["sparse"], &si = s.at("indices"), &sv = s.at("values");
     const int index_type = si.at("componentType").get<int>();
-    const std::uint8_t* where = view(views.at(si.at("bufferView").get<std::size_t>()), si.value("byteOffset", std::size_t{0}));
-    const std::uint8_t* what = view(views.at(sv.at("bufferView").get<std::size_t>()), sv.value("byteOffset", std::size_t{0}));
+    const std::uint8_t* where =
+        view(views.at(si.at("bufferView").get<std::size_t>()), si.value("byteOffset", std::size_t{0}));
+    const std::uint8_t* what =
+        view(views.at(sv.at("bufferView").get<std::size_t>()), sv.value("byteOffset", std::size_t{0}));
     for (std::size_t i = 0; i < s.at("count").get<std::size_t>(); ++i) {
-      const auto target = static_cast<std::size_t>(component(where + i * component_bytes(index_type), index_type, false));
+      const auto target =
+          static_cast<std::size_t>(component(where + i * component_bytes(index_type), index_type, false));
       for (std::size_t c = 0; c < components; ++c) {
         out.at(target * components + c) = component(what + (i * components + c) * size, type, normalised);
       }
@@ -169,7 +191,8 @@ SourceNode Reader::node(const Json& j) const {
 // Adds one JOINTS/WEIGHTS set; `joints` and `weights` hold four a vertex.
 void add_influences(SourcePrimitive& p, const std::vector<double>& joints, const std::vector<double>& weights) {
   p.influences.resize(joints.size() / 4);
-  for (std::size_t i = 0; i < joints.size(); ++i) p.influences[i / 4].push_back({static_cast<int>(joints[i]), weights.at(i)});
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    p.influences[i / 4].push_back({static_cast<int>(joints[i]), weights.at(i)});
 }
 
 SourcePrimitive Reader::primitive(const Json& j) const {
@@ -215,8 +238,10 @@ SourcePrimitive Reader::draco_primitive(const Json& j) const {
   };
   SourcePrimitive p;
   const std::vector<double> positions = values("POSITION"), normals = values("NORMAL");
-  for (std::size_t i = 0; i + 2 < positions.size(); i += 3) p.positions.push_back({positions[i], positions[i + 1], positions[i + 2]});
-  for (std::size_t i = 0; i + 2 < normals.size(); i += 3) p.normals.push_back({normals[i], normals[i + 1], normals[i + 2]});
+  for (std::size_t i = 0; i + 2 < positions.size(); i += 3)
+    p.positions.push_back({positions[i], positions[i + 1], positions[i + 2]});
+  for (std::size_t i = 0; i + 2 < normals.size(); i += 3)
+    p.normals.push_back({normals[i], normals[i + 1], normals[i + 2]});
   const std::vector<double> joints = values("JOINTS_0");
   if (!joints.empty()) add_influences(p, joints, values("WEIGHTS_0"));
   return p;
@@ -257,7 +282,8 @@ SourceAnimation Reader::animation(const Json& j) const {
 void mark_in_scene(std::vector<SourceNode>& nodes, const Json& json) {
   const Json& list = json.value("nodes", Json::array());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (const int child : list[i].value("children", std::vector<int>{})) nodes[static_cast<std::size_t>(child)].parent = static_cast<int>(i);
+    for (const int child : list[i].value("children", std::vector<int>{}))
+      nodes[static_cast<std::size_t>(child)].parent = static_cast<int>(i);
   }
   const Json& scenes = json.value("scenes", Json::array());
   std::vector<int> todo;

@@ -29,7 +29,7 @@ struct SourceInfluence {
 // Arrays are empty or as long as `positions`.
 struct SourcePrimitive {
   std::vector<Vec3> positions, normals, tangents;
-  std::vector<double> tangent_signs;  // as long as `tangents`
+  std::vector<double> tangent_signs;                     // as long as `tangents`
   std::vector<std::vector<SourceInfluence>> influences;  // as in the file, every set in order, zeros included
 };
 

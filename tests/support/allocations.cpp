@@ -25,7 +25,8 @@ extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(con
 
 std::size_t marrow::test::allocation_count() {
   static const int installed = __sanitizer_install_malloc_and_free_hooks(
-      [](const volatile void*, std::size_t) { count.fetch_add(1, std::memory_order_relaxed); }, [](const volatile void*) {});
+      [](const volatile void*, std::size_t) { count.fetch_add(1, std::memory_order_relaxed); },
+      [](const volatile void*) {});
   if (installed <= 0) std::abort();
   return count.load();
 }
@@ -62,6 +63,8 @@ int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
 }
 }
 
-std::size_t marrow::test::allocation_count() { return count.load(); }
+std::size_t marrow::test::allocation_count() {
+  return count.load();
+}
 
 #endif

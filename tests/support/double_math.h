@@ -1,4 +1,5 @@
-// Vectors, quaternions and affine maps in double precision, for expected values that owe nothing to the runtime's own arithmetic.
+// Vectors, quaternions and affine maps in double precision, for expected values that owe nothing to the runtime's own
+// arithmetic.
 #pragma once
 
 #include <array>
@@ -14,9 +15,15 @@ struct Map {
   double rows[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 };
 
-inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
-inline Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline double dot(const Vec3& a, const Vec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double length(const Vec3& a) {
+  return std::sqrt(dot(a, a));
+}
+inline Vec3 minus(const Vec3& a, const Vec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -89,9 +96,13 @@ inline Vec3 direction(const Map& m, const Vec3& d) {
   return out;
 }
 
-inline Vec3 row(const Map& m, int r) { return {m.rows[r][0], m.rows[r][1], m.rows[r][2]}; }
+inline Vec3 row(const Map& m, int r) {
+  return {m.rows[r][0], m.rows[r][1], m.rows[r][2]};
+}
 
-inline double determinant(const Map& m) { return dot(row(m, 0), cross(row(m, 1), row(m, 2))); }
+inline double determinant(const Map& m) {
+  return dot(row(m, 0), cross(row(m, 1), row(m, 2)));
+}
 
 // How far the 3×3 part is from singular, whatever its scale: 1 for a similarity, 0 for a projection.
 inline double invertibility(const Map& m) {

@@ -13,7 +13,9 @@ void require(bool ok) {
   if (!ok) std::abort();
 }
 
-std::uint64_t hash_text(std::uint64_t state, const char* text) { return hash(state, text, std::strlen(text)); }
+std::uint64_t hash_text(std::uint64_t state, const char* text) {
+  return hash(state, text, std::strlen(text));
+}
 
 template <class T>
 std::uint64_t hash_all(std::uint64_t state, const std::vector<T>& v) {
@@ -46,7 +48,8 @@ std::uint64_t hash(std::uint64_t state, const void* data, std::size_t bytes) {
   return state;
 }
 
-PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, std::uint32_t mesh_index, Deformer deformer) {
+PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, std::uint32_t mesh_index,
+                    Deformer deformer) {
   const Mesh mesh = file.mesh(mesh_index);
   const Skeleton skeleton = file.skeleton(mesh.skeleton);
   std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());

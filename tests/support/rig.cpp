@@ -22,7 +22,8 @@ void add_block(std::vector<float>& out, const Rows (&lanes)[4]) {
 
 TestSkeleton::TestSkeleton(const std::vector<TestJoint>& joints_, const std::vector<Map>& above_roots)
     : joints(joints_), above(above_roots), rest(soa_count(joints_.size())), names(joints_.size(), 0) {
-  for (std::size_t i = 0; i < rest.size() * 4; ++i) put(rest[i / 4], i % 4, i < joints.size() ? joints[i] : TestJoint{});
+  for (std::size_t i = 0; i < rest.size() * 4; ++i)
+    put(rest[i / 4], i % 4, i < joints.size() ? joints[i] : TestJoint{});
   for (const TestJoint& j : joints) parents.push_back(j.parent < 0 ? kNoParent : static_cast<std::uint16_t>(j.parent));
   above.resize(static_cast<std::size_t>(std::count(parents.begin(), parents.end(), kNoParent)));
   for (const Map& m : above) roots.push_back(to_affine(m));

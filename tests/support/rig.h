@@ -45,7 +45,7 @@ struct TestVertex {
   Vec3 normal{0, 0, 1};
   Vec3 tangent{1, 0, 0};
   double sign = 1;
-  std::vector<double> weights;  // one a joint of the run's set; their sum is 1
+  std::vector<double> weights;                  // one a joint of the run's set; their sum is 1
   std::vector<std::array<double, 4>> residual;  // empty, or one a joint of the set
 };
 

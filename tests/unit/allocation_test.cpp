@@ -27,7 +27,8 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
   std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
-  std::vector<float> positions(mesh.geometry.slot_count * 3), normals(positions.size()), tangents(mesh.geometry.slot_count * 4);
+  std::vector<float> positions(mesh.geometry.slot_count * 3), normals(positions.size()),
+      tangents(mesh.geometry.slot_count * 4);
   ASSERT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
   const SkinOutput out{positions, normals, tangents};
 

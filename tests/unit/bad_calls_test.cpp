@@ -116,7 +116,8 @@ TEST(BadCalls, LargerThanNeededIsFine) {
   f.positions.resize(f.positions.size() + 5, Frame::kUntouched);
   f.palette.resize(20);
   for (const Status status : f.skin(f.palette, f.output())) EXPECT_EQ(status, Status::ok);
-  for (std::size_t i = f.positions.size() - 5; i < f.positions.size(); ++i) EXPECT_EQ(f.positions[i], Frame::kUntouched);
+  for (std::size_t i = f.positions.size() - 5; i < f.positions.size(); ++i)
+    EXPECT_EQ(f.positions[i], Frame::kUntouched);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Poses are the same bits on every processor, with SIMD or without: hashes of what every stage gives, stored here.
 //
-// A hash that differs on one processor only is a bug there. One that differs on all is a change of results: see that the
-// road tests still hold, then store the new one and say why in the commit.
+// A hash that differs on one processor only is a bug there. One that differs on all is a change of results: see that
+// the road tests still hold, then store the new one and say why in the commit.
 #include <cstdio>
 #include <vector>
 
@@ -31,8 +31,9 @@ void expect_hashes(const Hashes& got, const Hashes& want) {
   const char* const names[] = {"rigid", "ssd", "as"};
   for (int d = 0; d < 3; ++d) EXPECT_EQ(got.vertices[d], want.vertices[d]) << names[d];
   if (::testing::Test::HasFailure()) {
-    std::printf("{0x%016llX, 0x%016llX, 0x%016llX, {0x%016llX, 0x%016llX, 0x%016llX}}\n", 0ULL + got.local, 0ULL + got.model,
-                0ULL + got.palette, 0ULL + got.vertices[0], 0ULL + got.vertices[1], 0ULL + got.vertices[2]);
+    std::printf("{0x%016llX, 0x%016llX, 0x%016llX, {0x%016llX, 0x%016llX, 0x%016llX}}\n", 0ULL + got.local,
+                0ULL + got.model, 0ULL + got.palette, 0ULL + got.vertices[0], 0ULL + got.vertices[1],
+                0ULL + got.vertices[2]);
   }
 }
 
@@ -75,13 +76,17 @@ TEST(Bits, TheCreatureOfNoiseIsItselfTheSame) {
 
 TEST(Bits, CreatureOfNoise) {
   expect_hashes(pose_character(test::make_character(51, 67, 150, false)),
-                {0xD7885F5C53EEE295, 0xC37D058FF32F6F79, 0x5EF9EA3346008E53,
+                {0xD7885F5C53EEE295,
+                 0xC37D058FF32F6F79,
+                 0x5EF9EA3346008E53,
                  {0xCD9A9BD3C93216B7, 0x7DB7971F09C904D5, 0x60DC7A4982E15055}});
 }
 
 TEST(Bits, CreatureOfNoiseWithResiduals) {
   expect_hashes(pose_character(test::make_character(52, 34, 90, true)),
-                {0x864A09F7B392E4DA, 0x87E0E1E053627420, 0x2991113F2FC9A40C,
+                {0x864A09F7B392E4DA,
+                 0x87E0E1E053627420,
+                 0x2991113F2FC9A40C,
                  {0x734C3F0E1F5BA270, 0x2B2438A337C8A20D, 0xEBC19E0B4B90A051}});
 }
 

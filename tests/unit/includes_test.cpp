@@ -18,7 +18,9 @@ struct Include {
   std::string name;  // as written between the quotes or brackets
 };
 
-bool is_source(const fs::path& p) { return p.extension() == ".h" || p.extension() == ".cpp"; }
+bool is_source(const fs::path& p) {
+  return p.extension() == ".h" || p.extension() == ".cpp";
+}
 
 std::vector<Include> includes_under(const fs::path& folder) {
   std::vector<Include> out;
@@ -40,10 +42,15 @@ std::vector<Include> includes_under(const fs::path& folder) {
 const fs::path kRuntime = fs::path(MARROW_SOURCE_DIR) / "runtime";
 
 // Which folder stands behind a public header: where its functions are implemented.
-const std::map<std::string, std::string> kHeaders = {
-    {"marrow/status.h", "core"}, {"marrow/span.h", "core"},  {"marrow/pose.h", "core"},
-    {"marrow/glm.h", "math"},    {"marrow/file.h", "asset"}, {"marrow/sample.h", "pose"},
-    {"marrow/local_to_model.h", "pose"}, {"marrow/palette.h", "skin"}, {"marrow/skin.h", "skin"}};
+const std::map<std::string, std::string> kHeaders = {{"marrow/status.h", "core"},
+                                                     {"marrow/span.h", "core"},
+                                                     {"marrow/pose.h", "core"},
+                                                     {"marrow/glm.h", "math"},
+                                                     {"marrow/file.h", "asset"},
+                                                     {"marrow/sample.h", "pose"},
+                                                     {"marrow/local_to_model.h", "pose"},
+                                                     {"marrow/palette.h", "skin"},
+                                                     {"marrow/skin.h", "skin"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
@@ -55,14 +62,13 @@ std::string part_of(const std::string& include) {
 }
 
 TEST(Includes, PointOneWay) {
-  const std::map<std::string, std::set<std::string>> allowed = {
-      {"core", {"core"}},
-      {"math", {"core", "math"}},
-      {"asset", {"core", "math", "asset"}},
-      {"pose", {"core", "math", "asset", "pose"}},
-      {"skin", {"core", "math", "asset", "skin"}},
-      {"gles3", {"core", "math", "asset", "skin", "gles3"}},
-      {"draco", {"core", "math", "asset", "draco"}}};
+  const std::map<std::string, std::set<std::string>> allowed = {{"core", {"core"}},
+                                                                {"math", {"core", "math"}},
+                                                                {"asset", {"core", "math", "asset"}},
+                                                                {"pose", {"core", "math", "asset", "pose"}},
+                                                                {"skin", {"core", "math", "asset", "skin"}},
+                                                                {"gles3", {"core", "math", "asset", "skin", "gles3"}},
+                                                                {"draco", {"core", "math", "asset", "draco"}}};
   int checked = 0;
   for (const auto& [part, may] : allowed) {
     for (const Include& include : includes_under(kRuntime / part)) {
@@ -85,8 +91,9 @@ TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
 TEST(Includes, TheRuntimeKnowsNoFilesNoJsonNoStreams) {
   const std::vector<Include> all = includes_under(kRuntime);
   EXPECT_GT(all.size(), 30u);
-  const std::set<std::string> heavy = {"vector", "string", "map", "unordered_map", "functional", "memory", "exception",
-                                       "stdexcept", "iostream", "fstream", "filesystem", "cstdio", "stdio.h", "span"};
+  const std::set<std::string> heavy = {"vector",     "string",    "map",       "unordered_map", "functional",
+                                       "memory",     "exception", "stdexcept", "iostream",      "fstream",
+                                       "filesystem", "cstdio",    "stdio.h",   "span"};
   for (const Include& include : all) {
     EXPECT_FALSE(heavy.count(include.name)) << include.file << " includes " << include.name;
     for (const char* banned : {"tiny_gltf", "json", "cook/", "common/", "fmt/", "CLI"})
@@ -107,8 +114,8 @@ TEST(Includes, OnlyTheCookerKnowsTinygltf) {
 }
 
 TEST(Includes, IntrinsicsAreSpokenInOnePlace) {
-  const std::set<std::string> intrinsics = {"immintrin.h", "emmintrin.h", "xmmintrin.h", "pmmintrin.h", "smmintrin.h",
-                                            "tmmintrin.h", "arm_neon.h",  "wasm_simd128.h"};
+  const std::set<std::string> intrinsics = {"immintrin.h", "emmintrin.h", "xmmintrin.h", "pmmintrin.h",
+                                            "smmintrin.h", "tmmintrin.h", "arm_neon.h",  "wasm_simd128.h"};
   int found = 0;
   for (const char* folder : {"runtime", "platform", "tools"}) {
     for (const Include& include : includes_under(fs::path(MARROW_SOURCE_DIR) / folder)) {

@@ -13,9 +13,10 @@ LoadedFile load_mrw(const std::string& path) {
   if (loaded.bytes.size() == 0) throw Failure(Exit::invalid, path, "@0", "empty file", "cook the source again");
   DataError error;
   const Status status = load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file, &error);
+  const bool foreign = status == Status::unsupported || status == Status::bad_version;
   if (status != Status::ok)
-    throw Failure(status == Status::unsupported ? Exit::unsupported : Exit::invalid, path,
-                  "@" + std::to_string(error.offset), to_string(status), error.rule);
+    throw Failure(foreign ? Exit::unsupported : Exit::invalid, path, "@" + std::to_string(error.offset),
+                  to_string(status), error.rule);
   return loaded;
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "common/failure.h"
 #include "common/files.h"
@@ -31,7 +31,7 @@ constexpr const char* kSampleName = "newt.glb";
 
 using Row = std::vector<std::string>;
 
-const Row kHeading = {"file",      "source B", "cooked B", "joints", "vertices",  "clip",
+const Row kHeading = {"file",      "source B", "cooked B", "joints", "vertices",     "clip",
                       "sample us", "SSD us",   "AS us",    "AS-SSD", "contact sheet"};
 constexpr std::size_t kFirstColumns[] = {0, 5, 10};  // text; the others are numbers, set to the right
 
@@ -57,7 +57,9 @@ void create_directory(const std::string& directory) {
   if (error) throw Failure(Exit::io, directory, "", error.message(), "give a folder that can be written");
 }
 
-std::uint64_t source_bytes(const nlohmann::ordered_json& report) { return report.at("source").at("bytes").get<std::uint64_t>(); }
+std::uint64_t source_bytes(const nlohmann::ordered_json& report) {
+  return report.at("source").at("bytes").get<std::uint64_t>();
+}
 
 // One input: cooks it, draws its sheet, measures it. `stem` names the outputs.
 Row show(const Gl& gl, const Arguments& arguments, const std::string& input, const std::string& stem) {
@@ -67,8 +69,8 @@ Row show(const Gl& gl, const Arguments& arguments, const std::string& input, con
   // Read back, so that what is shown is what the file holds.
   const LoadedFile loaded = load_mrw(mrw);
   const File& file = loaded.file;
-  const std::optional<std::uint32_t> clip = arguments.clip.empty() ? liveliest_clip(file)
-                                                                   : find_clip(mrw, file, arguments.clip);
+  const std::optional<std::uint32_t> clip =
+      arguments.clip.empty() ? liveliest_clip(file) : find_clip(mrw, file, arguments.clip);
   const Sheet sheet = make_sheet(gl, file, clip, stem);
   const std::string png = (std::filesystem::path(arguments.directory) / (stem + ".png")).string();
   write_png(png, sheet.image);
@@ -115,7 +117,8 @@ void run(const Arguments& arguments) {
     rows.push_back(show(gl, arguments, input, unique_stem(taken, input)));
   }
   print_table(rows);
-  std::printf("times: CPU, medians, one thread; skinning every vertex with its normal\nGL driver: %s\n", gl.driver().c_str());
+  std::printf("times: CPU, medians, one thread; skinning every vertex with its normal\nGL driver: %s\n",
+              gl.driver().c_str());
 }
 
 }  // namespace
@@ -126,7 +129,9 @@ void add_demo(CLI::App& app) {
   command->add_option("inputs", arguments->inputs, "glTF files; without one, the embedded sample")->type_name("IN.glb");
   command->add_option("--clip", arguments->clip, "clip by name or index; without it the one that bends joints most")
       ->type_name("C");
-  command->add_option("-o,--output", arguments->directory, "folder for NAME.mrw and NAME.png")->required()->type_name("DIR");
+  command->add_option("-o,--output", arguments->directory, "folder for NAME.mrw and NAME.png")
+      ->required()
+      ->type_name("DIR");
   command->callback([arguments] { run(*arguments); });
 }
 

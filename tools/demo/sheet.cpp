@@ -20,7 +20,7 @@ constexpr int kCellHeight = 320;
 constexpr int kGap = 4;
 constexpr int kMargin = 28;
 constexpr int kTitleHeight = 76;
-constexpr int kStripHeight = 42;   // above each row
+constexpr int kStripHeight = 42;  // above each row
 constexpr int kFooterHeight = 40;
 constexpr int kWidth = 2 * kMargin + kMoments * kCellWidth + (kMoments - 1) * kGap;
 constexpr int kHeight = kTitleHeight + 3 * (kStripHeight + kCellHeight) + kFooterHeight;
@@ -29,7 +29,9 @@ constexpr Rgb kPaper = {20, 25, 31};
 constexpr Rgb kBright = {236, 233, 226};
 constexpr Rgb kQuiet = {146, 156, 166};
 
-float as_float(int value) { return static_cast<float>(value); }
+float as_float(int value) {
+  return static_cast<float>(value);
+}
 
 // One column: a moment of the clip, or a side of the rest pose.
 struct Moment {
@@ -60,7 +62,8 @@ float largest_over(const File& file, Character& character, std::optional<std::ui
   float largest = 0;
   for (int column = 0; column < kMoments; ++column) {
     character.pose(clip, moment_at(clip, duration_s, column).time_s);
-    largest = std::max(largest, largest_distance(skin_all(file, character, Deformer::ssd), skin_all(file, character, Deformer::as)));
+    largest = std::max(
+        largest, largest_distance(skin_all(file, character, Deformer::ssd), skin_all(file, character, Deformer::as)));
   }
   return largest;
 }
@@ -156,19 +159,22 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
   Sheet sheet{Image(kWidth, kHeight, kPaper), rows.largest_m, rows.on_gpu};
   Image& image = sheet.image;
   const float title_end = draw_text(image, kMargin, 50, 24, kBright, title);
-  const std::string scene = clip ? fmt::format("clip \"{}\", {:.2f} s", file.clip(*clip).name, static_cast<double>(duration_s))
-                                 : std::string("rest pose");
+  const std::string scene =
+      clip ? fmt::format("clip \"{}\", {:.2f} s", file.clip(*clip).name, static_cast<double>(duration_s))
+           : std::string("rest pose");
   draw_text(image, title_end + 24, 50, 13, kQuiet, scene);
   draw_right(image, kWidth - kMargin, 50, 13, kQuiet, fmt::format("{} joints   {} vertices", joints, vertices));
 
-  const std::string where = rows.on_gpu ? "by the vertex shader" : "by the processor: too many joints for one uniform block";
+  const std::string where =
+      rows.on_gpu ? "by the vertex shader" : "by the processor: too many joints for one uniform block";
   int y = kTitleHeight;
   for (std::size_t row = 0; row < 3; ++row) {
     const int baseline = y + kStripHeight - 14;
     if (row == 0) draw_strip(image, baseline, "SSD", "skeletal subspace deformation, " + where, "");
     if (row == 1) draw_strip(image, baseline, "AS", "animation space, " + where, "");
     if (row == 2) {
-      draw_strip(image, baseline, "Difference", "largest distance between SSD and AS: " + length_text(rows.largest_m), "");
+      draw_strip(image, baseline, "Difference", "largest distance between SSD and AS: " + length_text(rows.largest_m),
+                 "");
       draw_ramp(image, baseline, rows.full_scale_m);
     }
     y += kStripHeight;

@@ -9,6 +9,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
+#include "common/seconds.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
@@ -107,7 +108,7 @@ void add_pose(CLI::App& app) {
   CLI::App* const command = app.add_subcommand("pose", "Write a character's vertices at a moment of a clip");
   command->add_option("file", a->in, "the cooked file")->required()->type_name("FILE");
   command->add_option("--clip", a->clip, "clip by name or index; without it the rest pose")->type_name("C");
-  command->add_option("--time", a->time_s, "seconds from the clip's start")->type_name("S");
+  command->add_option("--time", a->time_s, "seconds from the clip's start")->type_name("S")->check(seconds());
   command->add_option("--deformer", a->deformer, "how vertices follow joints")
       ->check(CLI::IsMember({"rigid", "ssd", "as"}))
       ->capture_default_str();

@@ -9,8 +9,8 @@
 namespace marrow::tools {
 namespace {
 
-constexpr float kYaw = 0.56f;         // radians from +Z towards +X
-constexpr float kPitch = 0.21f;       // radians above the horizon
+constexpr float kYaw = 0.56f;          // radians from +Z towards +X
+constexpr float kPitch = 0.21f;        // radians above the horizon
 constexpr float kFieldOfView = 0.47f;  // radians, vertical: a portrait lens
 
 // The camera's distance along one axis: every point p must satisfy |p.side - at| ≤ slope · (distance - p.depth).

@@ -23,7 +23,7 @@ struct Box {
 };
 
 struct Camera {
-  glm::vec3 position{0};    // scene space
+  glm::vec3 position{0};  // scene space
   glm::mat4 clip_from_scene{1};
 };
 

@@ -9,9 +9,12 @@ namespace {
 
 gles3::Deformer gpu_deformer(Deformer deformer) {
   switch (deformer) {
-    case Deformer::rigid: return gles3::Deformer::rigid;
-    case Deformer::ssd: return gles3::Deformer::ssd;
-    case Deformer::as: return gles3::Deformer::as;
+    case Deformer::rigid:
+      return gles3::Deformer::rigid;
+    case Deformer::ssd:
+      return gles3::Deformer::ssd;
+    case Deformer::as:
+      return gles3::Deformer::as;
   }
   return gles3::Deformer::ssd;
 }
@@ -117,7 +120,8 @@ std::vector<Drawable> Figure::from_cpu(std::span<const PosedMesh> posed, std::sp
     stream(gl_, part.positions, posed[i].positions);
     if (g.normals != nullptr) stream(gl_, part.normals, posed[i].normals);
     std::vector<float> own(std::size_t{4} * g.slot_count, 1.0f);
-    for (std::size_t c = 0; g.colours != nullptr && c < own.size(); ++c) own[c] = static_cast<float>(g.colours[c]) / 255.0f;
+    for (std::size_t c = 0; g.colours != nullptr && c < own.size(); ++c)
+      own[c] = static_cast<float>(g.colours[c]) / 255.0f;
     stream(gl_, part.colours, colours.empty() ? own : colours[i]);
     Drawable d;
     d.vertex_array = part.array;

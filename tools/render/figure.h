@@ -34,8 +34,8 @@ class Figure {
 
  private:
   struct Part {
-    gles3::GpuMesh gpu;         // empty where the palette is too large
-    std::vector<Affine> bind;   // what palettes are built with
+    gles3::GpuMesh gpu;        // empty where the palette is too large
+    std::vector<Affine> bind;  // what palettes are built with
     GlBuffer indices, positions, normals, colours;
     GlVertexArray array;
   };

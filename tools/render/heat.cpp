@@ -7,7 +7,8 @@ namespace marrow::tools {
 namespace {
 
 // sRGB, CIE lightness about 32, 40, 50, 62, 75, 92.
-constexpr float kRamp[][3] = {{72, 78, 92}, {112, 76, 138}, {186, 76, 120}, {232, 112, 76}, {242, 170, 68}, {250, 236, 150}};
+constexpr float kRamp[][3] = {{72, 78, 92},   {112, 76, 138}, {186, 76, 120},
+                              {232, 112, 76}, {242, 170, 68}, {250, 236, 150}};
 constexpr int kRampSteps = 5;
 
 float to_linear(float srgb) {
@@ -51,7 +52,9 @@ float largest_distance(const std::vector<PosedMesh>& a, const std::vector<PosedM
   return largest;
 }
 
-float sensible_scale(float largest, float diagonal) { return std::max({largest, 1e-3f * diagonal, 1e-30f}); }
+float sensible_scale(float largest, float diagonal) {
+  return std::max({largest, 1e-3f * diagonal, 1e-30f});
+}
 
 HeatMap compare(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b, float full_scale) {
   HeatMap map;

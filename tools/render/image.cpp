@@ -10,7 +10,8 @@
 
 namespace marrow::tools {
 
-Image::Image(int w, int h, Rgb fill) : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {
+Image::Image(int w, int h, Rgb fill)
+    : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = fill[i % 3];
 }
 
@@ -48,6 +49,8 @@ std::vector<std::byte> encode_png(const Image& image) {
   return bytes;
 }
 
-void write_png(const std::string& path, const Image& image) { write_file_atomically(path, encode_png(image)); }
+void write_png(const std::string& path, const Image& image) {
+  write_file_atomically(path, encode_png(image));
+}
 
 }  // namespace marrow::tools

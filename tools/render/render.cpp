@@ -7,6 +7,7 @@
 
 #include "common/failure.h"
 #include "common/load_mrw.h"
+#include "common/seconds.h"
 #include "render/figure.h"
 #include "render/heat.h"
 #include "render/performance.h"
@@ -34,7 +35,8 @@ Size parse_size(const std::string& text) {
   const int fields = std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &end);
   const bool whole = fields == 2 && static_cast<std::size_t>(end) == text.size();
   if (!whole || width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
-    throw Failure(Exit::usage, "--size", "", "\"" + text + "\" is not a size", "give WIDTHxHEIGHT, each 1 to 8192, as in 960x720");
+    throw Failure(Exit::usage, "--size", "", "\"" + text + "\" is not a size",
+                  "give WIDTHxHEIGHT, each 1 to 8192, as in 960x720");
   }
   return {width, height};
 }
@@ -51,7 +53,8 @@ std::pair<Deformer, Deformer> parse_pair(const std::string& text) {
   return {*a, *b};
 }
 
-std::vector<Drawable> make_drawables(const Arguments& arguments, const File& file, const Character& character, Figure& figure) {
+std::vector<Drawable> make_drawables(const Arguments& arguments, const File& file, const Character& character,
+                                     Figure& figure) {
   const Deformer deformer = *parse_deformer(arguments.deformer);
   if (arguments.path == "cpu") return figure.from_cpu(skin_all(file, character, deformer));
   if (const std::optional<std::uint32_t> mesh = figure.too_large()) {
@@ -88,9 +91,9 @@ void run(const Arguments& arguments) {
     const HeatMap map = compare(a, b, sensible_scale(largest_distance(a, b), performance.diagonal()));
     drawables = figure.from_cpu(a, map.colours);
     shot.shading = 0.25f;
-    std::printf("%s: largest distance %.6g mm (%.3g of the diagonal); the hottest colour is %.6g mm\n", arguments.heatmap.c_str(),
-                1e3 * static_cast<double>(map.largest), static_cast<double>(map.largest / performance.diagonal()),
-                1e3 * static_cast<double>(map.full_scale));
+    std::printf("%s: largest distance %.6g mm (%.3g of the diagonal); the hottest colour is %.6g mm\n",
+                arguments.heatmap.c_str(), 1e3 * static_cast<double>(map.largest),
+                static_cast<double>(map.largest / performance.diagonal()), 1e3 * static_cast<double>(map.full_scale));
   } else {
     drawables = make_drawables(arguments, file, character, figure);
   }
@@ -105,7 +108,7 @@ void add_render(CLI::App& app) {
   CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip");
   command->add_option("file", arguments->file, "the cooked file")->required()->type_name("FILE");
   command->add_option("--clip", arguments->clip, "clip by name or index; without it the rest pose")->type_name("C");
-  command->add_option("--time", arguments->time_s, "seconds from the clip's start")->type_name("S")->check(CLI::Number);
+  command->add_option("--time", arguments->time_s, "seconds from the clip's start")->type_name("S")->check(seconds());
   command->add_option("--deformer", arguments->deformer, "how vertices follow joints")
       ->check(CLI::IsMember({"rigid", "ssd", "as"}))
       ->capture_default_str();

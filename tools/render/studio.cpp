@@ -29,9 +29,12 @@ constexpr GLint kSkyDepthUnit = 2;
 const glm::vec3 kKeyDirection = glm::normalize(glm::vec3(-0.55f, 0.95f, 0.62f));
 const glm::vec3 kSkyDirection(0, 1, 0);
 
-const char* text(const unsigned char* embedded) { return reinterpret_cast<const char*>(embedded); }
+const char* text(const unsigned char* embedded) {
+  return reinterpret_cast<const char*>(embedded);
+}
 
-gles3::Program build(const Gl& gl, const gles3::ProgramKey& key, const unsigned char* vertex, const std::string& fragment) {
+gles3::Program build(const Gl& gl, const gles3::ProgramKey& key, const unsigned char* vertex,
+                     const std::string& fragment) {
   gles3::Program program;
   std::array<char, 1024> log;
   const gles3::ProgramSource source{text(vertex), fragment.c_str(), {}};
@@ -93,8 +96,10 @@ Studio::Studio(const Gl& gl, int width, int height)
   const bool sampled = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_);
-  if (!sampled || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE || gl.GetError() != GL_NO_ERROR) {
-    throw Failure(Exit::unsupported, "OpenGL ES", "", "no frame buffer of " + std::to_string(width) + "x" + std::to_string(height),
+  if (!sampled || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
+      gl.GetError() != GL_NO_ERROR) {
+    throw Failure(Exit::unsupported, "OpenGL ES", "",
+                  "no frame buffer of " + std::to_string(width) + "x" + std::to_string(height),
                   "ask for a smaller picture");
   }
 }
@@ -127,10 +132,9 @@ const gles3::Program& Studio::program(Role role, gles3::ProgramKey key) {
   const auto found = programs_.find(number);
   if (found != programs_.end()) return found->second;
   const gles3::Program made =
-      role == Role::depth
-          ? build(gl_, key, embedded::shader_depth_vert, text(embedded::shader_depth_frag))
-          : build(gl_, key, embedded::shader_surface_vert,
-                  std::string(text(embedded::shader_studio)) + text(embedded::shader_surface_frag));
+      role == Role::depth ? build(gl_, key, embedded::shader_depth_vert, text(embedded::shader_depth_frag))
+                          : build(gl_, key, embedded::shader_surface_vert,
+                                  std::string(text(embedded::shader_studio)) + text(embedded::shader_surface_frag));
   return programs_.emplace(number, made).first->second;
 }
 
@@ -143,14 +147,16 @@ void Studio::draw(const Shot& shot, const Drawable& drawable, const gles3::Progr
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(drawable.index_count), drawable.index_type, nullptr);
 }
 
-void Studio::draw_depth(const ShadowMap& map, const LightView& view, const Shot& shot, std::span<const Drawable> drawables) {
+void Studio::draw_depth(const ShadowMap& map, const LightView& view, const Shot& shot,
+                        std::span<const Drawable> drawables) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
   gl_.Viewport(0, 0, map.size, map.size);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   for (const Drawable& drawable : drawables) {
     const gles3::Program& with = program(Role::depth, drawable.program);
     gl_.UseProgram(with.id);
-    gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE, glm::value_ptr(view.clip_from_scene));
+    gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
+                         glm::value_ptr(view.clip_from_scene));
     draw(shot, drawable, with);
   }
 }
@@ -176,7 +182,8 @@ void Studio::draw_backdrop(const Shot& shot) {
   set_studio(backdrop_.id, shot);
   const glm::mat4 scene_from_clip = glm::inverse(shot.camera.clip_from_scene);
   const glm::vec3 centre = shot.box.centre();
-  gl_.UniformMatrix4fv(gl_.GetUniformLocation(backdrop_.id, "scene_from_clip"), 1, GL_FALSE, glm::value_ptr(scene_from_clip));
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(backdrop_.id, "scene_from_clip"), 1, GL_FALSE,
+                       glm::value_ptr(scene_from_clip));
   gl_.Uniform3fv(gl_.GetUniformLocation(backdrop_.id, "scene_centre"), 1, glm::value_ptr(centre));
   gl_.BindVertexArray(no_vertices_);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -242,7 +249,8 @@ Image Studio::read_back() {
   Image image(width_, height_);
   for (int y = 0; y < height_; ++y) {
     // GL's first row is the lowest.
-    const std::uint8_t* from = rgba.data() + 4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_ - 1 - y);
+    const std::uint8_t* from =
+        rgba.data() + 4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_ - 1 - y);
     for (int x = 0; x < width_; ++x) std::copy_n(from + 4 * x, 3, image.pixel(x, y));
   }
   return image;

@@ -27,10 +27,10 @@ struct Drawable {
 
 struct Shot {
   Camera camera;
-  Box box;                 // of the character now, scene space
-  float radius = 1;        // of the character, scene units: what light and shadow are scaled by
+  Box box;           // of the character now, scene space
+  float radius = 1;  // of the character, scene units: what light and shadow are scaled by
   float ground_height = 0;
-  float shading = 1;       // 1: lit; 0: colours as they are
+  float shading = 1;  // 1: lit; 0: colours as they are
   const gles3::PaletteRing* palettes = nullptr;
 };
 

@@ -1,4 +1,5 @@
-// Every truncated prefix of a cooked file and every change of one byte: refused, or harmless all the way to the vertices.
+// Every truncated prefix of a cooked file and every change of one byte: refused, or harmless all the way to the
+// vertices.
 #include <cstring>
 
 #include <gtest/gtest.h>

@@ -18,11 +18,25 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 // Corners, then exponents across the whole range with random fractions and signs.
 std::vector<float> interesting() {
-  std::vector<float> out = {0.0f, -0.0f, 1.0f, -1.0f, 0.5f, 3.0f, kInfinity, -kInfinity, kNaN, -kNaN,
-                            std::numeric_limits<float>::min(), -std::numeric_limits<float>::min(),
-                            std::numeric_limits<float>::denorm_min(), -std::numeric_limits<float>::denorm_min(),
-                            std::bit_cast<float>(0x007FFFFFu), std::numeric_limits<float>::max(),
-                            -std::numeric_limits<float>::max(), std::nextafter(1.0f, 0.0f), std::nextafter(1.0f, 2.0f)};
+  std::vector<float> out = {0.0f,
+                            -0.0f,
+                            1.0f,
+                            -1.0f,
+                            0.5f,
+                            3.0f,
+                            kInfinity,
+                            -kInfinity,
+                            kNaN,
+                            -kNaN,
+                            std::numeric_limits<float>::min(),
+                            -std::numeric_limits<float>::min(),
+                            std::numeric_limits<float>::denorm_min(),
+                            -std::numeric_limits<float>::denorm_min(),
+                            std::bit_cast<float>(0x007FFFFFu),
+                            std::numeric_limits<float>::max(),
+                            -std::numeric_limits<float>::max(),
+                            std::nextafter(1.0f, 0.0f),
+                            std::nextafter(1.0f, 2.0f)};
   test::Random random(1);
   for (std::uint32_t exponent = 0; exponent < 255; exponent += 3) {
     out.push_back(std::bit_cast<float>((random.bits() << 31) | exponent << 23 | (random.bits() & 0x7FFFFFu)));
@@ -38,7 +52,8 @@ bool same(float a, float b) {
 void expect_lanes(f32x4 got, const float (&want)[4], const char* what) {
   float lanes[4];
   store(lanes, got);
-  for (int i = 0; i < 4; ++i) ASSERT_TRUE(same(lanes[i], want[i])) << what << " lane " << i << ": " << lanes[i] << " for " << want[i];
+  for (int i = 0; i < 4; ++i)
+    ASSERT_TRUE(same(lanes[i], want[i])) << what << " lane " << i << ": " << lanes[i] << " for " << want[i];
 }
 
 // Every pair of interesting numbers, four pairs at a time.
@@ -110,11 +125,15 @@ TEST(F32x4, SquareRoot) {
 }
 
 TEST(F32x4, Shuffles) {
-  const float a[4] = {1, -0.0f, kNaN, 4}, b[4] = {5, 6, 7, -0.0f}, c[4] = {9, 10, kInfinity, 12}, d[4] = {13, 14, 15, 16};
+  const float a[4] = {1, -0.0f, kNaN, 4}, b[4] = {5, 6, 7, -0.0f}, c[4] = {9, 10, kInfinity, 12},
+              d[4] = {13, 14, 15, 16};
   const f32x4 x = load(a);
   for (int lane = 0; lane < 4; ++lane) {
     const float want[4] = {a[lane], a[lane], a[lane], a[lane]};
-    const f32x4 got = lane == 0 ? splat_lane<0>(x) : lane == 1 ? splat_lane<1>(x) : lane == 2 ? splat_lane<2>(x) : splat_lane<3>(x);
+    const f32x4 got = lane == 0   ? splat_lane<0>(x)
+                      : lane == 1 ? splat_lane<1>(x)
+                      : lane == 2 ? splat_lane<2>(x)
+                                  : splat_lane<3>(x);
     expect_lanes(got, want, "splat_lane");
   }
   expect_lanes(splat(-0.0f), {-0.0f, -0.0f, -0.0f, -0.0f}, "splat");

@@ -14,7 +14,8 @@ using test::TestSkeleton;
 
 void expect_map(const Affine& got, const Map& want, double tolerance) {
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) EXPECT_NEAR(static_cast<double>(got.rows[r][c]), want.rows[r][c], tolerance) << r << ' ' << c;
+    for (int c = 0; c < 4; ++c)
+      EXPECT_NEAR(static_cast<double>(got.rows[r][c]), want.rows[r][c], tolerance) << r << ' ' << c;
 }
 
 std::vector<Map> expected(const TestSkeleton& skeleton) {

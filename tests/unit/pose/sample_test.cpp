@@ -87,9 +87,11 @@ TEST(Sample, AClipWithoutTracksIsTheRestPose) {
 TEST(Sample, LinearTranslation) {
   TestClip clip;
   clip.add(1, Path::translation, Interpolation::linear, {1, 2, 4}, {0, 0, 0, 10, -20, 30, 20, -20, 30});
-  const struct { float time_s; Vec3 want; } cases[] = {
-      {-5, {0, 0, 0}}, {0, {0, 0, 0}}, {1, {0, 0, 0}}, {1.25f, {2.5, -5, 7.5}}, {2, {10, -20, 30}},
-      {3, {15, -20, 30}}, {4, {20, -20, 30}}, {100, {20, -20, 30}}};
+  const struct {
+    float time_s;
+    Vec3 want;
+  } cases[] = {{-5, {0, 0, 0}},    {0, {0, 0, 0}},     {1, {0, 0, 0}},     {1.25f, {2.5, -5, 7.5}},
+               {2, {10, -20, 30}}, {3, {15, -20, 30}}, {4, {20, -20, 30}}, {100, {20, -20, 30}}};
   int count = 0;
   for (const auto& c : cases) {
     expect_vec(Sampled(clip, c.time_s).translation(1), c.want);
@@ -145,9 +147,9 @@ TEST(Sample, CubicSplineTranslation) {
   expect_vec(Sampled(clip, 3).translation(3), {5, 6, 7});
   expect_vec(Sampled(clip, 4).translation(3), {5, 6, 7});
   // t = ¼: (54, 18, 10, -6) / 64 with the interval of 2 s in the tangents.
-  expect_vec(Sampled(clip, 1.5f).translation(3), {(54 * 1 + 18 * 4 + 10 * 5 - 6 * 8) / 64.0,
-                                                  (54 * 2 + 18 * 0 + 10 * 6 + 6 * 8) / 64.0,
-                                                  (54 * 3 - 18 * 4 + 10 * 7) / 64.0});
+  expect_vec(Sampled(clip, 1.5f).translation(3),
+             {(54 * 1 + 18 * 4 + 10 * 5 - 6 * 8) / 64.0, (54 * 2 + 18 * 0 + 10 * 6 + 6 * 8) / 64.0,
+              (54 * 3 - 18 * 4 + 10 * 7) / 64.0});
 }
 
 TEST(Sample, CubicSplineRotationIsNormalisedAndKeepsItsSigns) {

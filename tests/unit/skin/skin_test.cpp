@@ -20,7 +20,8 @@ struct Skinned {
   explicit Skinned(std::size_t slots) : positions(slots * 3), normals(slots * 3), tangents(slots * 4) {}
   SkinOutput output() { return {positions, normals, tangents}; }
   static Vec3 three(const std::vector<float>& v, std::size_t slot, std::size_t stride = 3) {
-    return {static_cast<double>(v[slot * stride]), static_cast<double>(v[slot * stride + 1]), static_cast<double>(v[slot * stride + 2])};
+    return {static_cast<double>(v[slot * stride]), static_cast<double>(v[slot * stride + 1]),
+            static_cast<double>(v[slot * stride + 2])};
   }
 };
 
@@ -162,7 +163,8 @@ TEST(Skin, RigidTakesTheLargestWeightWhereverItStands) {
 }
 
 TEST(Skin, NormalsOfAnUnevenScaleByHand) {
-  // Twice as wide in x: a slanted normal leans away from x by the inverse, (1, 1, 0) → (½, 1, 0); a tangent leans to it.
+  // Twice as wide in x: a slanted normal leans away from x by the inverse, (1, 1, 0) → (½, 1, 0); a tangent leans to
+  // it.
   const double h = 0.7071067811865476;
   const TestMesh mesh({{{0}, {{{0, 0, 0}, {h, h, 0}, {h, -h, 0}, -1, {1}, {}}}}}, {{}});
   const std::vector<Map> palette = {{{{2, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
@@ -213,8 +215,9 @@ TEST(Skin, PositionsAloneAreTheSameBits) {
 }
 
 TEST(Skin, AnimationSpaceCoordinatesAreLiftAndResidual) {
-  const TestMesh mesh({{{0, 1}, {{{2, 4, 8}, {0, 0, 1}, {1, 0, 0}, 1, {0.25, 0.75}, {{0.5, 0, 0, 0.25}, {0, 0, -0.5, -0.25}}}}}},
-                      {{}, {}}, true);
+  const TestMesh mesh(
+      {{{0, 1}, {{{2, 4, 8}, {0, 0, 1}, {1, 0, 0}, 1, {0.25, 0.75}, {{0.5, 0, 0, 0.25}, {0, 0, -0.5, -0.25}}}}}},
+      {{}, {}}, true);
   const Geometry g = mesh.view().geometry;
   ASSERT_EQ(as_coordinate_count(g), 32u);
   std::vector<float> q(33, 99.0f);

@@ -1,0 +1,40 @@
+// Runs the built program as a user would, in a folder of its own that is gone afterwards.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace marrow::test {
+
+struct Ran {
+  int code = -1;  // exit code; 1000 + signal if killed
+  std::string out, err;
+  // Lines of stderr that are no warnings about the source.
+  std::vector<std::string> complaints() const;
+};
+
+// Arguments behind the program's name; stdin is empty. Throws std::runtime_error if the program cannot be started.
+Ran run_marrow(const std::vector<std::string>& arguments);
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  // Names of what it holds, sorted.
+  std::vector<std::string> listing() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_text(const std::string& path);
+void write_text(const std::string& path, const std::string& bytes);
+
+// The source of the golden file.
+std::string tiny_gltf();
+
+}  // namespace marrow::test
