@@ -34,11 +34,15 @@ bool has_extension(const char* list, const char* name) {
   return false;
 }
 
-bool initialise(EGLDisplay display) { return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE; }
+bool initialise(EGLDisplay display) {
+  return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE;
+}
 
 }  // namespace
 
-HeadlessContext::~HeadlessContext() { release(); }
+HeadlessContext::~HeadlessContext() {
+  release();
+}
 
 void HeadlessContext::release() {
   if (initialised_) {
@@ -60,9 +64,8 @@ bool HeadlessContext::open_display() {
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const auto get_display = reinterpret_cast<GetPlatformDisplay>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
   if (get_display != nullptr && has_extension(client, "EGL_ANGLE_platform_angle")) {
-    const EGLint attributes[] = {kPlatformAngleType,       kPlatformAngleTypeVulkan,
-                                 kPlatformAngleDeviceType, kPlatformAngleDeviceTypeSwiftShader,
-                                 EGL_NONE};
+    const EGLint attributes[] = {kPlatformAngleType, kPlatformAngleTypeVulkan, kPlatformAngleDeviceType,
+                                 kPlatformAngleDeviceTypeSwiftShader, EGL_NONE};
     display_ = get_display(kPlatformAngle, nullptr, attributes);
     platform_ = "ANGLE";
     if (initialise(display_)) return true;
@@ -81,7 +84,8 @@ bool HeadlessContext::create_context(int major, int minor) {
   if (eglBindAPI(EGL_OPENGL_ES_API) != EGL_TRUE) return fail("eglBindAPI");
   const char* extensions = eglQueryString(display_, EGL_EXTENSIONS);
   const bool surfaceless = has_extension(extensions, "EGL_KHR_surfaceless_context");
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, surfaceless ? 0 : EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, kOpenGlEs3Bit, EGL_NONE};
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, surfaceless ? 0 : EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, kOpenGlEs3Bit,
+                           EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (eglChooseConfig(display_, wanted, &config, 1, &count) != EGL_TRUE || count == 0) {
@@ -107,6 +111,8 @@ Status HeadlessContext::create(int major, int minor) {
   return Status::unsupported;
 }
 
-void* load_proc(const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
+void* load_proc(const char* name) {
+  return reinterpret_cast<void*>(eglGetProcAddress(name));
+}
 
 }  // namespace marrow::egl

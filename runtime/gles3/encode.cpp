@@ -27,7 +27,8 @@ void swap_influences(Vertex& v, std::uint32_t a, std::uint32_t b) {
 }
 
 // Lane `lane` of a block of four vertices; `residual` may be null. The largest weight is moved to the front.
-Vertex read_vertex(const float* skin, const float* residual, const std::uint16_t* set, std::uint32_t k, std::uint32_t lane) {
+Vertex read_vertex(const float* skin, const float* residual, const std::uint16_t* set, std::uint32_t k,
+                   std::uint32_t lane) {
   Vertex v = {};
   v.influences = k;
   for (std::uint32_t c = 0; c < 3; ++c) v.position[c] = skin[4 * c + lane];
@@ -69,7 +70,9 @@ void put(std::byte* to, T value) {
   std::memcpy(to, &value, sizeof(value));
 }
 
-std::int32_t round_to_int(float value) { return static_cast<std::int32_t>(std::floor(value + 0.5f)); }
+std::int32_t round_to_int(float value) {
+  return static_cast<std::int32_t>(std::floor(value + 0.5f));
+}
 
 std::int16_t to_snorm16(float value) {
   const std::int32_t i = round_to_int(value * 32767.0f);
@@ -98,8 +101,8 @@ void put_coordinates(const Vertex& v, const Layout& layout, const Quantisation& 
   for (std::uint32_t j = 0; j < v.influences; ++j) total_weight[j] = v.weights[j] + v.residual[j][3];
   quantise_sum(total_weight, v.influences, quantisation.coordinate_one, w);
   const float one = static_cast<float>(quantisation.coordinate_one);
-  // What rounding one influence loses goes to the next, so that the bind pose, where they all move alike, is off by half
-  // a step at most.
+  // What rounding one influence loses goes to the next, so that the bind pose, where they all move alike, is off by
+  // half a step at most.
   float carry[3] = {};
   for (std::uint32_t j = 0; j < layout.influences; ++j) {
     std::int16_t q[4] = {};

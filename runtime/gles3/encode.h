@@ -14,7 +14,7 @@ struct Quantisation {
 
 // Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
 struct Layout {
-  std::uint32_t influences = 4;  // 4 or 8
+  std::uint32_t influences = 4;   // 4 or 8
   std::uint32_t joint_bytes = 1;  // 1 or 2
   std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;
   std::uint32_t as_stride = 0, as_joints = 0;

@@ -26,7 +26,7 @@ int es_major_version(const unsigned char* text) {
 Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing) {
   if (load_proc == nullptr) return Status::bad_argument;
   Api loaded;
-#define MARROW_LOAD(Result, Name, Parameters)         \
+#define MARROW_LOAD(Result, Name, Parameters)          \
   if (!load_one(loaded.Name, load_proc, "gl" #Name)) { \
     if (missing != nullptr) *missing = "gl" #Name;     \
     return Status::unsupported;                        \
@@ -46,7 +46,8 @@ Status query_caps(const Api& api, Caps& caps) {
   api.GetIntegerv(kGlUniformBufferOffsetAlignment, &alignment);
   api.GetIntegerv(kGlMaxVertexAttribs, &attributes);
   if (block <= 0 || alignment <= 0 || attributes <= 0) return Status::gl_error;
-  caps = {static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(alignment), static_cast<std::uint32_t>(attributes)};
+  caps = {static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(alignment),
+          static_cast<std::uint32_t>(attributes)};
   return Status::ok;
 }
 

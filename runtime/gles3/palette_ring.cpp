@@ -6,14 +6,20 @@
 namespace marrow::gles3 {
 namespace {
 
-std::uint32_t round_up(std::uint32_t value, std::uint32_t alignment) { return (value + alignment - 1) / alignment * alignment; }
+std::uint32_t round_up(std::uint32_t value, std::uint32_t alignment) {
+  return (value + alignment - 1) / alignment * alignment;
+}
 
-// The block that a program reads is always kPaletteBlockBytes long, so the last palette needs that much behind its start.
-std::ptrdiff_t buffer_bytes(const PaletteRing& ring) { return std::ptrdiff_t{ring.capacity} + kPaletteBlockBytes; }
+// The block that a program reads is always kPaletteBlockBytes long, so the last palette needs that much behind its
+// start.
+std::ptrdiff_t buffer_bytes(const PaletteRing& ring) {
+  return std::ptrdiff_t{ring.capacity} + kPaletteBlockBytes;
+}
 
 }  // namespace
 
-Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes, PaletteRing& out) {
+Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes,
+                           PaletteRing& out) {
   if (joints == 0 || palettes == 0 || caps.uniform_offset_alignment == 0) return Status::bad_argument;
   if (joints > 0x02000000u || palettes > 0x00200000u) return Status::bad_argument;
   PaletteRing ring;
@@ -56,7 +62,8 @@ Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palett
 }
 
 void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding) {
-  api.BindBufferRange(kGlUniformBuffer, binding, ring.buffer, std::ptrdiff_t{offset}, std::ptrdiff_t{kPaletteBlockBytes});
+  api.BindBufferRange(kGlUniformBuffer, binding, ring.buffer, std::ptrdiff_t{offset},
+                      std::ptrdiff_t{kPaletteBlockBytes});
 }
 
 }  // namespace marrow::gles3

@@ -7,9 +7,13 @@
 namespace marrow::gles3 {
 namespace {
 
-std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
+std::size_t larger(std::size_t a, std::size_t b) {
+  return a > b ? a : b;
+}
 
-const void* at(std::uint32_t offset) { return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset)); }
+const void* at(std::uint32_t offset) {
+  return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset));
+}
 
 void attribute(const Api& api, std::uint32_t location, int size, GlEnum type, bool normalized, std::uint32_t stride,
                std::uint32_t offset) {
@@ -99,8 +103,9 @@ GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, 
   out.vertex_bytes = g.slot_count * ((options.ssd ? layout.ssd_stride : 0) + (options.as ? layout.as_stride : 0) +
                                      layout.surface_stride);
   out.influences = static_cast<std::uint8_t>(layout.influences);
-  out.features = static_cast<std::uint8_t>((g.normals != nullptr ? kNormals : 0) | (g.tangents != nullptr ? kTangents : 0) |
-                                           (g.uvs != nullptr ? kUvs : 0) | (g.colours != nullptr ? kColours : 0));
+  out.features =
+      static_cast<std::uint8_t>((g.normals != nullptr ? kNormals : 0) | (g.tangents != nullptr ? kTangents : 0) |
+                                (g.uvs != nullptr ? kUvs : 0) | (g.colours != nullptr ? kColours : 0));
   out.coordinate_scale = 32767.0f / static_cast<float>(q.coordinate_one);
   return out;
 }
@@ -115,8 +120,8 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
   return stride * mesh.geometry.slot_count;
 }
 
-Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options, Span<std::byte> scratch,
-               Span<Affine> bind, GpuMesh& out) {
+Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
+               Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out) {
   const Geometry& g = mesh.geometry;
   if (!options.ssd && !options.as) return Status::bad_argument;
   if (bind.size < mesh.joint_count || scratch.size < prepare_scratch_bytes(mesh, options)) return Status::bad_argument;

@@ -73,7 +73,8 @@ std::uint32_t compile(const Api& api, GlEnum type, const char* const* texts, int
 }
 
 // 0 if the shaders do not link.
-std::uint32_t link(const Api& api, std::uint32_t vertex, std::uint32_t fragment, const ProgramSource& source, Span<char> log) {
+std::uint32_t link(const Api& api, std::uint32_t vertex, std::uint32_t fragment, const ProgramSource& source,
+                   Span<char> log) {
   const std::uint32_t program = api.CreateProgram();
   if (program == 0) {
     put_log(log, "glCreateProgram failed");
@@ -82,8 +83,8 @@ std::uint32_t link(const Api& api, std::uint32_t vertex, std::uint32_t fragment,
   api.AttachShader(program, vertex);
   api.AttachShader(program, fragment);
   if (!source.feedback_varyings.empty()) {
-    api.TransformFeedbackVaryings(program, static_cast<int>(source.feedback_varyings.size), source.feedback_varyings.data,
-                                  kGlInterleavedAttribs);
+    api.TransformFeedbackVaryings(program, static_cast<int>(source.feedback_varyings.size),
+                                  source.feedback_varyings.data, kGlInterleavedAttribs);
   }
   api.LinkProgram(program);
   int linked = 0;

@@ -78,10 +78,10 @@ struct GpuMesh {
   std::uint32_t index_count = 0;
   std::uint32_t index_type = 0;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
   std::uint32_t slot_count = 0;
-  std::uint32_t joint_count = 0;  // matrices in its palette
+  std::uint32_t joint_count = 0;   // matrices in its palette
   std::uint32_t vertex_bytes = 0;  // all vertex buffers together
-  std::uint8_t influences = 4;    // 4 or 8
-  std::uint8_t features = 0;      // kNormals | …
+  std::uint8_t influences = 4;     // 4 or 8
+  std::uint8_t features = 0;       // kNormals | …
   // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   float coordinate_scale = 1;
 };
@@ -100,14 +100,13 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 // shader need not undo it. The same palette serves rigid, SSD and AS. In animation space the stored coordinate of an
 // influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
 //
-// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned, free
-// again afterwards.
-// Errors: bad_argument (a span too short, nothing asked for); unsupported (more palette entries than the uniform block holds:
-// min(kPaletteJoints, caps)); gl_error (out of memory: nothing is left allocated). `out` and `bind` are written only on
-// success. Leaves GL_ARRAY_BUFFER and the vertex array at 0.
-// Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a mesh.
-Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options, Span<std::byte> scratch,
-               Span<Affine> bind, GpuMesh& out);
+// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
+// free again afterwards. Errors: bad_argument (a span too short, nothing asked for); unsupported (more palette entries
+// than the uniform block holds: min(kPaletteJoints, caps)); gl_error (out of memory: nothing is left allocated). `out`
+// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER and the vertex array at 0. Error of the formats:
+// docs/architecture.md. Cost: a few passes over the vertices; once a mesh.
+Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
+               Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);
 
 // Deletes the GL objects and clears the struct.
 void destroy(const Api& api, GpuMesh& mesh);
@@ -140,8 +139,8 @@ Status build_program(const Api& api, const ProgramKey& key, const ProgramSource&
 
 void destroy(const Api& api, Program& program);
 
-// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old contents
-// are orphaned, so the CPU never waits for the GPU.
+// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
+// contents are orphaned, so the CPU never waits for the GPU.
 struct PaletteRing {
   std::uint32_t buffer = 0;
   std::uint32_t alignment = 256;
@@ -151,14 +150,15 @@ struct PaletteRing {
 
 // Room for palettes of `joints` matrices altogether in `palettes` pieces.
 // Errors: bad_argument (zero); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
-Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes, PaletteRing& out);
+Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes,
+                           PaletteRing& out);
 void destroy(const Api& api, PaletteRing& ring);
 
 // Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
 void begin_frame(const Api& api, PaletteRing& ring);
 
-// Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the ring.
-// Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
+// Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the
+// ring. Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
 Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset);
 
 // Ties the palette at `offset` to uniform buffer binding `binding`.
