@@ -1,4 +1,7 @@
-// The program `marrow`: one sub-command a folder, one place where failures become exit codes.
+// The program `marrow`: the command line of every sub-command, and the one place where failures become exit codes. What a
+// sub-command does is in the folder of its name.
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -6,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/failure.h"
+#include "common/files.h"
 #include "cook/command.h"
 #include "info/info.h"
 #include "pose/pose.h"
@@ -15,40 +19,140 @@
 #include "render/render.h"
 #endif
 
+namespace marrow::tools {
 namespace {
+
+// Arguments live as long as the process, as the options that point at them do.
+template <class Arguments>
+Arguments& arguments_of() {
+  static Arguments arguments;
+  return arguments;
+}
+
+void add_input(CLI::App* command, std::string& to) {
+  command->add_option("file", to, "the cooked file")->required()->type_name("FILE");
+}
+
+void add_moment(CLI::App* command, std::string& clip, float& time_s) {
+  const auto finite = [](const std::string& text) {
+    float value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool good = error == std::errc() && stop == end && std::isfinite(value);
+    return good ? std::string() : "not a finite number of seconds: " + text;
+  };
+  command->add_option("--clip", clip, "clip by name or index; without it the rest pose")->type_name("C");
+  command->add_option("--time", time_s, "seconds from the clip's start; outside the clip its first or last moment")
+      ->type_name("S")
+      ->check(CLI::Validator(finite, ""));
+}
+
+void add_deformer(CLI::App* command, std::string& to) {
+  command->add_option("--deformer", to, "how vertices follow joints")
+      ->check(CLI::IsMember({"rigid", "ssd", "as"}))
+      ->capture_default_str();
+}
+
+void add_cook(CLI::App& app) {
+  CookArguments& a = arguments_of<CookArguments>();
+  CLI::App* const command = app.add_subcommand("cook", "Cook a .gltf or .glb file into a .mrw file");
+  command->add_option("input", a.in, "the .gltf or .glb file")->required()->type_name("IN");
+  command->add_option("-o,--output", a.out, "the cooked file to write")->required()->type_name("OUT.mrw");
+  command->add_option("--report", a.report, "also write a report as JSON")->type_name("R.json");
+  command->add_flag("--json", a.json, "print the report on stdout instead of a summary");
+  command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
+                    "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
+  command->callback([&a] { run_cook(a); });
+}
+
+void add_info(CLI::App& app) {
+  InfoArguments& a = arguments_of<InfoArguments>();
+  CLI::App* const command = app.add_subcommand("info", "Say what a cooked file holds");
+  add_input(command, a.in);
+  command->add_flag("--json", a.json, "as JSON");
+  command->callback([&a] { run_info(a); });
+}
+
+void add_pose(CLI::App& app) {
+  PoseArguments& a = arguments_of<PoseArguments>();
+  CLI::App* const command = app.add_subcommand("pose", "Write a character's vertices at a moment of a clip");
+  add_input(command, a.in);
+  add_moment(command, a.clip, a.time_s);
+  add_deformer(command, a.deformer);
+  command
+      ->add_option("-o,--output", a.out, "P.bin: little-endian float32 x y z a vertex, scene space; P.obj: Wavefront")
+      ->required()
+      ->type_name("P.obj|P.bin");
+  command->callback([&a] { run_pose(a); });
+}
+
+void add_sample(CLI::App& app) {
+  std::string& out = arguments_of<std::string>();
+  CLI::App* const command = app.add_subcommand("sample", "Write the embedded sample character as a .glb file");
+  command->add_option("-o,--output", out, "the file to write")->required()->type_name("OUT.glb");
+  command->callback([&out] { write_file_atomically(out, sample_glb()); });
+}
+
+#ifdef MARROW_HAS_GLES
+void add_render(CLI::App& app) {
+  RenderArguments& a = arguments_of<RenderArguments>();
+  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip");
+  add_input(command, a.file);
+  add_moment(command, a.clip, a.time_s);
+  add_deformer(command, a.deformer);
+  command->add_option("--path", a.path, "cpu: skinned by the processor; ubo: by the vertex shader")
+      ->check(CLI::IsMember({"cpu", "ubo"}))
+      ->capture_default_str();
+  command->add_option("--size", a.size, "pixels")->type_name("WxH")->capture_default_str();
+  command->add_option("--heatmap", a.heatmap, "colour the distance between two deformers, as in ssd:as")
+      ->type_name("A:B");
+  command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
+  command->callback([&a] { run_render(a); });
+}
+
+void add_demo(CLI::App& app) {
+  DemoArguments& a = arguments_of<DemoArguments>();
+  CLI::App* const command = app.add_subcommand("demo", "Cook models, draw a contact sheet of each, print a table");
+  command->add_option("inputs", a.inputs, "glTF files; without one, the embedded sample")->type_name("IN.glb");
+  command->add_option("--clip", a.clip, "clip by name or index; without it the one that bends joints most")
+      ->type_name("C");
+  command->add_option("-o,--output", a.directory, "folder for NAME.mrw and NAME.png")->required()->type_name("DIR");
+  command->callback([&a] { run_demo(a); });
+}
+#endif
 
 int run(int argc, char** argv) {
   CLI::App app{"Marrow: skeletal animation, from glTF to pixels.", "marrow"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", MARROW_VERSION);
   app.footer(
       "Results go to stdout, everything else to stderr.\n"
       "Exit codes: 0 done, 1 usage, 2 input/output, 3 invalid input, 4 unsupported, 5 internal.");
-  marrow::tools::add_cook(app);
-  marrow::tools::add_info(app);
-  marrow::tools::add_pose(app);
-  marrow::tools::add_sample(app);
+  add_cook(app);
+  add_info(app);
+  add_pose(app);
+  add_sample(app);
 #ifdef MARROW_HAS_GLES
-  marrow::tools::add_render(app);
-  marrow::tools::add_demo(app);
+  add_render(app);
+  add_demo(app);
 #endif
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    std::fputs(app.help().c_str(), stdout);
-    return 0;
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);  // --help of a sub-command
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
     std::fprintf(stderr, "marrow: %s (see --help)\n", e.what());
-    return static_cast<int>(marrow::tools::Exit::usage);
+    return static_cast<int>(Exit::usage);
   }
   return 0;
 }
 
 }  // namespace
+}  // namespace marrow::tools
 
 int main(int argc, char** argv) {
+  using marrow::tools::Exit;
   try {
-    return run(argc, argv);
+    return marrow::tools::run(argc, argv);
   } catch (const marrow::tools::Failure& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
@@ -57,5 +161,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& e) {
     std::fprintf(stderr, "marrow: internal error: %s\n", e.what());
   }
-  return static_cast<int>(marrow::tools::Exit::internal);
+  return static_cast<int>(Exit::internal);
 }

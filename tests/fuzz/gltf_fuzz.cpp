@@ -5,7 +5,7 @@
 #include <span>
 
 #include "common/failure.h"
-#include "cook/gltf.h"
+#include "cook/gltf/read.h"
 
 namespace {
 

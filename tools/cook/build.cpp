@@ -34,7 +34,7 @@ void place_unplaced_meshes(RawScene& scene) {
 
 }  // namespace
 
-BuiltScene build_scene(RawScene& scene, const BuildOptions& options) {
+BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   BuiltScene out;
   if (scene.instances.empty()) place_unplaced_meshes(scene);
   if (scene.instances.empty())

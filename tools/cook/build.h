@@ -7,18 +7,18 @@
 
 namespace marrow::cook {
 
-struct BuildOptions {
+struct CookOptions {
   bool keep_vertex_order = false;  // remember where every vertex of the source went
 };
 
 // Adds to scene.warnings what it mends or leaves out. Throws tools::Failure (invalid: nothing to cook; unsupported: a
 // limit of the format).
-BuiltScene build_scene(RawScene& scene, const BuildOptions& options);
+BuiltScene build_scene(RawScene& scene, const CookOptions& options);
 
 // The stages of build_scene, each in a file of its own.
 BuiltSkeleton build_skeleton(RawScene& scene);
 BuiltClip build_clip(const RawClip& clip, const BuiltSkeleton& skeleton);
-void build_meshes(RawScene& scene, const BuildOptions& options, BuiltScene& out);
+void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
 
 // node-to-parent matrix of one node, and rows of an affine matrix.
 glm::dmat4 local_matrix(const RawNode& node);

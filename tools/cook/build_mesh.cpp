@@ -169,7 +169,7 @@ void write_blocks(const RawPrimitive& p, const std::vector<Binding>& bindings, c
 }
 
 BuiltGeometry build_geometry(const RawPrimitive& p, const std::vector<Binding>& bindings, std::size_t joint_count,
-                             const BuildOptions& options) {
+                             const CookOptions& options) {
   const Arrangement a = arrange(p, bindings);
   BuiltGeometry out;
   write_blocks(p, bindings, a, out);
@@ -210,7 +210,7 @@ bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
          });
 }
 
-Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const BuildOptions& options, BuiltScene& out) {
+Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const CookOptions& options, BuiltScene& out) {
   if (primitive.normals.empty()) {
     generate_normals(primitive);
     warn(scene, primitive.pointer, "normals-generated", "the file has no normals; smooth ones are computed");
@@ -250,7 +250,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
 
 }  // namespace
 
-void build_meshes(RawScene& scene, const BuildOptions& options, BuiltScene& out) {
+void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
   BoundPrimitives bound;
   for (const RawInstance& instance : scene.instances) {
     std::vector<RawPrimitive>& primitives = scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives;

@@ -1,6 +1,6 @@
 #include "cook/cook.h"
 
-#include "cook/gltf.h"
+#include "cook/gltf/read.h"
 #include "cook/write.h"
 
 namespace marrow::cook {

@@ -11,8 +11,6 @@
 
 namespace marrow::cook {
 
-using CookOptions = BuildOptions;
-
 struct CookResult {
   std::vector<std::byte> file;
   // {source {file, bytes}, output {bytes, sections [{type, bytes}]}, skeletons [{name, joints}], meshes [{name,

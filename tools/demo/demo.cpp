@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "common/failure.h"
 #include "common/files.h"
@@ -20,11 +18,6 @@
 
 namespace marrow::tools {
 namespace {
-
-struct Arguments {
-  std::vector<std::string> inputs;
-  std::string clip, directory;
-};
 
 // The embedded sample's name, when no input is given.
 constexpr const char* kSampleName = "newt.glb";
@@ -62,7 +55,7 @@ std::uint64_t source_bytes(const nlohmann::ordered_json& report) {
 }
 
 // One input: cooks it, draws its sheet, measures it. `stem` names the outputs.
-Row show(const Gl& gl, const Arguments& arguments, const std::string& input, const std::string& stem) {
+Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input, const std::string& stem) {
   const cook::CookResult cooked = cook::cook_file(input, {});
   const std::string mrw = (std::filesystem::path(arguments.directory) / (stem + ".mrw")).string();
   write_file_atomically(mrw, cooked.file);
@@ -102,7 +95,9 @@ std::string unique_stem(std::vector<std::string>& taken, const std::string& inpu
   return name;
 }
 
-void run(const Arguments& arguments) {
+}  // namespace
+
+void run_demo(const DemoArguments& arguments) {
   create_directory(arguments.directory);
   std::vector<std::string> inputs = arguments.inputs;
   if (inputs.empty()) {
@@ -119,20 +114,6 @@ void run(const Arguments& arguments) {
   print_table(rows);
   std::printf("times: CPU, medians, one thread; skinning every vertex with its normal\nGL driver: %s\n",
               gl.driver().c_str());
-}
-
-}  // namespace
-
-void add_demo(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const command = app.add_subcommand("demo", "Cook models, draw a contact sheet of each, print a table");
-  command->add_option("inputs", arguments->inputs, "glTF files; without one, the embedded sample")->type_name("IN.glb");
-  command->add_option("--clip", arguments->clip, "clip by name or index; without it the one that bends joints most")
-      ->type_name("C");
-  command->add_option("-o,--output", arguments->directory, "folder for NAME.mrw and NAME.png")
-      ->required()
-      ->type_name("DIR");
-  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace marrow::tools

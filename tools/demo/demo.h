@@ -1,12 +1,17 @@
 // `marrow demo`: from artists' files to cooked ones, a contact sheet each and a table.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <string>
+#include <vector>
 
 namespace marrow::tools {
 
-void add_demo(CLI::App& app);
+struct DemoArguments {
+  std::vector<std::string> inputs;
+  std::string clip, directory;
+};
+
+// Throws Failure.
+void run_demo(const DemoArguments& arguments);
 
 }  // namespace marrow::tools

@@ -1,9 +1,6 @@
 #include "info/info.h"
 
-#include <memory>
-
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "common/load_mrw.h"
@@ -97,23 +94,13 @@ void print(const ordered_json& r) {
 
 }  // namespace
 
-void add_info(CLI::App& app) {
-  struct Arguments {
-    std::string in;
-    bool json = false;
-  };
-  const auto a = std::make_shared<Arguments>();
-  CLI::App* const command = app.add_subcommand("info", "Say what a cooked file holds");
-  command->add_option("file", a->in, "the cooked file")->required()->type_name("FILE");
-  command->add_flag("--json", a->json, "as JSON");
-  command->callback([a] {
-    const ordered_json description = describe(a->in, load_mrw(a->in));
-    if (a->json) {
-      fmt::print("{}\n", description.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    } else {
-      print(description);
-    }
-  });
+void run_info(const InfoArguments& a) {
+  const ordered_json description = describe(a.in, load_mrw(a.in));
+  if (a.json) {
+    fmt::print("{}\n", description.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    print(description);
+  }
 }
 
 }  // namespace marrow::tools

@@ -1,12 +1,16 @@
 // `marrow info`: what a cooked file holds.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <string>
 
 namespace marrow::tools {
 
-void add_info(CLI::App& app);
+struct InfoArguments {
+  std::string in;
+  bool json = false;
+};
+
+// Throws Failure.
+void run_info(const InfoArguments& arguments);
 
 }  // namespace marrow::tools

@@ -1,24 +1,16 @@
 #include "pose/pose.h"
 
 #include <cstring>
-#include <memory>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
-#include "common/seconds.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
 namespace {
-
-struct Arguments {
-  std::string in, out, clip, deformer = "ssd";
-  float time_s = 0;
-};
 
 // Slots in the order in which vertices are written: the source's if the file remembers it, else the file's own.
 std::vector<std::uint32_t> vertex_order(const Geometry& g) {
@@ -87,7 +79,9 @@ std::string to_obj(const File& file, const Character& character, Deformer deform
   return out;
 }
 
-void run(const Arguments& a) {
+}  // namespace
+
+void run_pose(const PoseArguments& a) {
   const std::optional<Deformer> deformer = parse_deformer(a.deformer);
   const bool obj = a.out.ends_with(".obj");
   if (!obj && !a.out.ends_with(".bin"))
@@ -99,24 +93,6 @@ void run(const Arguments& a) {
   character.pose(clip, a.time_s);
   write_file_atomically(a.out,
                         obj ? to_obj(loaded.file, character, *deformer) : to_bin(loaded.file, character, *deformer));
-}
-
-}  // namespace
-
-void add_pose(CLI::App& app) {
-  const auto a = std::make_shared<Arguments>();
-  CLI::App* const command = app.add_subcommand("pose", "Write a character's vertices at a moment of a clip");
-  command->add_option("file", a->in, "the cooked file")->required()->type_name("FILE");
-  command->add_option("--clip", a->clip, "clip by name or index; without it the rest pose")->type_name("C");
-  command->add_option("--time", a->time_s, "seconds from the clip's start")->type_name("S")->check(seconds());
-  command->add_option("--deformer", a->deformer, "how vertices follow joints")
-      ->check(CLI::IsMember({"rigid", "ssd", "as"}))
-      ->capture_default_str();
-  command
-      ->add_option("-o,--output", a->out, "P.bin: little-endian float32 x y z a vertex, scene space; P.obj: Wavefront")
-      ->required()
-      ->type_name("P.obj|P.bin");
-  command->callback([a] { run(*a); });
 }
 
 }  // namespace marrow::tools

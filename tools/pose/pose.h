@@ -1,12 +1,16 @@
 // `marrow pose`: a character at a moment, as numbers.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <string>
 
 namespace marrow::tools {
 
-void add_pose(CLI::App& app);
+struct PoseArguments {
+  std::string in, out, clip, deformer = "ssd";
+  float time_s = 0;
+};
+
+// Throws Failure.
+void run_pose(const PoseArguments& arguments);
 
 }  // namespace marrow::tools

@@ -1,13 +1,9 @@
 #include "render/render.h"
 
 #include <cstdio>
-#include <memory>
-
-#include <CLI/CLI.hpp>
 
 #include "common/failure.h"
 #include "common/load_mrw.h"
-#include "common/seconds.h"
 #include "render/figure.h"
 #include "render/heat.h"
 #include "render/performance.h"
@@ -17,14 +13,6 @@ namespace {
 
 constexpr int kLargestSide = 8192;
 constexpr float kMargin = 0.09f;
-
-struct Arguments {
-  std::string file, clip, heatmap, output;
-  std::string deformer = "ssd";
-  std::string path = "ubo";
-  std::string size = "960x720";
-  double time_s = 0;
-};
 
 struct Size {
   int width, height;
@@ -53,7 +41,7 @@ std::pair<Deformer, Deformer> parse_pair(const std::string& text) {
   return {*a, *b};
 }
 
-std::vector<Drawable> make_drawables(const Arguments& arguments, const File& file, const Character& character,
+std::vector<Drawable> make_drawables(const RenderArguments& arguments, const File& file, const Character& character,
                                      Figure& figure) {
   const Deformer deformer = *parse_deformer(arguments.deformer);
   if (arguments.path == "cpu") return figure.from_cpu(skin_all(file, character, deformer));
@@ -65,7 +53,9 @@ std::vector<Drawable> make_drawables(const Arguments& arguments, const File& fil
   return figure.on_gpu(character, deformer);
 }
 
-void run(const Arguments& arguments) {
+}  // namespace
+
+void run_render(const RenderArguments& arguments) {
   const Size size = parse_size(arguments.size);
   std::optional<std::pair<Deformer, Deformer>> pair;
   if (!arguments.heatmap.empty()) pair = parse_pair(arguments.heatmap);
@@ -76,7 +66,7 @@ void run(const Arguments& arguments) {
 
   Character character(file);
   const Performance performance(file, character, clip);
-  character.pose(clip, static_cast<float>(arguments.time_s));
+  character.pose(clip, arguments.time_s);
   const Gl gl;
   Figure figure(gl, file);
   Studio studio(gl, size.width, size.height);
@@ -99,27 +89,6 @@ void run(const Arguments& arguments) {
   }
   write_png(arguments.output, studio.shoot(shot, drawables));
   std::fprintf(stderr, "%s: %dx%d, %s\n", arguments.output.c_str(), size.width, size.height, gl.driver().c_str());
-}
-
-}  // namespace
-
-void add_render(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip");
-  command->add_option("file", arguments->file, "the cooked file")->required()->type_name("FILE");
-  command->add_option("--clip", arguments->clip, "clip by name or index; without it the rest pose")->type_name("C");
-  command->add_option("--time", arguments->time_s, "seconds from the clip's start")->type_name("S")->check(seconds());
-  command->add_option("--deformer", arguments->deformer, "how vertices follow joints")
-      ->check(CLI::IsMember({"rigid", "ssd", "as"}))
-      ->capture_default_str();
-  command->add_option("--path", arguments->path, "cpu: skinned by the processor; ubo: by the vertex shader")
-      ->check(CLI::IsMember({"cpu", "ubo"}))
-      ->capture_default_str();
-  command->add_option("--size", arguments->size, "pixels")->type_name("WxH")->capture_default_str();
-  command->add_option("--heatmap", arguments->heatmap, "colour the distance between two deformers, as in ssd:as")
-      ->type_name("A:B");
-  command->add_option("-o,--output", arguments->output, "the picture, PNG")->required()->type_name("P.png");
-  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace marrow::tools

@@ -1,12 +1,19 @@
 // `marrow render`: a cooked character at a moment of a clip → a picture.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <string>
 
 namespace marrow::tools {
 
-void add_render(CLI::App& app);
+struct RenderArguments {
+  std::string file, clip, heatmap, output;
+  std::string deformer = "ssd";
+  std::string path = "ubo";
+  std::string size = "960x720";
+  float time_s = 0;
+};
+
+// Throws Failure.
+void run_render(const RenderArguments& arguments);
 
 }  // namespace marrow::tools

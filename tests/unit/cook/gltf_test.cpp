@@ -1,5 +1,5 @@
 // Tests reading glTF: values by hand arithmetic from the specification, and every way a file can be wrong.
-#include "cook/gltf.h"
+#include "cook/gltf/read.h"
 
 #include <sys/stat.h>
 

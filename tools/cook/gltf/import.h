@@ -1,0 +1,44 @@
+// Turns a checked document into a RawScene.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cook/gltf/model.h"
+#include "cook/gltf/report.h"
+#include "cook/gltf/rules.h"
+#include "cook/raw.h"
+
+namespace marrow::cook::gltf {
+
+// What the decoded scene may take in memory. A small file can name the same data ten thousand times over, or let Draco
+// unfold it.
+class Budget {
+ public:
+  explicit Budget(std::uint64_t source_bytes);
+  void take(std::uint64_t bytes, const std::string& where, const Report& report);
+
+ private:
+  std::uint64_t left_;
+};
+
+// A name fit to print and to become a file name: no control or direction-changing characters, no way out of a folder,
+// no device. Anything else stays as it is.
+std::string clean_name(const std::string& name, const std::string& where, Report& report);
+
+std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& graph, Report& report);
+
+std::vector<RawSkin> import_skins(const Document& document, const std::vector<RawNode>& nodes, Report& report);
+
+// One RawMesh a mesh of the document, in its order. Primitives that draw no triangles are left out.
+std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Report& report);
+
+// Also checks that every joint that a mesh uses exists in the skins that it is drawn with; influences that no skin
+// makes sense of are dropped.
+std::vector<RawInstance> import_instances(const Document& document, std::vector<RawMesh>& meshes,
+                                          const std::vector<RawSkin>& skins, Report& report);
+
+std::vector<RawClip> import_clips(const Document& document, Budget& budget, Report& report);
+
+}  // namespace marrow::cook::gltf

@@ -1,0 +1,25 @@
+// Hands a checked document to tinygltf, which turns it into typed structures.
+#pragma once
+
+#include <vector>
+
+#include "cook/gltf/accessor.h"
+#include "cook/gltf/json.h"
+#include "cook/gltf/tinygltf.h"
+
+namespace marrow::cook::gltf {
+
+// Everything that the rules and the import start from.
+struct Document {
+  tinygltf::Model model;  // meshes, nodes, skins, animations, materials and scenes; no bytes
+  std::vector<std::string> extensions_used;
+  std::vector<Accessor> accessors;  // by the document's numbering
+  Buffers buffers;
+};
+
+// tinygltf believes what it reads, so it gets only those parts of the document that check_schema() has been through
+// and that are carried on: no URIs, no images, no extras, no bytes. Channels that aim at nothing Marrow animates are
+// left out with a warning. Eats `root`.
+tinygltf::Model parse_model(Json root, Report& report);
+
+}  // namespace marrow::cook::gltf

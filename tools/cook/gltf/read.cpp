@@ -1,0 +1,85 @@
+// The road from a glTF file to a RawScene, stage by stage.
+#include "cook/gltf/read.h"
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "cook/gltf/buffers.h"
+#include "cook/gltf/container.h"
+#include "cook/gltf/file.h"
+#include "cook/gltf/import.h"
+#include "cook/gltf/json.h"
+#include "cook/gltf/model.h"
+#include "cook/gltf/report.h"
+#include "cook/gltf/rules.h"
+#include "cook/gltf/schema.h"
+
+namespace marrow::cook {
+namespace {
+
+using namespace gltf;
+
+void warn_of_ignored(const Json& root, Report& report) {
+  if (root.contains("cameras")) report.warn("/cameras", "cameras-dropped", "cameras are left out");
+  const auto extensions = root.find("extensions");
+  if (extensions != root.end() && extensions->contains("KHR_lights_punctual")) {
+    report.warn("/extensions/KHR_lights_punctual", "lights-dropped", "lights are left out");
+  }
+}
+
+std::vector<std::string> extensions_used(const Json& root) {
+  const auto used = root.find("extensionsUsed");
+  return used == root.end() ? std::vector<std::string>{} : used->get<std::vector<std::string>>();
+}
+
+Document read_document(const Container& container, const std::optional<std::string>& folder, Report& report) {
+  Json root = parse_json(container, report);
+  check_schema(root, report);
+  check_asset_and_extensions(root, report);
+  check_image_uris(root, report);
+  warn_of_ignored(root, report);
+  Document document;
+  document.buffers = load_buffers(root, container, folder, report);
+  document.accessors = build_accessors(root, document.buffers, report);
+  check_texture_coordinates(root, report);
+  document.extensions_used = extensions_used(root);
+  document.model = parse_model(std::move(root), report);
+  return document;
+}
+
+RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
+                    const std::optional<std::string>& folder) {
+  Report report(name);
+  const Container container = split_container(bytes, report);
+  const Document document = read_document(container, folder, report);
+  const NodeGraph graph = check_nodes(document, report);
+  check_skins(document, graph, report);
+  check_meshes(document, report);
+  check_animations(document, report);
+
+  RawScene scene;
+  scene.source = name;
+  scene.source_bytes = bytes.size() + document.buffers.external_bytes;
+  Budget budget(scene.source_bytes);
+  scene.nodes = import_nodes(document, graph, report);
+  scene.skins = import_skins(document, scene.nodes, report);
+  scene.meshes = import_meshes(document, budget, report);
+  scene.instances = import_instances(document, scene.meshes, scene.skins, report);
+  scene.clips = import_clips(document, budget, report);
+  scene.warnings = report.take_warnings();
+  return scene;
+}
+
+}  // namespace
+
+RawScene read_gltf(const std::string& path) {
+  const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", Report(path));
+  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string());
+}
+
+RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes) {
+  return read_scene(name, bytes, std::nullopt);
+}
+
+}  // namespace marrow::cook
