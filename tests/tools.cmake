@@ -32,3 +32,13 @@ target_link_libraries(marrow_gltf_fuzz PRIVATE marrow_test_support marrow_cook)
 marrow_warnings(marrow_gltf_fuzz)
 add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRENT_SOURCE_DIR}/golden/tiny.gltf)
 set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
+
+# The README's first program, as printed there.
+add_executable(marrow_first_program road/first_program.cpp)
+target_link_libraries(marrow_first_program PRIVATE marrow::runtime)
+marrow_warnings(marrow_first_program)
+add_test(NAME readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/README.md
+  -DFIRST_PROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/road/first_program.cpp -DMARROW=$<TARGET_FILE:marrow>
+  -DBUILT=$<TARGET_FILE:marrow_first_program> -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/road/readme.cmake)
+set_tests_properties(readme PROPERTIES LABELS cli)

@@ -1,5 +1,5 @@
-// The program `marrow`: the command line of every sub-command, and the one place where failures become exit codes. What a
-// sub-command does is in the folder of its name.
+// The program `marrow`: the command line of every sub-command, and the one place where failures become exit codes. What
+// a sub-command does is in the folder of its name.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
