@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN\0"
-constexpr std::size_t kHeaderSize = 12;
+constexpr std::size_t kGlbHeaderSize = 12;
 constexpr std::size_t kChunkHeaderSize = 8;
 
 std::uint32_t read_u32(std::span<const std::byte> file, std::size_t offset) {
@@ -25,12 +25,12 @@ std::string_view text_of(std::span<const std::byte> bytes) {
 
 // The length that the header claims, which is at least one chunk header and no more than the file has.
 std::size_t checked_length(std::span<const std::byte> file, Report& report) {
-  if (file.size() < kHeaderSize) report.invalid(at_offset(file.size()), "GLB header cut short", "export again");
+  if (file.size() < kGlbHeaderSize) report.invalid(at_offset(file.size()), "GLB header cut short", "export again");
   const std::uint32_t version = read_u32(file, 4);
   if (version == 1) report.unsupported("@4", "GLB version 1", "export as glTF 2.0");
   if (version != 2) report.invalid("@4", "unknown GLB version " + std::to_string(version), "export as glTF 2.0");
   const std::size_t length = read_u32(file, 8);
-  if (length < kHeaderSize + kChunkHeaderSize) {
+  if (length < kGlbHeaderSize + kChunkHeaderSize) {
     report.invalid("@8", "GLB length too small", "the header leaves no room for a JSON chunk; export again");
   }
   if (length > file.size()) {
@@ -87,7 +87,7 @@ Container split_glb(std::span<const std::byte> file, Report& report) {
   file = file.first(checked_length(file, report));
   Container container;
   container.binary = true;
-  std::size_t offset = kHeaderSize;
+  std::size_t offset = kGlbHeaderSize;
   for (int number = 0; offset < file.size(); ++number) {
     const Chunk chunk = read_chunk(file, offset, report);
     take_chunk(chunk, number, container, report);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kLongestClip_s = 86'400;  // a day; longer ones are mistakes that cost gigabytes when resampled
 constexpr float kShortestStep_s = 1e-6F;  // slopes across shorter steps overflow
-constexpr double kUnitSlack = 0.02;       // an 8-bit quaternion is off by about one part in 127
-constexpr double kSmallestUnit = 1e-6;
+constexpr double kKeySlack = 0.02;        // an 8-bit quaternion is off by about one part in 127
+constexpr double kSmallestKey = 1e-6;
 
 struct Key {
   std::size_t index;  // in the source
@@ -105,9 +105,9 @@ class ChannelImporter {
     for (std::size_t first = 0; first < numbers.size(); first += per_key * 4) {
       float* value = &numbers[first + per_key / 2 * 4];
       const double length = std::hypot(std::hypot(value[0], value[1]), std::hypot(value[2], value[3]));
-      if (std::abs(length - 1) <= kUnitSlack) continue;
+      if (std::abs(length - 1) <= kKeySlack) continue;
       ++mended;
-      if (length < kSmallestUnit) {
+      if (length < kSmallestKey) {
         value[3] = 1;
         continue;
       }

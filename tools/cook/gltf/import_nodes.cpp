@@ -15,7 +15,7 @@
 namespace marrow::cook::gltf {
 namespace {
 
-constexpr double kUnitSlack = 1e-3;      // exporters print few digits; below this a rotation is normalised in silence
+constexpr double kRotationSlack = 1e-3;  // exporters print few digits; below this a rotation is normalised in silence
 constexpr double kShearSlack = 1e-3;     // cosine between two axes
 constexpr double kSmallestScale = 1e-6;  // keeps matrices invertible, and still cannot be seen
 constexpr double kSmallestAxis = 1e-12;
@@ -47,7 +47,7 @@ glm::dquat unit_rotation(const std::vector<double>& xyzw, const std::string& whe
     report.mend(under(where, "rotation"), "rotation-zero", "a quaternion of length zero; no rotation instead");
     return {1, 0, 0, 0};
   }
-  if (std::abs(length - 1) > kUnitSlack) {
+  if (std::abs(length - 1) > kRotationSlack) {
     report.mend(under(where, "rotation"), "rotation-not-unit", "normalised from length " + std::to_string(length));
   }
   return rotation / length;

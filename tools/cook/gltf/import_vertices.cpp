@@ -10,9 +10,9 @@
 namespace marrow::cook::gltf {
 namespace {
 
-constexpr float kFarthest_m = 1e9F;     // beyond every scene; squares of it still fit a float
-constexpr float kUnitSlack = 0.02F;     // an 8-bit normal is off by up to one part in 64
-constexpr float kSmallestUnit = 1e-6F;  // shorter vectors have no direction worth keeping
+constexpr float kFarthest_m = 1e9F;          // beyond every scene; squares of it still fit a float
+constexpr float kDirectionSlack = 0.02F;     // an 8-bit normal is off by up to one part in 64
+constexpr float kSmallestDirection = 1e-6F;  // shorter vectors have no direction worth keeping
 constexpr float kClampSlack = 1e-3F;
 
 // While decoding: Draco's corner table and attribute maps.
@@ -173,8 +173,8 @@ void import_normals(VertexSource& source, RawPrimitive& raw, Report& report) {
   for (std::size_t v = 0; v < source.count(); ++v) {
     const glm::vec3 normal(values[v * 3], values[v * 3 + 1], values[v * 3 + 2]);
     const float length = static_cast<float>(glm::length(glm::dvec3(normal)));
-    if (std::isfinite(length) && length > kSmallestUnit) {
-      if (std::abs(length - 1) > kUnitSlack) ++rescaled;
+    if (std::isfinite(length) && length > kSmallestDirection) {
+      if (std::abs(length - 1) > kDirectionSlack) ++rescaled;
       raw.normals.push_back(normal / length);
       continue;
     }
@@ -204,10 +204,10 @@ void import_tangents(VertexSource& source, RawPrimitive& raw, Report& report) {
     const float* from = &values[v * 4];
     glm::vec3 direction(from[0], from[1], from[2]);
     const float length = static_cast<float>(glm::length(glm::dvec3(direction)));
-    const bool usable = std::isfinite(length) && length > kSmallestUnit;
+    const bool usable = std::isfinite(length) && length > kSmallestDirection;
     direction = usable ? direction / length : any_perpendicular(raw.normals[v]);
-    const bool sign_ok = std::abs(std::abs(from[3]) - 1) <= kUnitSlack;
-    if (!usable || std::abs(length - 1) > kUnitSlack || !sign_ok) ++mended;
+    const bool sign_ok = std::abs(std::abs(from[3]) - 1) <= kDirectionSlack;
+    if (!usable || std::abs(length - 1) > kDirectionSlack || !sign_ok) ++mended;
     raw.tangents.emplace_back(direction, from[3] < 0 ? -1.0F : 1.0F);
   }
   if (mended > 0 && source.has_data("TANGENT")) {

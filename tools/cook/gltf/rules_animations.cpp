@@ -8,9 +8,9 @@
 namespace marrow::cook::gltf {
 namespace {
 
-class Checker {
+class AnimationChecker {
  public:
-  Checker(const Document& document, std::size_t index, std::vector<bool>& times_checked, Report& report)
+  AnimationChecker(const Document& document, std::size_t index, std::vector<bool>& times_checked, Report& report)
       : document_(document),
         animation_(document.model.animations[index]),
         where_(pointer("animations", index)),
@@ -124,7 +124,7 @@ class Checker {
 void check_animations(const Document& document, Report& report) {
   std::vector<bool> times_checked(document.accessors.size());
   for (std::size_t i = 0; i < document.model.animations.size(); ++i) {
-    Checker(document, i, times_checked, report).check();
+    AnimationChecker(document, i, times_checked, report).check();
   }
 }
 

@@ -83,9 +83,9 @@ const Semantic* find_semantic(std::string_view name) {
 
 enum Role : std::uint8_t { kVertexRole = 1, kIndexRole = 2 };
 
-class Checker {
+class MeshChecker {
  public:
-  Checker(const Document& document, Report& report)
+  MeshChecker(const Document& document, Report& report)
       : document_(document),
         report_(report),
         role_(document.buffers.views.size()),
@@ -259,7 +259,7 @@ std::int64_t highest_texture_coordinate(const Json& material) {
 }  // namespace
 
 void check_meshes(const Document& document, Report& report) {
-  Checker checker(document, report);
+  MeshChecker checker(document, report);
   for (std::size_t i = 0; i < document.model.meshes.size(); ++i) checker.check_mesh(i);
 }
 
