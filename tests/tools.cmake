@@ -12,7 +12,7 @@ target_include_directories(marrow_reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVATE draco::draco)
 marrow_warnings(marrow_reference)
 
-marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/cooked.cpp)
+marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/cooked.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")

@@ -20,6 +20,9 @@ class BadInput : public ::testing::Test {
     write_text(in("text"), "once upon a time\n");
     write_text(in("no_meshes.gltf"),
                R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"n"}]})");
+    write_text(in("no_triangles.gltf"),
+               R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"NORMAL":0}}]}],)"
+               R"("accessors":[{"type":"VEC3","componentType":5126,"count":3}]})");
     write_text(in("old.gltf"), R"({"asset":{"version":"1.0"}})");
     write_text(in("needs.gltf"), with_extension());
     write_text(in("cut.glb"), std::string("glTF\2\0\0\0\0\1\0\0\xF0\0\0\0JSON{\"asset\"", 28));
@@ -65,16 +68,22 @@ TEST_F(BadInput, Cook) {
   const struct {
     std::string input;
     int code;
-  } cases[] = {{in("absent.glb"), kIo},          {in(""), kIo},
-               {in("empty"), kInvalid},          {in("picture"), kInvalid},
-               {in("text"), kInvalid},           {in("no_meshes.gltf"), kInvalid},
-               {in("cut.glb"), kInvalid},        {in("good.mrw"), kInvalid},
-               {in("needs.gltf"), kUnsupported}, {"/dev/null", kIo}};
+  } cases[] = {{in("absent.glb"), kIo},
+               {in(""), kIo},
+               {in("empty"), kInvalid},
+               {in("picture"), kInvalid},
+               {in("text"), kInvalid},
+               {in("no_meshes.gltf"), kInvalid},
+               {in("no_triangles.gltf"), kInvalid},
+               {in("cut.glb"), kInvalid},
+               {in("good.mrw"), kInvalid},
+               {in("needs.gltf"), kUnsupported},
+               {"/dev/null", kIo}};
   for (const auto& c : cases) {
     expect_failure({"cook", c.input, "-o", out("x.mrw")}, c.code, c.input);
     expect_failure({"cook", c.input, "-o", out("x.mrw"), "--report", out("r.json")}, c.code, c.input);
   }
-  EXPECT_EQ(cases_, 20);
+  EXPECT_EQ(cases_, 22);
   const int old = run_marrow({"cook", in("old.gltf"), "-o", out("x.mrw")}).code;
   EXPECT_TRUE(old == kInvalid || old == kUnsupported) << old;
   EXPECT_TRUE(outputs_.listing().empty());

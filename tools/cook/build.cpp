@@ -1,5 +1,7 @@
 #include "cook/build.h"
 
+#include <algorithm>
+
 #include "common/failure.h"
 
 namespace marrow::cook {
@@ -32,6 +34,12 @@ void place_unplaced_meshes(RawScene& scene) {
     scene.warnings.push_back({"/nodes", "meshes-without-nodes", "no node draws a mesh; each is placed at the origin"});
 }
 
+bool has_triangles(const RawScene& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const RawInstance& instance) {
+    return !scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives.empty();
+  });
+}
+
 }  // namespace
 
 BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
@@ -39,6 +47,9 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   if (scene.instances.empty()) place_unplaced_meshes(scene);
   if (scene.instances.empty())
     throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes", "the file has no mesh to cook");
+  if (!has_triangles(scene))
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
+                         "no mesh in the scene has triangles to cook");
   out.skeleton = build_skeleton(scene);
   for (const RawClip& clip : scene.clips) out.clips.push_back(build_clip(clip, out.skeleton));
   build_meshes(scene, options, out);

@@ -264,9 +264,6 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
       out.meshes.push_back(build_mesh(scene, instance, primitives[i], found->second, skinned, out.skeleton));
     }
   }
-  if (out.meshes.empty())
-    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
-                         "no mesh in the scene has triangles to cook");
 }
 
 }  // namespace marrow::cook
