@@ -13,7 +13,7 @@ inline f32x4 affine_row(f32x4 a, f32x4 b0, f32x4 b1, f32x4 b2) {
 
 // out = a · b, with b given by its rows. out may be a.
 inline void multiply(const Affine& a, f32x4 b0, f32x4 b1, f32x4 b2, Affine& out) {
-  for (int row = 0; row < 3; ++row) store(out.rows[row], affine_row(load(a.rows[row]), b0, b1, b2));
+  for (int row = 0; row < 3; ++row) store(out.rows[row], affine_row(load_aligned(a.rows[row]), b0, b1, b2));
 }
 
 }  // namespace marrow

@@ -3,6 +3,8 @@
 
 #include <arm_neon.h>
 
+#include <cstdint>
+
 namespace marrow {
 
 struct f32x4 {
@@ -14,6 +16,12 @@ struct mask4 {
 
 inline f32x4 load(const float* p) {
   return {vld1q_f32(p)};
+}
+inline f32x4 load_aligned(const float* p) {
+  return {vld1q_f32(p)};
+}
+inline f32x4 from_ints(const std::int32_t* p) {
+  return {vcvtq_f32_s32(vld1q_s32(p))};
 }
 inline void store(float* p, f32x4 a) {
   vst1q_f32(p, a.v);
@@ -41,6 +49,17 @@ inline mask4 operator<(f32x4 a, f32x4 b) {
 }
 inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
   return {vbslq_f32(m.v, yes.v, no.v)};
+}
+inline bool any(mask4 m) {
+  return vmaxvq_u32(m.v) != 0;
+}
+inline f32x4 clamp_to_unit(f32x4 a) {
+  const uint32x4_t positive = vandq_u32(vreinterpretq_u32_f32(a.v), vcgtzq_f32(a.v));
+  return {vminq_f32(vreinterpretq_f32_u32(positive), vdupq_n_f32(1.0f))};
+}
+inline f32x4 flip(f32x4 a, f32x4 by) {
+  const uint32x4_t sign = vandq_u32(vreinterpretq_u32_f32(by.v), vdupq_n_u32(0x80000000u));
+  return {vreinterpretq_f32_u32(veorq_u32(vreinterpretq_u32_f32(a.v), sign))};
 }
 
 template <int Lane>

@@ -1,6 +1,8 @@
 // f32x4 in plain C++: the reference that the SIMD backends must equal bit for bit.
 #pragma once
 
+#include <cstdint>
+
 namespace marrow {
 
 struct f32x4 {
@@ -17,6 +19,12 @@ inline f32x4 each_lane(Operation operation) {
 
 inline f32x4 load(const float* p) {
   return {{p[0], p[1], p[2], p[3]}};
+}
+inline f32x4 load_aligned(const float* p) {
+  return load(p);
+}
+inline f32x4 from_ints(const std::int32_t* p) {
+  return {{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), static_cast<float>(p[3])}};
 }
 inline void store(float* p, f32x4 a) {
   for (int i = 0; i < 4; ++i) p[i] = a.v[i];
@@ -44,6 +52,15 @@ inline mask4 operator<(f32x4 a, f32x4 b) {
 }
 inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
   return each_lane([&](int i) { return m.v[i] ? yes.v[i] : no.v[i]; });
+}
+inline bool any(mask4 m) {
+  return m.v[0] || m.v[1] || m.v[2] || m.v[3];
+}
+inline f32x4 clamp_to_unit(f32x4 a) {
+  return each_lane([&](int i) { return !(0.0f < a.v[i]) ? 0.0f : a.v[i] < 1.0f ? a.v[i] : 1.0f; });
+}
+inline f32x4 flip(f32x4 a, f32x4 by) {
+  return each_lane([&](int i) { return __builtin_signbit(by.v[i]) ? -a.v[i] : a.v[i]; });
 }
 
 template <int Lane>

@@ -3,6 +3,8 @@
 
 #include <emmintrin.h>
 
+#include <cstdint>
+
 namespace marrow {
 
 struct f32x4 {
@@ -14,6 +16,13 @@ struct mask4 {
 
 inline f32x4 load(const float* p) {
   return {_mm_loadu_ps(p)};
+}
+// From a multiple of 16 bytes: may be folded into what uses it.
+inline f32x4 load_aligned(const float* p) {
+  return {_mm_load_ps(p)};
+}
+inline f32x4 from_ints(const std::int32_t* p) {
+  return {_mm_cvtepi32_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p)))};
 }
 inline void store(float* p, f32x4 a) {
   _mm_storeu_ps(p, a.v);
@@ -41,6 +50,17 @@ inline mask4 operator<(f32x4 a, f32x4 b) {
 }
 inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
   return {_mm_or_ps(_mm_and_ps(m.v, yes.v), _mm_andnot_ps(m.v, no.v))};
+}
+inline bool any(mask4 m) {
+  return _mm_movemask_ps(m.v) != 0;
+}
+// a between 0 and 1; NaN gives 0.
+inline f32x4 clamp_to_unit(f32x4 a) {
+  return {_mm_min_ps(_mm_max_ps(a.v, _mm_setzero_ps()), _mm_set1_ps(1.0f))};
+}
+// a, negated where the sign bit of `by` is set.
+inline f32x4 flip(f32x4 a, f32x4 by) {
+  return {_mm_xor_ps(a.v, _mm_and_ps(by.v, _mm_set1_ps(-0.0f)))};
 }
 
 template <int Lane>

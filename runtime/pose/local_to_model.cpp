@@ -11,36 +11,90 @@ struct FourMatrices {
   f32x4 rows[3][4];  // [row][joint]
 };
 
+inline void store_row(f32x4 a, f32x4 b, f32x4 c, f32x4 d, f32x4 (&row)[4]) {
+  transpose(a, b, c, d);
+  row[0] = a, row[1] = b, row[2] = c, row[3] = d;
+}
+
 // Rotation matrix of a unit quaternion, columns scaled, translation in the fourth column.
-FourMatrices to_matrices(const SoaTransform& t) {
-  const f32x4 x = load(t.rotation[0]), y = load(t.rotation[1]), z = load(t.rotation[2]), w = load(t.rotation[3]);
-  const f32x4 sx = load(t.scale[0]), sy = load(t.scale[1]), sz = load(t.scale[2]);
+inline void to_matrices(const SoaTransform& t, FourMatrices& m) {
+  const f32x4 x = load_aligned(t.rotation[0]), y = load_aligned(t.rotation[1]), z = load_aligned(t.rotation[2]),
+              w = load_aligned(t.rotation[3]);
+  const f32x4 sx = load_aligned(t.scale[0]), sy = load_aligned(t.scale[1]), sz = load_aligned(t.scale[2]);
   const f32x4 one = splat(1.0f);
   const f32x4 x2 = x + x, y2 = y + y, z2 = z + z;
   const f32x4 xx = x * x2, yy = y * y2, zz = z * z2;
   const f32x4 xy = x * y2, xz = x * z2, yz = y * z2;
   const f32x4 wx = w * x2, wy = w * y2, wz = w * z2;
-  FourMatrices m = {{{(one - (yy + zz)) * sx, (xy - wz) * sy, (xz + wy) * sz, load(t.translation[0])},
-                     {(xy + wz) * sx, (one - (xx + zz)) * sy, (yz - wx) * sz, load(t.translation[1])},
-                     {(xz - wy) * sx, (yz + wx) * sy, (one - (xx + yy)) * sz, load(t.translation[2])}}};
-  for (f32x4(&row)[4] : m.rows) transpose(row[0], row[1], row[2], row[3]);
-  return m;
+  // Row by row, so that few registers are needed at a time.
+  f32x4 a = (one - (yy + zz)) * sx, b = (xy - wz) * sy, c = (xz + wy) * sz, d = load_aligned(t.translation[0]);
+  store_row(a, b, c, d, m.rows[0]);
+  a = (xy + wz) * sx, b = (one - (xx + zz)) * sy, c = (yz - wx) * sz, d = load_aligned(t.translation[1]);
+  store_row(a, b, c, d, m.rows[1]);
+  a = (xz - wy) * sx, b = (yz + wx) * sy, c = (one - (xx + yy)) * sz, d = load_aligned(t.translation[2]);
+  store_row(a, b, c, d, m.rows[2]);
+}
+
+// Joints `first` … `end` - 1, whose parents are done.
+void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::uint32_t first, std::uint32_t end,
+                      Affine* out) {
+  const std::uint16_t* const parents = skeleton.parents;
+  const Affine* const roots = skeleton.scene_from_root;
+  const std::uint32_t root_count = skeleton.root_count;
+  for (std::uint32_t joint = first; joint < end;) {
+    FourMatrices m;
+    to_matrices(local[joint / 4], m);
+    if (joint % 4 == 0 && joint + 4 <= end && root_count <= joint) {
+      const std::uint16_t* const above = parents + joint;
+      Affine* const to = out + joint;
+      multiply(out[above[0]], m.rows[0][0], m.rows[1][0], m.rows[2][0], to[0]);
+      multiply(out[above[1]], m.rows[0][1], m.rows[1][1], m.rows[2][1], to[1]);
+      multiply(out[above[2]], m.rows[0][2], m.rows[1][2], m.rows[2][2], to[2]);
+      multiply(out[above[3]], m.rows[0][3], m.rows[1][3], m.rows[2][3], to[3]);
+      joint += 4;
+      continue;
+    }
+    do {
+      const Affine& above = joint < root_count ? roots[joint] : out[parents[joint]];
+      const std::uint32_t lane = joint % 4;
+      multiply(above, m.rows[0][lane], m.rows[1][lane], m.rows[2][lane], out[joint]);
+      ++joint;
+    } while (joint % 4 != 0 && joint < end);
+  }
 }
 
 }  // namespace
 
 Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out) {
+  return local_to_model_first(skeleton, local, skeleton.joint_count, out);
+}
+
+Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint_count,
+                            Span<Affine> out) {
+  MARROW_REQUIRE(joint_count <= skeleton.joint_count);
+  MARROW_REQUIRE(local.size >= soa_count(joint_count));
+  MARROW_REQUIRE(out.size >= joint_count);
+  transform_joints(skeleton, local.data, 0, joint_count, out.data);
+  return Status::ok;
+}
+
+// Breadth-first order keeps the children of neighbours together, so the descendants of each generation are one range.
+Status local_to_model_below(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint,
+                            Span<Affine> out) {
+  const std::uint32_t count = skeleton.joint_count;
+  const std::uint16_t* const parents = skeleton.parents;
+  MARROW_REQUIRE(joint < count);
   MARROW_REQUIRE(local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(out.size >= skeleton.joint_count);
-  for (std::uint32_t first = 0; first < skeleton.joint_count; first += 4) {
-    const FourMatrices m = to_matrices(local[first / 4]);
-    const std::uint32_t end = first + 4 < skeleton.joint_count ? first + 4 : skeleton.joint_count;
-    for (std::uint32_t joint = first; joint < end; ++joint) {
-      const Affine& above =
-          joint < skeleton.root_count ? skeleton.scene_from_root[joint] : out[skeleton.parents[joint]];
-      const std::uint32_t lane = joint - first;
-      multiply(above, m.rows[0][lane], m.rows[1][lane], m.rows[2][lane], out[joint]);
-    }
+  MARROW_REQUIRE(out.size >= count);
+  std::uint32_t first = joint, end = joint + 1;
+  while (first < end) {
+    transform_joints(skeleton, local.data, first, end, out.data);
+    std::uint32_t begin = end > skeleton.root_count ? end : skeleton.root_count;
+    while (begin < count && parents[begin] < first) ++begin;
+    std::uint32_t past = begin;
+    while (past < count && parents[past] < end) ++past;
+    first = begin;
+    end = past;
   }
   return Status::ok;
 }

@@ -43,7 +43,7 @@ void linear(const Track& track, const Moment& m, const float* keys, int n, float
   if (track.path != Path::rotation) return mix(a, b, 1.0f - m.u, m.u, n, out);
   float chord_squared = 0.0f;
   for (int i = 0; i < 4; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
-  const SlerpWeights w = slerp_weights(chord_squared, m.u);
+  const SlerpWeights<float> w = slerp_weights(chord_squared, m.u);
   mix(a, b, w.a, w.b, 4, out);
 }
 

@@ -9,10 +9,13 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
                      Span<Affine> out) {
   MARROW_REQUIRE(bind.size >= joints.size);
   MARROW_REQUIRE(out.size >= joints.size);
-  for (const std::uint16_t joint : joints) MARROW_REQUIRE(joint < scene_from_joint.size);
+  std::uint16_t last = 0;
+  for (const std::uint16_t joint : joints) last = last < joint ? joint : last;
+  MARROW_REQUIRE(joints.empty() || last < scene_from_joint.size);
   for (std::size_t i = 0; i < joints.size; ++i) {
     const Affine& b = bind[i];
-    multiply(scene_from_joint[joints[i]], load(b.rows[0]), load(b.rows[1]), load(b.rows[2]), out[i]);
+    multiply(scene_from_joint[joints[i]], load_aligned(b.rows[0]), load_aligned(b.rows[1]), load_aligned(b.rows[2]),
+             out[i]);
   }
   return Status::ok;
 }

@@ -31,13 +31,28 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
       tangents(mesh.geometry.slot_count * 4);
   ASSERT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
   const SkinOutput out{positions, normals, tangents};
+  std::vector<SoaTransform> first(local.size()), blended(local.size());
+  std::vector<AdditiveTransform> change(local.size());
+  const std::vector<float> mask(local.size() * 4, 0.5f);
+  std::vector<InertialOffset> offsets(local.size());
+  Inertia inertia;
+  inertia.offsets = offsets;
+  ASSERT_EQ(sample(skeleton, clip, 0, first), Status::ok);
 
   int failures = 0;
   const std::size_t before = test::allocation_count();
   for (int frame = 0; frame < 1000; ++frame) {
     const float time_s = static_cast<float>(frame) * clip.duration_s / 999;
     failures += sample(skeleton, clip, time_s, local) != Status::ok;
+    const BlendLayer layers[] = {{first, 0.5f, {}}, {local, 0.5f, mask}};
+    failures += blend(skeleton, {layers, 2}, blended) != Status::ok;
+    failures += overlay(skeleton, layers[1], blended) != Status::ok;
+    failures += make_additive(skeleton, local, first, change) != Status::ok;
+    failures += add(skeleton, {change, 0.25f, mask}, blended) != Status::ok;
+    failures += begin_inertia(skeleton, {first, first, local, {}, 0.01f}, 0.5f, inertia) != Status::ok;
+    failures += apply_inertia(skeleton, inertia, 0.1f, blended) != Status::ok;
     failures += local_to_model(skeleton, local, model) != Status::ok;
+    failures += local_to_model_below(skeleton, blended, 3, model) != Status::ok;
     failures += build_palette(mesh, model, palette) != Status::ok;
     failures += skin_rigid(mesh, palette, out) != Status::ok;
     failures += skin_ssd(mesh, palette, out) != Status::ok;

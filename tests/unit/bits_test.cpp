@@ -9,6 +9,7 @@
 
 #include "support/golden.h"
 #include "support/pose_file.h"
+#include "support/poses.h"
 #include "support/rig.h"
 
 namespace marrow {
@@ -88,6 +89,115 @@ TEST(Bits, CreatureOfNoiseWithResiduals) {
                  0x87E0E1E053627420,
                  0x2991113F2FC9A40C,
                  {0x734C3F0E1F5BA270, 0x2B2438A337C8A20D, 0xEBC19E0B4B90A051}});
+}
+
+// A rotating and a plain curve of every kind at sixty moments.
+std::uint64_t curves_hash(test::Random& random) {
+  std::uint64_t h = test::kHashStart;
+  for (int kind = 0; kind <= static_cast<int>(CurveKind::centripetal); ++kind) {
+    for (const bool rotation : {false, true}) {
+      std::vector<float> times(6), values(curve_value_count(static_cast<CurveKind>(kind), 4, times.size()));
+      for (std::size_t k = 0; k < times.size(); ++k) times[k] = static_cast<float>(k * k + k) * 0.15625f;
+      for (std::size_t i = 0; i < values.size(); i += 4) {
+        const test::Quat q = rotation ? random.rotation()
+                                      : test::Quat{random.between(-2, 2), random.between(-2, 2), random.between(-2, 2),
+                                                   random.between(-2, 2)};
+        for (std::size_t c = 0; c < 4; ++c) values[i + c] = static_cast<float>(q[c]);
+      }
+      const Curve curve{static_cast<CurveKind>(kind), rotation, 4, times, values};
+      std::vector<float> out(4), velocity(4);
+      for (int moment = 0; moment < 60; ++moment) {
+        const float time_s = static_cast<float>(moment) * 0.078125f;
+        EXPECT_EQ(evaluate_curve(curve, time_s, out), Status::ok);
+        EXPECT_EQ(curve_velocity(curve, time_s, velocity), rotation ? Status::unsupported : Status::ok);
+        h = hash_of(velocity, hash_of(out, h));
+      }
+    }
+  }
+  return h;
+}
+
+// Control points without keys, a spline and its lengths.
+std::uint64_t paths_hash(test::Random& random) {
+  std::vector<float> times(12), values(48), spline(144), lengths(11 * 8 + 1), scratch(48), out(4);
+  for (std::size_t k = 0; k < times.size(); ++k) times[k] = static_cast<float>(k) + 0.25f * static_cast<float>(k % 3);
+  for (float& f : values) f = static_cast<float>(random.between(-2, 2));
+  EXPECT_EQ(natural_spline({CurveKind::linear, false, 4, times, values}, spline), Status::ok);
+  const Curve curve{CurveKind::hermite, false, 4, times, spline};
+  EXPECT_EQ(build_arc_length(curve, 8, lengths), Status::ok);
+  std::uint64_t h = hash_of(lengths, hash_of(spline));
+  for (int i = 0; i <= 64; ++i) {
+    const float u = static_cast<float>(i) / 64;
+    float time_s = 0;
+    EXPECT_EQ(time_at_distance(curve, {8, lengths}, u * lengths.back(), time_s), Status::ok);
+    h = test::hash(h, &time_s, sizeof(time_s));
+    EXPECT_EQ(bezier(values, 4, u, scratch, out), Status::ok);
+    h = hash_of(out, h);
+    for (const PatchBasis basis : {PatchBasis::catmull_rom, PatchBasis::bezier}) {
+      EXPECT_EQ(bicubic_patch(basis, values, 3, u, 1 - u * u, out), Status::ok);
+      h = hash_of(out, h);
+    }
+  }
+  return h;
+}
+
+std::uint64_t easings_hash() {
+  std::uint64_t h = test::kHashStart;
+  for (int i = 0; i <= 500; ++i) {
+    const float u = static_cast<float>(i) / 500;
+    std::vector<float> out(1);
+    for (int easing = 0; easing <= static_cast<int>(Easing::bounce); ++easing) {
+      for (const EaseMode mode : {EaseMode::in, EaseMode::out, EaseMode::in_out})
+        out.push_back(ease(static_cast<Easing>(easing), mode, u));
+    }
+    EXPECT_EQ(ease(CubicBezierEase{}, u, out[0]), Status::ok);
+    h = hash_of(out, h);
+  }
+  return h;
+}
+
+TEST(Bits, Curves) {
+  test::Random random(53);
+  EXPECT_EQ(curves_hash(random), 0xA7B621FF61A04C56u) << "kinds of curves";
+  EXPECT_EQ(paths_hash(random), 0x0971799CF199F8C9u) << "splines, arc length, Bézier curves and patches";
+  EXPECT_EQ(easings_hash(), 0x103498BA5D13A5C3u) << "easings";
+}
+
+// Every way through blend, overlay, add and inertialisation, on poses of noise.
+TEST(Bits, BlendsAndTransitions) {
+  test::Poses p(53, 67, 6);
+  std::uint64_t blended = test::kHashStart, inertial = test::kHashStart;
+  for (std::size_t count = 0; count <= 6; ++count) {
+    for (const bool masked : {false, true}) {
+      std::vector<BlendLayer> layers;
+      for (std::size_t l = 0; l < count; ++l)
+        layers.push_back({p.pose[l], 0.25f + static_cast<float>(l), masked ? p.masks(l) : Span<const float>()});
+      EXPECT_EQ(blend(p.skeleton, layers, p.out), Status::ok);
+      blended = hash_of(p.out, blended);
+    }
+  }
+  std::vector<AdditiveTransform> change(p.groups());
+  EXPECT_EQ(make_additive(p.skeleton, p.pose[0], p.pose[1], change), Status::ok);
+  EXPECT_EQ(overlay(p.skeleton, {p.pose[2], 0.75f, p.masks(2)}, p.out), Status::ok);
+  EXPECT_EQ(add(p.skeleton, {change, 0.5f, p.masks(3)}, p.out), Status::ok);
+  blended = hash_of(change, hash_of(p.out, blended));
+
+  std::vector<InertialOffset> memory(p.groups());
+  Inertia inertia;
+  inertia.offsets = memory;
+  EXPECT_EQ(begin_inertia(p.skeleton, {p.pose[0], p.pose[1], p.pose[2], p.pose[3], 0.015625f}, 0.5f, inertia),
+            Status::ok);
+  inertial = hash_of(memory, inertial);
+  for (int moment = 0; moment < 20; ++moment) {
+    p.out = p.pose[2];
+    const float time_s = static_cast<float>(moment) * 0.028f;
+    EXPECT_EQ(apply_inertia(p.skeleton, inertia, time_s, p.out), Status::ok);
+    inertial = hash_of(p.out, inertial);
+    const float fade[] = {fade_weight(Fade::smoothstep, time_s, 0.5f), fade_weight(Fade::smootherstep, time_s, 0.5f)};
+    inertial = test::hash(inertial, fade, sizeof fade);
+  }
+  EXPECT_EQ(blended, 0x3CFCE92EA8325C8Cu) << "blend, overlay, add";
+  EXPECT_EQ(inertial, 0x6D13E9D127642971u) << "inertialisation, fades";
 }
 
 TEST(Bits, GoldenFile) {

@@ -1,9 +1,12 @@
 // The whole runtime, in the order in which a frame goes through it.
 #pragma once
 
+#include "marrow/blend.h"           //    between them    several poses → one
+#include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh
 #include "marrow/local_to_model.h"  // 3. local to model  local pose → scene-space joints
 #include "marrow/palette.h"         // 4. palette         joints → skinning matrices
 #include "marrow/sample.h"          // 2. sample          Clip, time → local pose
 #include "marrow/skin.h"            // 5. skin            rigid, SSD, animation space
 #include "marrow/status.h"          // how calls fail
+#include "marrow/transition.h"      //    between them    one clip → the next

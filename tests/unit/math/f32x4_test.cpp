@@ -94,6 +94,24 @@ TEST(F32x4, ComparisonAndSelection) {
   EXPECT_GT(cases, 2500);
 }
 
+TEST(F32x4, SignsAndRanges) {
+  const int cases = for_pairs([](const float* a, const float* b) {
+    float flipped[4], clamped[4];
+    bool less = false;
+    for (int i = 0; i < 4; ++i) {
+      flipped[i] = std::signbit(b[i]) ? -a[i] : a[i];
+      clamped[i] = a[i] > 0 ? std::fmin(a[i], 1.0f) : 0.0f;
+      less |= a[i] < b[i];
+    }
+    alignas(16) const float aligned[4] = {a[0], a[1], a[2], a[3]};
+    const f32x4 x = load_aligned(aligned), y = load(b);
+    expect_lanes(flip(x, y), flipped, "flip");
+    expect_lanes(clamp_to_unit(x), clamped, "clamp_to_unit");
+    ASSERT_EQ(any(x < y), less);
+  });
+  EXPECT_GT(cases, 2500);
+}
+
 // Products that a fused multiply-add would round once instead of twice.
 TEST(F32x4, NothingIsFused) {
   test::Random random(2);

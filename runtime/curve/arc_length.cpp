@@ -1,0 +1,74 @@
+// A path → its length table; a distance → the time that is there.
+#include "core/check.h"
+#include "curve/segment.h"
+
+namespace marrow {
+namespace {
+
+float speed(const Segment& segment, float u) {
+  float slope[kMaxComponents];
+  segment_slope(segment, u, slope);
+  return __builtin_sqrtf(dot(slope, slope, segment.components));
+}
+
+// Three-point Gauss-Legendre quadrature of the speed over `width` around `centre`, exact to degree 5.
+float stretch_length(const Segment& segment, float centre, float width) {
+  constexpr float kNode = 0.387298335f;  // √(3/5) / 2
+  const float ends = speed(segment, centre - kNode * width) + speed(segment, centre + kNode * width);
+  return width * (5.0f * ends + 8.0f * speed(segment, centre)) / 18.0f;
+}
+
+Status check_path(const Curve& curve, std::uint32_t steps, std::size_t length_count) {
+  if (const Status status = check_counts(curve); status != Status::ok) return status;
+  if (curve.rotation || curve.kind == CurveKind::step) return Status::unsupported;
+  MARROW_REQUIRE(steps >= 1);
+  // Divided, not multiplied: no number of steps overflows.
+  MARROW_REQUIRE(length_count >= 1 && (length_count - 1) / steps >= curve.times_s.size - 1);
+  return Status::ok;
+}
+
+}  // namespace
+
+Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out) {
+  if (const Status status = check_path(curve, steps, out.size); status != Status::ok) return status;
+  const float width = 1.0f / static_cast<float>(steps);
+  double sum = 0.0;  // so that many short steps do not round away
+  float* length = out.data;
+  *length++ = 0.0f;
+  for (std::size_t key = 0; key + 1 < curve.times_s.size; ++key) {
+    const Segment segment = make_segment(curve, key);
+    for (std::uint32_t step = 0; step < steps; ++step) {
+      sum += static_cast<double>(stretch_length(segment, (static_cast<float>(step) + 0.5f) * width, width));
+      *length++ = static_cast<float>(sum);
+    }
+  }
+  return is_finite(static_cast<float>(sum)) ? Status::ok : Status::bad_data;
+}
+
+Status time_at_distance(const Curve& curve, const ArcLength& table, float distance, float& time_s) {
+  if (const Status status = check_path(curve, table.steps, table.lengths.size); status != Status::ok) return status;
+  MARROW_REQUIRE(distance == distance);
+  const std::size_t last = arc_length_count(curve.times_s.size, table.steps) - 1;
+  const float* const lengths = table.lengths.data;
+  if (!(distance < lengths[last])) {
+    time_s = curve.times_s[curve.times_s.size - 1];
+    return Status::ok;
+  }
+  if (distance < 0.0f) distance = 0.0f;
+  std::size_t low = 0, high = last;  // lengths[low] ≤ distance < lengths[high]
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (distance < lengths[middle]) {
+      high = middle;
+    } else {
+      low = middle;
+    }
+  }
+  const float part = (distance - lengths[low]) / (lengths[high] - lengths[low]);
+  const std::size_t key = low / table.steps;
+  const float u = (static_cast<float>(low % table.steps) + part) / static_cast<float>(table.steps);
+  time_s = (1.0f - u) * curve.times_s[key] + u * curve.times_s[key + 1];
+  return Status::ok;
+}
+
+}  // namespace marrow

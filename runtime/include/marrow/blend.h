@@ -1,0 +1,69 @@
+// Stage 2½, blend: local poses of one skeleton → one local pose.
+//
+// Three functions, in the order in which a frame uses them: blend() averages, overlay() replaces parts, add() lays
+// changes on top. All work on whole groups of four joints, allocate nothing and are thread-safe on different outputs.
+#pragma once
+
+#include "marrow/file.h"
+
+namespace marrow {
+
+// The largest weight of a layer; results stay far from the limits of float.
+inline constexpr float kMaxBlendWeight = 1e6f;
+// Below this sum of weights a joint is filled up with its rest pose.
+inline constexpr float kRestThreshold = 0.1f;
+
+// A pose and how much of it.
+struct BlendLayer {
+  Span<const SoaTransform> pose;  // at least skeleton.soa_size()
+  float weight = 1.0f;            // 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
+  // A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint;
+  // else at least 4 · skeleton.soa_size() floats, in joint order, so that a group's factors are read at once.
+  Span<const float> mask;
+};
+
+// out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
+// as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
+//
+// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it, so the result
+// is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
+// below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
+// single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
+// below 1e-12 of the sum.
+//
+// layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
+// kMaxBlendWeight.
+// Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
+// Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
+Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTransform> out,
+             float threshold = kRestThreshold);
+
+// Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
+// pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
+// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
+
+// The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
+// translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
+struct AdditiveTransform {
+  SoaTransform change;
+};
+
+struct AdditiveLayer {
+  Span<const AdditiveTransform> change;  // at least skeleton.soa_size()
+  float weight = 1.0f;                   // 0 … 1
+  Span<const float> mask;                // as in BlendLayer
+};
+
+// out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
+// scales (1 where the reference is 0). Done once a clip's frame or at load; rotations must be unit quaternions.
+// Errors: bad_argument if a span is too short.
+Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Span<const SoaTransform> reference,
+                     Span<AdditiveTransform> out);
+
+// Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
+// mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
+// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+Status add(const Skeleton& skeleton, const AdditiveLayer& layer, Span<SoaTransform> pose);
+
+}  // namespace marrow

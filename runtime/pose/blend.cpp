@@ -1,0 +1,249 @@
+#include "marrow/blend.h"
+
+#include <cstring>
+
+#include "core/check.h"
+#include "math/f32x4.h"
+#include "pose/mask.h"
+
+namespace marrow {
+namespace {
+
+// Four joints' weighted sums.
+struct Sum {
+  f32x4 translation[3], rotation[4], scale[3];
+};
+
+inline f32x4 dot4(const f32x4 (&a)[4], const f32x4 (&b)[4]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+// sum += w q, in the sum's hemisphere: the sign goes into the weight.
+inline void add_rotation(f32x4 (&sum)[4], const SoaTransform& x, f32x4 w) {
+  const f32x4 q[4] = {load_aligned(x.rotation[0]), load_aligned(x.rotation[1]), load_aligned(x.rotation[2]),
+                      load_aligned(x.rotation[3])};
+  const f32x4 signed_w = flip(w, dot4(q, sum));
+  for (int i = 0; i < 4; ++i) sum[i] = sum[i] + q[i] * signed_w;
+}
+
+// Unit rotations never cancel, since each is added in the hemisphere of the sum: the length is not 0.
+inline void store_rotation(const f32x4 (&sum)[4], SoaTransform& out) {
+  const f32x4 inverse = splat(1.0f) / sqrt(dot4(sum, sum));
+  for (int i = 0; i < 4; ++i) store(out.rotation[i], sum[i] * inverse);
+}
+
+// sum += w x
+inline void accumulate(Sum& sum, const SoaTransform& x, f32x4 w) {
+  add_rotation(sum.rotation, x, w);
+  for (int i = 0; i < 3; ++i) sum.translation[i] = sum.translation[i] + load_aligned(x.translation[i]) * w;
+  for (int i = 0; i < 3; ++i) sum.scale[i] = sum.scale[i] + load_aligned(x.scale[i]) * w;
+}
+
+// One group, any layers; each lane has a sum of weights of its own.
+void blend_group(Span<const BlendLayer> layers, const SoaTransform& rest, float threshold, std::size_t group,
+                 SoaTransform& out) {
+  const f32x4 zero = splat(0.0f), least = splat(threshold);
+  Sum sum = {{zero, zero, zero}, {zero, zero, zero, zero}, {zero, zero, zero}};
+  f32x4 total = zero;
+  for (const BlendLayer& layer : layers) {
+    if (!(0.0f < layer.weight)) continue;
+    const f32x4 w = factors(layer.mask, group) * splat(layer.weight);
+    accumulate(sum, layer.pose[group], w);
+    total = total + w;
+  }
+  const mask4 short_of = total < least;
+  if (any(short_of)) {
+    const f32x4 missing = select(short_of, least - total, zero);
+    accumulate(sum, rest, missing);
+    total = total + missing;
+  }
+  const f32x4 inverse = splat(1.0f) / total;
+  store_rotation(sum.rotation, out);
+  for (int i = 0; i < 3; ++i) store(out.translation[i], sum.translation[i] * inverse);
+  for (int i = 0; i < 3; ++i) store(out.scale[i], sum.scale[i] * inverse);
+}
+
+// Layers that count, without masks.
+struct FewLayers {
+  static constexpr std::size_t kMost = 4;
+  std::size_t count = 0;
+  const SoaTransform* pose[kMost + 1];
+  float weight[kMost + 1];
+};
+
+// Σ w x over one component, with weights relative to the first layer's; `share` is the first layer's part of the whole.
+template <std::size_t N>
+inline void store_mean(const float* const (&x)[N], const f32x4 (&weight)[N], f32x4 share, float* out) {
+  f32x4 sum = load_aligned(x[0]);
+  for (std::size_t l = 1; l < N; ++l) sum = sum + load_aligned(x[l]) * weight[l];
+  store(out, sum * share);
+}
+
+template <std::size_t N>
+void blend_even(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
+  const SoaTransform* pose[N];
+  f32x4 weight[N];
+  float total = 1.0f;
+  for (std::size_t l = 0; l < N; ++l) {
+    const float relative = layers.weight[l] / layers.weight[0];
+    pose[l] = layers.pose[l];
+    weight[l] = splat(relative);
+    if (l > 0) total += relative;
+  }
+  const f32x4 share = splat(1.0f / total);
+  for (std::size_t g = 0; g < groups; ++g) {
+    f32x4 rotation[4];
+    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(pose[0][g].rotation[i]);
+    for (std::size_t l = 1; l < N; ++l) add_rotation(rotation, pose[l][g], weight[l]);
+    store_rotation(rotation, out[g]);
+    const float* x[N];
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t l = 0; l < N; ++l) x[l] = pose[l][g].translation[i];
+      store_mean(x, weight, share, out[g].translation[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t l = 0; l < N; ++l) x[l] = pose[l][g].scale[i];
+      store_mean(x, weight, share, out[g].scale[i]);
+    }
+  }
+}
+
+// A layer with a mask, or with ones that stand in for it.
+struct MaskedLayer {
+  explicit MaskedLayer(const BlendLayer& layer)
+      : pose(layer.pose.data),
+        mask(layer.mask.empty() ? kOnes : layer.mask.data),
+        step(layer.mask.empty() ? 0 : 4),
+        weight(splat(layer.weight)) {}
+
+  static constexpr float kOnes[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+  const SoaTransform* pose;
+  const float* mask;
+  std::size_t step;
+  f32x4 weight;
+};
+
+// Two layers, the usual case with masks, from group `first` on until a joint's weights fall short of the threshold.
+// Returns that group, or `groups`. Nothing is called in here, so that all constants stay in registers.
+std::size_t blend_two(const MaskedLayer& a, const MaskedLayer& b, float threshold, std::size_t first,
+                      std::size_t groups, SoaTransform* out) {
+  const f32x4 weight_a = a.weight, weight_b = b.weight, least = splat(threshold);
+  const float *mask_a = a.mask + first * a.step, *mask_b = b.mask + first * b.step;
+  const std::size_t step_a = a.step, step_b = b.step;
+  const SoaTransform *from = a.pose, *to = b.pose;
+  for (std::size_t g = first; g < groups; ++g, mask_a += step_a, mask_b += step_b) {
+    const f32x4 wa = clamp_to_unit(load(mask_a)) * weight_a, wb = clamp_to_unit(load(mask_b)) * weight_b;
+    const f32x4 total = wa + wb;
+    if (any(total < least)) return g;
+    f32x4 rotation[4];
+    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(from[g].rotation[i]) * wa;
+    add_rotation(rotation, to[g], wb);
+    store_rotation(rotation, out[g]);
+    const f32x4 u = wb / total;
+    const auto mix = [u](const float* x, const float* y, float* mixed) {
+      store(mixed, load_aligned(x) + (load_aligned(y) - load_aligned(x)) * u);
+    };
+    for (int i = 0; i < 3; ++i) mix(from[g].translation[i], to[g].translation[i], out[g].translation[i]);
+    for (int i = 0; i < 3; ++i) mix(from[g].scale[i], to[g].scale[i], out[g].scale[i]);
+  }
+  return groups;
+}
+
+void blend_two_masked(Span<const BlendLayer> layers, const SoaTransform* rest, float threshold, std::size_t groups,
+                      SoaTransform* out) {
+  const MaskedLayer a(layers[0]), b(layers[1]);
+  for (std::size_t g = 0; (g = blend_two(a, b, threshold, g, groups, out)) < groups; ++g)
+    blend_group(layers, rest[g], threshold, g, out[g]);
+}
+
+void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
+  switch (layers.count) {
+    case 1:
+      std::memmove(out, layers.pose[0], groups * sizeof(SoaTransform));
+      break;
+    case 2:
+      return blend_even<2>(layers, groups, out);
+    case 3:
+      return blend_even<3>(layers, groups, out);
+    case 4:
+      return blend_even<4>(layers, groups, out);
+    default:  // four and the rest pose
+      return blend_even<5>(layers, groups, out);
+  }
+}
+
+// Weights below this part of the whole do not show in a float, and would make ratios too large.
+constexpr float kNegligible = 1e-12f;
+
+}  // namespace
+
+Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTransform> out, float threshold) {
+  const std::size_t groups = skeleton.soa_size();
+  MARROW_REQUIRE(out.size >= groups);
+  MARROW_REQUIRE(within(threshold, 1e-6f, kMaxBlendWeight));
+  bool masked = false;
+  float total = 0.0f;
+  for (const BlendLayer& layer : layers) {
+    MARROW_REQUIRE(layer.pose.size >= groups);
+    MARROW_REQUIRE(within(layer.weight, 0.0f, kMaxBlendWeight));
+    MARROW_REQUIRE(long_enough(layer.mask, groups));
+    total += layer.weight;
+    masked |= !layer.mask.empty();
+  }
+  if (masked && layers.size == 2 && layers[0].weight > 0.0f && layers[1].weight > 0.0f) {
+    blend_two_masked(layers, skeleton.rest, threshold, groups, out.data);
+    return Status::ok;
+  }
+  FewLayers few;
+  for (const BlendLayer& layer : layers) {
+    if (!(layer.weight > kNegligible * total)) continue;
+    if (few.count < FewLayers::kMost) {
+      few.pose[few.count] = layer.pose.data;
+      few.weight[few.count] = layer.weight;
+    }
+    ++few.count;
+  }
+  if (masked || few.count > FewLayers::kMost) {
+    for (std::size_t g = 0; g < groups; ++g) blend_group(layers, skeleton.rest[g], threshold, g, out[g]);
+    return Status::ok;
+  }
+  if (total < threshold) {
+    few.pose[few.count] = skeleton.rest;
+    few.weight[few.count++] = threshold - total;
+  }
+  blend_without_masks(few, groups, out.data);
+  return Status::ok;
+}
+
+Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose) {
+  const std::size_t groups = skeleton.soa_size();
+  MARROW_REQUIRE(pose.size >= groups);
+  MARROW_REQUIRE(layer.pose.size >= groups);
+  MARROW_REQUIRE(within(layer.weight, 0.0f, 1.0f));
+  MARROW_REQUIRE(long_enough(layer.mask, groups));
+  const f32x4 zero = splat(0.0f), one = splat(1.0f), weight = splat(layer.weight);
+  for (std::size_t g = 0; g < groups; ++g) {
+    const f32x4 w = factors(layer.mask, g) * weight;
+    const mask4 touched = zero < w, partly = w < one;
+    if (!any(touched)) continue;
+    const SoaTransform& to = layer.pose[g];
+    SoaTransform& at = pose[g];
+    f32x4 rotation[4];
+    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(at.rotation[i]) * (one - w);
+    add_rotation(rotation, to, w);
+    const f32x4 inverse = splat(1.0f) / sqrt(dot4(rotation, rotation));
+    const auto put = [&](f32x4 mixed, const float* whole, float* kept) {
+      store(kept, select(touched, select(partly, mixed, load_aligned(whole)), load_aligned(kept)));
+    };
+    for (int i = 0; i < 4; ++i) put(rotation[i] * inverse, to.rotation[i], at.rotation[i]);
+    const auto mix = [&](const float* whole, float* kept) {
+      const f32x4 x = load_aligned(kept);
+      put(x + (load_aligned(whole) - x) * w, whole, kept);
+    };
+    for (int i = 0; i < 3; ++i) mix(to.translation[i], at.translation[i]);
+    for (int i = 0; i < 3; ++i) mix(to.scale[i], at.scale[i]);
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow

@@ -1,0 +1,25 @@
+// Per-joint factors of weights, and the checks that layers share.
+#pragma once
+
+#include <cstddef>
+
+#include "marrow/span.h"
+#include "math/f32x4.h"
+
+namespace marrow {
+
+// The mask's factors of one group, whatever the caller wrote there: 0 … 1.
+inline f32x4 factors(Span<const float> mask, std::size_t group) {
+  return mask.empty() ? splat(1.0f) : clamp_to_unit(load(mask.data + 4 * group));
+}
+
+inline bool long_enough(Span<const float> mask, std::size_t groups) {
+  return mask.empty() || mask.size >= 4 * groups;
+}
+
+// False for what is not a number.
+inline bool within(float x, float low, float high) {
+  return low <= x && x <= high;
+}
+
+}  // namespace marrow

@@ -1,0 +1,121 @@
+// make_additive and add against quaternion products in double precision.
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "marrow/blend.h"
+#include "support/poses.h"
+
+namespace marrow {
+namespace {
+
+using test::Poses;
+using test::Quat;
+
+// A pose is not a change, and a change is not a pose.
+static_assert(!std::is_constructible_v<Span<const AdditiveTransform>, std::vector<SoaTransform>&>);
+static_assert(!std::is_constructible_v<Span<const AdditiveTransform>, Span<const SoaTransform>>);
+static_assert(!std::is_constructible_v<Span<const SoaTransform>, std::vector<AdditiveTransform>&>);
+static_assert(!std::is_convertible_v<SoaTransform, AdditiveTransform>);
+
+Quat multiply(const Quat& a, const Quat& b) {
+  return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+          a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
+}
+
+test::TestJoint added(const test::TestJoint& base, const test::TestJoint& pose, const test::TestJoint& reference,
+                      double w) {
+  const Quat& r = reference.rotation;
+  Quat change = multiply(pose.rotation, {-r[0], -r[1], -r[2], r[3]});
+  const double sign = change[3] < 0 ? -1 : 1;
+  for (double& x : change) x *= w * sign;
+  change[3] += 1 - w;
+  test::TestJoint out{-1, {}, test::normalised(multiply(change, base.rotation)), {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.translation[i] = base.translation[i] + w * (pose.translation[i] - reference.translation[i]);
+    out.scale[i] = base.scale[i] * (1 + w * (pose.scale[i] / reference.scale[i] - 1));
+  }
+  return out;
+}
+
+TEST(Additive, AnyWeightAndMask) {
+  int cases = 0;
+  for (std::size_t joints = 3; joints <= 24; ++joints) {
+    Poses p(joints, joints, 3);
+    std::vector<AdditiveTransform> change(p.groups());
+    ASSERT_EQ(make_additive(p.skeleton, p.pose[1], p.pose[2], change), Status::ok);
+    for (const float weight : {0.125f, 0.6f, 1.0f}) {
+      for (const bool masked : {false, true}) {
+        p.out = p.pose[0];
+        const AdditiveLayer layer{change, weight, masked ? p.masks(0) : Span<const float>()};
+        ASSERT_EQ(add(p.skeleton, layer, p.out), Status::ok);
+        for (std::size_t j = 0; j < joints; ++j, ++cases) {
+          const double w = static_cast<double>(weight * (masked ? p.mask[0][j] : 1.0f));
+          const auto joint = [j](const std::vector<SoaTransform>& pose) { return test::joint_of(pose.data(), j); };
+          test::expect_joint(joint(p.out), added(joint(p.pose[0]), joint(p.pose[1]), joint(p.pose[2]), w), 1e-5);
+          EXPECT_TRUE(w != 0 || test::same_bits(p.out, p.pose[0], j));
+        }
+      }
+    }
+  }
+  EXPECT_EQ(cases, 22 * 27 / 2 * 6);
+}
+
+TEST(Additive, OfTheReferenceIsTheIdentity) {
+  Poses p(31, 21, 2);
+  std::vector<AdditiveTransform> change(p.groups());
+  ASSERT_EQ(make_additive(p.skeleton, p.pose[1], p.pose[1], change), Status::ok);
+  for (std::size_t j = 0; j < 21; ++j) {
+    const test::TestJoint c = test::joint_of(&change[j / 4].change - j / 4, j);
+    EXPECT_EQ(c.translation, (test::Vec3{0, 0, 0}));
+    EXPECT_EQ(c.rotation, (Quat{0, 0, 0, 1}));
+    EXPECT_EQ(c.scale, (test::Vec3{1, 1, 1}));
+  }
+  p.out = p.pose[0];
+  ASSERT_EQ(add(p.skeleton, {change, 1, {}}, p.out), Status::ok);
+  for (std::size_t j = 0; j < 21; ++j)
+    test::expect_joint(test::joint_of(p.out.data(), j), test::joint_of(p.pose[0].data(), j), 2e-7);
+}
+
+TEST(Additive, TheWholeChangeOnTheReferenceIsThePose) {
+  Poses p(32, 21, 2);
+  std::vector<AdditiveTransform> change(p.groups());
+  ASSERT_EQ(make_additive(p.skeleton, p.pose[0], p.pose[1], change), Status::ok);
+  p.out = p.pose[1];
+  ASSERT_EQ(add(p.skeleton, {change, 1, {}}, p.out), Status::ok);
+  for (std::size_t j = 0; j < 21; ++j)
+    test::expect_joint(test::joint_of(p.out.data(), j), test::joint_of(p.pose[0].data(), j), 2e-6);
+}
+
+TEST(Additive, AScaleOfZeroDividesNothing) {
+  Poses p(33, 4, 2);
+  p.pose[1][0].scale[0][0] = 0;
+  p.pose[1][0].scale[1][1] = -0.0f;
+  std::vector<AdditiveTransform> change(1);
+  ASSERT_EQ(make_additive(p.skeleton, p.pose[0], p.pose[1], change), Status::ok);
+  EXPECT_EQ(change[0].change.scale[0][0], 1.0f);
+  EXPECT_EQ(change[0].change.scale[1][1], 1.0f);
+}
+
+TEST(Additive, BadCallsWriteNothing) {
+  Poses p(34, 21, 2);
+  p.out = p.pose[0];
+  std::vector<AdditiveTransform> change(p.groups());
+  const std::size_t few = p.groups() - 1;
+  EXPECT_EQ(make_additive(p.skeleton, {p.pose[0].data(), few}, p.pose[1], change), Status::bad_argument);
+  EXPECT_EQ(make_additive(p.skeleton, p.pose[0], {p.pose[1].data(), few}, change), Status::bad_argument);
+  EXPECT_EQ(make_additive(p.skeleton, p.pose[0], p.pose[1], {change.data(), few}), Status::bad_argument);
+  ASSERT_EQ(make_additive(p.skeleton, p.pose[0], p.pose[1], change), Status::ok);
+  for (const float weight : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_EQ(add(p.skeleton, {change, weight, {}}, p.out), Status::bad_argument);
+  EXPECT_EQ(add(p.skeleton, {{change.data(), few}, 1, {}}, p.out), Status::bad_argument);
+  EXPECT_EQ(add(p.skeleton, {change, 1, {p.mask[0].data(), 4 * few}}, p.out), Status::bad_argument);
+  EXPECT_EQ(add(p.skeleton, {change, 1, {}}, {p.out.data(), few}), Status::bad_argument);
+  EXPECT_TRUE(p.same(p.out, p.pose[0]));
+}
+
+}  // namespace
+}  // namespace marrow
