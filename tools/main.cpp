@@ -60,6 +60,15 @@ void add_cook(CLI::App& app) {
   command->add_option("-o,--output", a.out, "the cooked file to write")->required()->type_name("OUT.mrw");
   command->add_option("--report", a.report, "also write a report as JSON")->type_name("R.json");
   command->add_flag("--json", a.json, "print the report on stdout instead of a summary");
+  command
+      ->add_option(
+          "--clip-error", a.clip_error,
+          "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm, 0.0001m or 0.05% of the skeleton")
+      ->type_name("E")
+      ->capture_default_str();
+  command->add_option("--clip-codec", a.clip_codec, "segments: compressed within --clip-error; raw: without loss")
+      ->check(CLI::IsMember({"segments", "raw"}))
+      ->capture_default_str();
   command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
                     "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
   command->callback([&a] { run_cook(a); });

@@ -53,6 +53,20 @@ Clip File::clip(std::uint32_t index) const {
   c.tracks = {at<Track>(base, l.tracks), header.track_count};
   c.times_s = at<float>(base, l.times);
   c.values = at<float>(base, l.values);
+  const auto& joints = *at<format::SkeletonHeader>(section(format::kSkeletons, header.skeleton), 0);
+  c.joint_count = joints.joint_count;
+  if (sections_[first_[format::kClips] + index].codec == format::kCodecSegments) {
+    const auto& coded = *at<format::CodedHeader>(base, l.bytes);
+    const format::CodedLayout k = layout(coded, l.bytes, c.joint_count);
+    c.coded = {coded.frame_count,
+               coded.track_count,
+               coded.segment_intervals,
+               coded.start_s,
+               coded.frames_per_s,
+               at<std::uint16_t>(base, k.masks),
+               at<std::uint32_t>(base, k.offsets),
+               base + k.payload};
+  }
   return c;
 }
 

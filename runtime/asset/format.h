@@ -20,6 +20,7 @@ inline constexpr std::uint32_t four_characters(const char (&s)[5]) {
 inline constexpr std::uint32_t kMagic = four_characters("MRRW");
 inline constexpr std::uint32_t kVersion = 1;
 inline constexpr std::uint32_t kCodecRaw = 0;
+inline constexpr std::uint32_t kCodecSegments = 1;  // clips only
 
 // Kinds of sections in the order in which they stand in a file. Every kind but names may occur any number of times.
 enum Kind : std::uint32_t { kSkeletons, kClips, kGeometries, kMeshes, kNames, kKindCount };
@@ -56,6 +57,45 @@ struct ClipHeader {
   std::uint32_t reserved[2];  // 0
 };
 static_assert(sizeof(ClipHeader) == 32);
+
+// What a coded clip has behind its ClipHeader.
+struct CodedHeader {
+  std::uint32_t frame_count;        // 2 … kMaxFrames
+  std::uint32_t segment_intervals;  // ≥ 1
+  float start_s;                    // of frame 0
+  float frames_per_s;
+  std::uint32_t track_count;    // Σ bits of the masks
+  std::uint32_t payload_bytes;  // kPayloadPadding included
+  std::uint32_t reserved[2];    // 0
+};
+static_assert(sizeof(CodedHeader) == 32);
+
+// A segment: u32 bits of a frame record, a TrackHeader each coded sub-track, then frame records bit by bit.
+#pragma pack(push, 1)
+struct TrackHeader {
+  std::uint8_t step;      // see step_size()
+  std::uint16_t widths;   // three codes of four bits, see component_bits(); above them the shift of the minima
+  std::int16_t least[3];  // smallest value of each component, shifted right
+};
+#pragma pack(pop)
+static_assert(sizeof(TrackHeader) == 9);
+
+// So that a frame's number is exact as a float.
+inline constexpr std::uint32_t kMaxFrames = 1u << 24;
+
+// A load of 64 bits may reach behind the last record.
+inline constexpr std::uint32_t kPayloadPadding = 8;
+
+// Four steps an octave: 2^(24 - code / 4), from bits so that it is the same everywhere.
+inline float step_size(std::uint8_t code) {
+  constexpr std::uint32_t kQuarters[4] = {0x4B800000u, 0x4B5744FDu, 0x4B3504F3u, 0x4B1837F0u};
+  return std::bit_cast<float>(kQuarters[code % 4] - (static_cast<std::uint32_t>(code / 4) << 23));
+}
+
+// Three components fill at most 57 bits, so one load of 64 at a byte holds a record.
+constexpr std::uint32_t component_bits(std::uint32_t code) {
+  return code == 15 ? 19 : code;
+}
 
 enum GeometryFlags : std::uint32_t {
   kHasNormals = 1,
@@ -119,6 +159,24 @@ constexpr SkeletonLayout layout(const SkeletonHeader& h) {
 struct ClipLayout {
   std::uint64_t tracks, times, values, bytes;
 };
+constexpr std::uint32_t segment_count(const CodedHeader& h) {
+  return (h.frame_count - 2) / h.segment_intervals + 1;
+}
+
+// Behind the raw tracks of a coded clip, on a boundary of four bytes.
+struct CodedLayout {
+  std::uint64_t header, offsets, masks, payload, bytes;
+};
+constexpr CodedLayout layout(const CodedHeader& h, std::uint64_t start, std::uint32_t joint_count) {
+  CodedLayout l{};
+  l.header = start;
+  l.offsets = l.header + sizeof(CodedHeader);
+  l.masks = l.offsets + std::uint64_t{segment_count(h)} * 4;
+  l.payload = l.masks + (std::uint64_t{joint_count} + 3) / 4 * 2;
+  l.bytes = l.payload + h.payload_bytes;
+  return l;
+}
+
 constexpr ClipLayout layout(const ClipHeader& h) {
   ClipLayout l{};
   l.tracks = sizeof(ClipHeader);

@@ -51,6 +51,9 @@ class Checker {
   bool clip(const File::Section& s);
   bool track(const format::ClipHeader& h, const Track& t, std::uint32_t joint_count);
   bool key_times(const format::ClipHeader& h, const Track& t, const float* times);
+  bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
+  bool masks(const format::CodedHeader& h, const std::uint16_t* masks, std::uint32_t joint_count);
+  bool segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l);
   bool geometry(const File::Section& s);
   bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
   template <class Index>
@@ -129,9 +132,67 @@ bool Checker::key_times(const format::ClipHeader& h, const Track& t, const float
   return true;
 }
 
+bool Checker::masks(const format::CodedHeader& h, const std::uint16_t* masks, std::uint32_t joint_count) {
+  std::uint32_t tracks = 0;
+  for (std::uint32_t g = 0; g < soa_count(joint_count); ++g) {
+    const std::uint32_t lanes = joint_count - 4 * g < 4 ? (1u << (joint_count - 4 * g)) - 1 : 15u;
+    if ((masks[g] & ~(lanes * 0x111u)) != 0) return fail(masks + g, "a coded track outside the skeleton");
+    for (std::uint32_t bits = masks[g]; bits != 0; bits &= bits - 1) ++tracks;
+  }
+  return tracks == h.track_count || fail(&h.track_count, "as many coded tracks as bits in the masks");
+}
+
+// Segments follow one another without a gap, so one pass sees every byte once.
+bool Checker::segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l) {
+  const auto* offsets = at<std::uint32_t>(s, l.offsets);
+  const std::uint64_t limit = h.payload_bytes - format::kPayloadPadding;
+  std::uint64_t end = 0;
+  for (std::uint32_t i = 0; i < format::segment_count(h); ++i) {
+    if (offsets[i] != end) return fail(offsets + i, "segments stand back to back");
+    end += 4 + std::uint64_t{h.track_count} * sizeof(format::TrackHeader);
+    if (end > limit) return fail(offsets + i, "a segment outside the payload");
+    const auto* segment = at<std::byte>(s, l.payload + offsets[i]);
+    std::uint32_t frame_bits;
+    std::memcpy(&frame_bits, segment, 4);
+    std::uint64_t bits = 0;
+    for (std::uint32_t t = 0; t < h.track_count; ++t) {
+      format::TrackHeader track;
+      std::memcpy(&track, segment + 4 + t * sizeof track, sizeof track);
+      for (int c = 0; c < 3; ++c) bits += format::component_bits(track.widths >> (4 * c) & 15u);
+    }
+    if (bits != frame_bits) return fail(segment, "a frame's bits are its tracks'");
+    const std::uint64_t left = h.frame_count - 1 - std::uint64_t{i} * h.segment_intervals;
+    const std::uint64_t frames = (left < h.segment_intervals ? left : h.segment_intervals) + 1;
+    end += (frames * bits + 7) / 8;
+    if (end > limit) return fail(offsets + i, "a segment outside the payload");
+  }
+  return end == limit || fail(&h.payload_bytes, "payload behind the last segment");
+}
+
+bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count) {
+  const auto* h = at<format::CodedHeader>(s, start);
+  if (s.bytes - start < sizeof *h) return fail(block_.data + s.offset, "section too short for its header");
+  if ((h->reserved[0] | h->reserved[1]) != 0) return fail(h->reserved, "reserved must be 0");
+  if (h->frame_count < 2 || h->frame_count > format::kMaxFrames) return fail(h, "2 to 16777216 frames");
+  if (h->segment_intervals == 0) return fail(&h->segment_intervals, "a segment has intervals");
+  if (!finite(&h->start_s, 8)) return false;
+  if (!(h->frames_per_s > 0)) return fail(&h->frames_per_s, "frames a second");
+  if (h->payload_bytes < format::kPayloadPadding) return fail(&h->payload_bytes, "payload without padding");
+  const format::CodedLayout l = layout(*h, start, joint_count);
+  if (l.bytes != s.bytes) return fail(h, "section size differs from its counts");
+  return masks(*h, at<std::uint16_t>(s, l.masks), joint_count) && segments(s, *h, l);
+}
+
 bool Checker::clip(const File::Section& s) {
-  const auto* h = header<format::ClipHeader>(s);
-  if (h == nullptr) return false;
+  if (s.codec > format::kCodecSegments) {
+    error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
+    return false;
+  }
+  const auto* h = at<format::ClipHeader>(s, 0);
+  if (s.bytes < sizeof *h) return fail(block_.data + s.offset, "section too short for its header");
+  const std::uint64_t raw_bytes = layout(*h).bytes;
+  if (s.codec == format::kCodecRaw ? raw_bytes != s.bytes : raw_bytes > s.bytes)
+    return fail(h, "section size differs from its counts");
   if (h->reserved[0] != 0 || h->reserved[1] != 0) return fail(h->reserved, "reserved must be 0");
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
   const format::ClipLayout l = layout(*h);
@@ -151,7 +212,8 @@ bool Checker::clip(const File::Section& s) {
     list_end = t.first_time + t.key_count;
     if (!key_times(*h, t, times)) return false;
   }
-  return list_end == h->time_count || fail(&h->time_count, "times that no track uses");
+  if (list_end != h->time_count) return fail(&h->time_count, "times that no track uses");
+  return s.codec == format::kCodecRaw || coded(s, l.bytes, joints->joint_count);
 }
 
 bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets) {

@@ -5,6 +5,7 @@
 #include "asset/format.h"
 #include "core/check.h"
 #include "math/slerp.h"
+#include "pose/sample_coded.h"
 
 namespace marrow {
 namespace {
@@ -93,7 +94,9 @@ Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<Soa
   MARROW_REQUIRE(out.size >= skeleton.soa_size());
   MARROW_REQUIRE(time_s == time_s);
   for (const Track& track : clip.tracks) MARROW_REQUIRE(track.joint < skeleton.joint_count);
+  MARROW_REQUIRE(clip.coded.frame_count == 0 || clip.joint_count == skeleton.joint_count);
   std::memcpy(out.data, skeleton.rest, skeleton.soa_size() * sizeof(SoaTransform));
+  if (clip.coded.frame_count != 0) sample_coded(clip.coded, skeleton.joint_count, time_s, out.data);
   // Tracks that share a list of key times stand together: one search serves them all.
   Moment moment{};
   std::uint32_t list = 0, list_size = 0;

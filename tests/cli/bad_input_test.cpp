@@ -141,6 +141,9 @@ TEST_F(BadInput, Usage) {
   expect_failure({"cook"}, kUsage, "marrow");
   expect_failure({"cook", tiny_gltf()}, kUsage, "marrow");
   expect_failure({"cook", tiny_gltf(), "-o", out("x.mrw"), "--wat"}, kUsage, "--wat");
+  for (const char* error : {"0mm", "-1mm", "0.1", "nanm", "infm", "1e999m", "0.1 mm", "", "0.1mmm"})
+    expect_failure({"cook", tiny_gltf(), "-o", out("x.mrw"), "--clip-error", error}, kUsage, error);
+  expect_failure({"cook", tiny_gltf(), "-o", out("x.mrw"), "--clip-codec", "magic"}, kUsage, "magic");
   expect_failure({"info"}, kUsage, "marrow");
   expect_failure({"pose", good}, kUsage, "marrow");
   expect_failure({"pose", good, "-o", bin, "--deformer", "magic"}, kUsage, "magic");

@@ -17,6 +17,7 @@ Vec3 three(const std::vector<float>& v, std::size_t first) {
 Cooked::Cooked(const std::string& path) {
   cook::CookOptions options;
   options.keep_vertex_order = true;
+  options.raw_clips = true;  // compression is judged apart, by clip_test.cpp
   const cook::CookResult result = cook::cook_file(path, options);
   block_ = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
   DataError error;

@@ -34,6 +34,11 @@ class Reference {
   // Time of the last key of any channel but morph weights'; 0 without.
   double duration_s(std::size_t animation) const;
 
+  // scene_from_node of every node at a time of an animation.
+  std::vector<Map> nodes_at(std::size_t animation, double time_s) const {
+    return scene_from_node(&source_.animations.at(animation), time_s);
+  }
+
   ReferencePose rest() const { return pose(nullptr, 0); }
   ReferencePose at(std::size_t animation, double time_s) const {
     return pose(&source_.animations.at(animation), time_s);

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "road/cooked.h"
+#include "road/models.h"
 #include "road/reference.h"
 
 namespace marrow::test {
@@ -28,26 +29,6 @@ constexpr int kMoments = 4;  // thinned: the numbers are the same as without a s
 #else
 constexpr int kMoments = 16;
 #endif
-
-fs::path assets() {
-  const char* const given = std::getenv("MARROW_ASSETS");
-  return given != nullptr ? fs::path(given) : fs::path(MARROW_DEFAULT_ASSETS);
-}
-
-// The manifest's models, then the embedded sample; only what exists, so that its absence is one test's failure or skip.
-std::vector<std::string> models() {
-  std::vector<std::string> out;
-  std::ifstream manifest(assets() / "manifest.json");
-  if (manifest) {
-    const nlohmann::json json = nlohmann::json::parse(manifest);
-    for (const auto& asset : json.at("assets"))
-      out.push_back((assets() / asset.at("file").get<std::string>()).string());
-  }
-  const fs::path sample = fs::path(MARROW_SOURCE_DIR) / "tools/sample/newt.glb";
-  if (fs::exists(sample)) out.push_back(sample.string());
-  out.push_back((fs::path(MARROW_SOURCE_DIR) / "tests/golden/tiny.gltf").string());
-  return out;
-}
 
 struct Worst {
   double position = 0, rigid = 0, lift = 0;  // fractions of the diagonal

@@ -1,4 +1,4 @@
-// The golden file of format version 1, embedded in the test binary; see golden/README.md.
+// The golden files of format version 1, embedded in the test binary; see golden/README.md.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,8 @@
 namespace marrow::embedded {
 extern const unsigned char tiny_v1[];
 extern const unsigned long long tiny_v1_size;
+extern const unsigned char dance_v1[];
+extern const unsigned long long dance_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -15,6 +17,10 @@ namespace marrow::test {
 // A copy that a test may damage.
 inline AlignedBlock golden_copy() {
   return AlignedBlock(embedded::tiny_v1, static_cast<std::size_t>(embedded::tiny_v1_size));
+}
+// A file whose clip is coded.
+inline AlignedBlock golden_coded_copy() {
+  return AlignedBlock(embedded::dance_v1, static_cast<std::size_t>(embedded::dance_v1_size));
 }
 
 }  // namespace marrow::test

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/failure.h"
+#include "cook/clip/compress.h"
 
 namespace marrow::cook {
 
@@ -40,6 +41,16 @@ bool has_triangles(const RawScene& scene) {
   });
 }
 
+// A unit that is clearly not the metre makes skeletons of 20 m or 20 cm; then what a person of 2 m would get is scaled.
+Promise make_promise(const Rig& rig, const CookOptions& options) {
+  constexpr double kPerson = 2.0;
+  Promise promise;
+  const double scale = rig.diagonal_m < 0.2 || rig.diagonal_m > 20 ? rig.diagonal_m / kPerson : 1.0;
+  promise.shell *= scale;
+  promise.error = options.clip_error_is_share ? options.clip_error * rig.diagonal_m : options.clip_error * scale;
+  return promise;
+}
+
 }  // namespace
 
 BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
@@ -52,6 +63,11 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
                          "no mesh in the scene has triangles to cook");
   out.skeleton = build_skeleton(scene);
   for (const RawClip& clip : scene.clips) out.clips.push_back(build_clip(clip, out.skeleton));
+  if (!options.raw_clips) {
+    const Rig rig(out.skeleton);
+    const Promise promise = make_promise(rig, options);
+    for (BuiltClip& clip : out.clips) compress_clip(clip, out.skeleton, rig, promise);
+  }
   build_meshes(scene, options, out);
   return out;
 }

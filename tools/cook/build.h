@@ -8,6 +8,9 @@
 namespace marrow::cook {
 
 struct CookOptions {
+  bool raw_clips = false;    // keep clips' keys as they are
+  double clip_error = 1e-4;  // metres on the shell; or, if clip_error_is_share, of the skeleton's diagonal
+  bool clip_error_is_share = false;
   bool keep_vertex_order = false;  // remember where every vertex of the source went
 };
 

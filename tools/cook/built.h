@@ -31,6 +31,21 @@ struct BuiltSkeleton {
   std::vector<NearestJoint> nearest;  // a node
 };
 
+// A clip's tracks in segments, as format::CodedHeader has them; frame_count is 0 without.
+struct BuiltCoded {
+  format::CodedHeader header{};
+  std::vector<std::uint32_t> offsets;
+  std::vector<std::uint16_t> masks;
+  std::vector<std::byte> payload;
+};
+
+// How far a clip strays from its source, where and when.
+struct ClipError {
+  double error_m = 0;
+  std::size_t joint = 0;
+  double time_s = 0;
+};
+
 struct BuiltClip {
   std::string name;
   float duration_s = 0;
@@ -38,6 +53,8 @@ struct BuiltClip {
   std::vector<Track> tracks;
   std::vector<float> times_s;
   std::vector<float> values;
+  BuiltCoded coded;
+  ClipError error;
 };
 
 struct BuiltGeometry {

@@ -1,6 +1,9 @@
 #include "cook/command.h"
 
+#include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -23,10 +26,27 @@ void summarise(const CookArguments& a, const nlohmann::ordered_json& r) {
              r["meshes"].size(), vertices, triangles, r["clips"].size());
 }
 
+// "0.1mm", "0.0001m", or "0.05%" of the skeleton's diagonal.
+void read_clip_error(const std::string& text, cook::CookOptions& options) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
+  const double scale = unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
+  if (error != std::errc() || !(value * scale > 0) || !std::isfinite(value))
+    throw Failure(Exit::usage, "--clip-error", "", "\"" + text + "\" is not an error",
+                  "give a length or a share of the skeleton, as in 0.1mm, 0.0001m or 0.05%");
+  options.clip_error = value * scale;
+  options.clip_error_is_share = unit == "%";
+}
+
 }  // namespace
 
 void run_cook(const CookArguments& a) {
-  const cook::CookResult result = cook::cook_file(a.in, a.options);
+  cook::CookOptions options = a.options;
+  options.raw_clips = a.clip_codec == "raw";
+  read_clip_error(a.clip_error, options);
+  const cook::CookResult result = cook::cook_file(a.in, options);
   for (const auto& w : result.report["warnings"])
     fmt::print(stderr, "{}: {}: warning: {}: {}\n", a.in, w["pointer"].get<std::string>(), w["rule"].get<std::string>(),
                w["text"].get<std::string>());

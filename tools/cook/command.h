@@ -10,7 +10,8 @@ namespace marrow::tools {
 struct CookArguments {
   std::string in, out, report;
   bool json = false;
-  cook::CookOptions options;
+  std::string clip_error = "0.1mm", clip_codec = "segments";
+  cook::CookOptions options;  // but for what the texts say
 };
 
 // Throws Failure; then neither the output nor the report is left behind.

@@ -58,12 +58,15 @@ ordered_json make_report(const RawScene& scene, const BuiltScene& built, const W
   r["clips"] = ordered_json::array();
   for (std::size_t i = 0; i < built.clips.size(); ++i) {
     const BuiltClip& clip = built.clips[i];
-    r["clips"].push_back({{"name", clip.name},
-                          {"duration_s", clip.duration_s},
-                          {"codec", "raw"},
-                          {"raw_bytes", std::uint64_t{clip.most_keys} * joints * 40},
-                          {"bytes", written.clip_bytes[i]},
-                          {"max_error_m", 0.0}});
+    r["clips"].push_back(
+        {{"name", clip.name},
+         {"duration_s", clip.duration_s},
+         {"codec", clip.coded.header.frame_count > 0 ? "segments" : "raw"},
+         {"raw_bytes", std::uint64_t{clip.most_keys} * joints * 40},
+         {"bytes", written.clip_bytes[i]},
+         {"max_error_m", clip.error.error_m},
+         {"max_error_joint", built.skeleton.joint_names.empty() ? "" : built.skeleton.joint_names[clip.error.joint]},
+         {"max_error_time_s", clip.error.time_s}});
   }
   r["warnings"] = ordered_json::array();
   for (const RawWarning& w : scene.warnings)

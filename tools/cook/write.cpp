@@ -21,6 +21,7 @@ class Section {
     add_bytes(values.data(), values.size() * sizeof(T));
   }
   const std::vector<std::byte>& bytes() const { return bytes_; }
+  std::uint32_t codec = format::kCodecRaw;
 
  private:
   void add_bytes(const void* data, std::size_t size) {
@@ -58,6 +59,14 @@ Section write_skeleton(const BuiltSkeleton& s, Names& names) {
   return out;
 }
 
+void add_coded(const BuiltCoded& coded, Section& out) {
+  out.codec = format::kCodecSegments;
+  out.add(coded.header);
+  out.add_all(coded.offsets);
+  out.add_all(coded.masks);
+  out.add_all(coded.payload);
+}
+
 Section write_clip(const BuiltClip& c, Names& names) {
   Section out;
   out.add(format::ClipHeader{names.add(c.name),
@@ -70,6 +79,7 @@ Section write_clip(const BuiltClip& c, Names& names) {
   out.add_all(c.tracks);
   out.add_all(c.times_s);
   out.add_all(c.values);
+  if (c.coded.header.frame_count > 0) add_coded(c.coded, out);
   return out;
 }
 
@@ -115,7 +125,7 @@ std::vector<std::byte> assemble(const std::vector<std::pair<format::Kind, Sectio
     if (end > UINT32_MAX)
       throw tools::Failure(tools::Exit::unsupported, source, "", "too-large", "a cooked file holds at most 4 GiB");
     table.push_back({format::kTypes[kind], static_cast<std::uint32_t>(offset),
-                     static_cast<std::uint32_t>(section.bytes().size()), format::kCodecRaw});
+                     static_cast<std::uint32_t>(section.bytes().size()), section.codec});
   }
   std::vector<std::byte> bytes(end);
   format::Header h{format::kMagic,

@@ -40,11 +40,26 @@ struct Track {
 };
 static_assert(sizeof(Track) == 16);
 
+// Tracks compressed within a stated error: poses at even steps of time, in segments, as packed integers relative to the
+// rest pose (docs/format.md).
+struct CodedTracks {
+  std::uint32_t frame_count = 0;        // 0: the clip has no coded tracks; else ≥ 2
+  std::uint32_t track_count = 0;        // coded sub-tracks, one bit in masks each
+  std::uint32_t segment_intervals = 0;  // steps of time a segment; the last may have fewer
+  float start_s = 0;                    // of frame 0
+  float frames_per_s = 0;
+  const std::uint16_t* masks = nullptr;            // a group of four joints: which sub-tracks are coded
+  const std::uint32_t* segment_offsets = nullptr;  // bytes into payload
+  const std::byte* payload = nullptr;
+};
+
 // An animation of one skeleton. Joints without a track keep their rest pose.
 struct Clip {
   const char* name = "";
-  std::uint32_t skeleton = 0;  // which skeleton of the file
-  float duration_s = 0;        // time of the last key; ≥ 0
+  std::uint32_t skeleton = 0;     // which skeleton of the file
+  std::uint32_t joint_count = 0;  // of that skeleton
+  float duration_s = 0;           // time of the last key; ≥ 0
+  CodedTracks coded;
   Span<const Track> tracks;
   const float* times_s = nullptr;
   const float* values = nullptr;

@@ -13,9 +13,13 @@ namespace {
 
 using test::AlignedBlock;
 
+// Clips raw and coded.
+class Hostile : public ::testing::TestWithParam<AlignedBlock (*)()> {};
+INSTANTIATE_TEST_SUITE_P(Golden, Hostile, ::testing::Values(&test::golden_copy, &test::golden_coded_copy));
+
 // Each in a block of its own size, so that a sanitizer sees a read past the end.
-TEST(Hostile, EveryPrefixIsRefused) {
-  const AlignedBlock golden = test::golden_copy();
+TEST_P(Hostile, EveryPrefixIsRefused) {
+  const AlignedBlock golden = GetParam()();
   std::size_t refused = 0;
   for (std::size_t size = 0; size < golden.size(); ++size) {
     const AlignedBlock prefix(golden.data(), size);
@@ -28,8 +32,8 @@ TEST(Hostile, EveryPrefixIsRefused) {
 }
 
 // The same with the size and the checksum made to fit: only the rules of the format stand in the way.
-TEST(Hostile, EveryForgedPrefixIsRefusedOrHarmless) {
-  const AlignedBlock golden = test::golden_copy();
+TEST_P(Hostile, EveryForgedPrefixIsRefusedOrHarmless) {
+  const AlignedBlock golden = GetParam()();
   std::size_t refused = 0;
   for (std::size_t size = sizeof(format::Header); size < golden.size(); ++size) {
     AlignedBlock prefix(golden.data(), size);
@@ -48,8 +52,7 @@ TEST(Hostile, EveryForgedPrefixIsRefusedOrHarmless) {
 
 // Calls check(block) once for each changed byte; returns how many there were.
 template <class Check>
-std::size_t for_changes(Check check) {
-  AlignedBlock block = test::golden_copy();
+std::size_t for_changes(AlignedBlock block, Check check) {
   std::size_t changes = 0;
   for (std::size_t i = 0; i < block.size(); ++i) {
     const std::byte old = block.data()[i];
@@ -65,19 +68,19 @@ std::size_t for_changes(Check check) {
   return changes;
 }
 
-TEST(Hostile, EveryChangedByteIsSeen) {
+TEST_P(Hostile, EveryChangedByteIsSeen) {
   std::size_t refused = 0;
-  const std::size_t changes = for_changes([&](const AlignedBlock& block, std::size_t) {
+  const std::size_t changes = for_changes(GetParam()(), [&](const AlignedBlock& block, std::size_t) {
     File file;
     refused += load(block, file) != Status::ok;
   });
   EXPECT_EQ(refused, changes);
 }
 
-TEST(Hostile, EveryForgedByteIsRefusedOrHarmless) {
+TEST_P(Hostile, EveryForgedByteIsRefusedOrHarmless) {
   std::size_t refused = 0, harmless = 0;
   std::uint64_t sum = 0;
-  for_changes([&](AlignedBlock& block, std::size_t i) {
+  for_changes(GetParam()(), [&](AlignedBlock& block, std::size_t i) {
     if (i >= 16 && i < 24) return;  // the checksum itself, which forging would mend
     test::forge_checksum(block.data(), block.size());
     File file;

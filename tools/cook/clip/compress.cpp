@@ -1,0 +1,254 @@
+#include "cook/clip/compress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "cook/clip/pack.h"
+#include "cook/clip/segment.h"
+#include "marrow/local_to_model.h"
+#include "marrow/sample.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr double kGridSlack = 1e-3;  // of a frame
+constexpr std::size_t kMostIntervals = 20000;
+constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
+constexpr double kRestShare = 0.05;              // of the promise, below which leaving the rest pose does not count
+constexpr double kShares[] = {0.97, 0.9, 0.75};  // of the promise, that the search may use up
+
+// A STEP track that changes cannot be blended between frames.
+bool jumps(const BuiltClip& clip, const Track& track) {
+  if (track.interpolation != Interpolation::step) return false;
+  const std::size_t width = format::floats_per_key(track.path, track.interpolation);
+  const float* const first = clip.values.data() + track.first_value;
+  for (std::size_t i = width; i < track.key_count * width; ++i)
+    if (first[i] != first[i % width]) return true;
+  return false;
+}
+
+// Even steps of time.
+struct Grid {
+  float start_s, end_s;
+  std::size_t intervals;
+};
+
+// The times of the keys that are to be coded.
+std::set<float> key_times(const BuiltClip& clip) {
+  std::set<float> times;
+  for (const Track& track : clip.tracks) {
+    const auto first = clip.times_s.begin() + track.first_time;
+    if (!jumps(clip, track)) times.insert(first, first + track.key_count);
+  }
+  return times;
+}
+
+// The steps that every key falls on; nullopt if there are none.
+std::optional<Grid> find_grid(const std::set<float>& times) {
+  const double start = static_cast<double>(*times.begin()), length = static_cast<double>(*times.rbegin()) - start;
+  double least = length;
+  for (auto a = times.begin(), b = std::next(a); b != times.end(); ++a, ++b)
+    least = std::min(least, static_cast<double>(*b) - static_cast<double>(*a));
+  const double intervals = std::round(length / least);
+  if (!(intervals <= static_cast<double>(kMostIntervals))) return std::nullopt;
+  for (const float t : times) {
+    const double at = (static_cast<double>(t) - start) / length * intervals;
+    if (std::fabs(at - std::round(at)) > kGridSlack) return std::nullopt;
+  }
+  return Grid{*times.begin(), *times.rbegin(), static_cast<std::size_t>(intervals)};
+}
+
+bool has_cubic(const BuiltClip& clip) {
+  return std::any_of(clip.tracks.begin(), clip.tracks.end(),
+                     [](const Track& t) { return t.interpolation == Interpolation::cubic_spline; });
+}
+
+// Grids worth trying, coarse to fine: the keys' own, or even steps that come close enough to other curves.
+std::vector<Grid> grids(const BuiltClip& clip) {
+  const std::set<float> times = key_times(clip);
+  std::vector<Grid> out;
+  if (times.size() < 2) return out;
+  const std::optional<Grid> own = find_grid(times);
+  if (own && !has_cubic(clip)) return {*own};
+  const double length = static_cast<double>(*times.rbegin()) - static_cast<double>(*times.begin());
+  const auto coarsest = own ? own->intervals : static_cast<std::size_t>(std::ceil(length * 30));
+  for (std::size_t finer = 1; finer <= 8; finer *= 2)
+    if (coarsest * finer <= kMostIntervals) out.push_back({*times.begin(), *times.rbegin(), coarsest * finer});
+  return out;
+}
+
+// The tracks that stay raw, with the times and values that they use.
+BuiltClip keep_jumping(const BuiltClip& clip) {
+  BuiltClip out;
+  out.name = clip.name;
+  out.duration_s = clip.duration_s;
+  out.most_keys = clip.most_keys;
+  std::uint32_t list = UINT32_MAX, moved = 0;
+  for (const Track& track : clip.tracks) {
+    if (!jumps(clip, track)) continue;
+    if (track.first_time != list) {
+      list = track.first_time;
+      moved = static_cast<std::uint32_t>(out.times_s.size());
+      const auto first = clip.times_s.begin() + track.first_time;
+      out.times_s.insert(out.times_s.end(), first, first + track.key_count);
+    }
+    Track kept = track;
+    kept.first_time = moved;
+    kept.first_value = static_cast<std::uint32_t>(out.values.size());
+    const auto first = clip.values.begin() + track.first_value;
+    const std::size_t count = std::size_t{track.key_count} * format::floats_per_key(track.path, track.interpolation);
+    out.values.insert(out.values.end(), first, first + static_cast<std::ptrdiff_t>(count));
+    out.tracks.push_back(kept);
+  }
+  return out;
+}
+
+// Everything about one clip at one spacing of frames.
+class Compressor {
+ public:
+  Compressor(const BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Grid& grid)
+      : clip_(clip), skeleton_(skeleton), rig_(rig), curves_(clip, skeleton), grid_(grid), intervals_(grid.intervals) {
+    for (std::size_t j = 0; j < rig.size(); ++j) {
+      source_.emplace_back();
+      for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) source_[j].push_back(curves_.at(j, time_of(e)));
+    }
+    for (const Track& track : clip.tracks)
+      if (jumps(clip, track)) exact_.push_back({track.joint, track.path});
+  }
+
+  std::optional<BuiltClip> compress(const Promise& promise, double share) const;
+
+ private:
+  double time_of(std::size_t moment) const {
+    const double start = static_cast<double>(grid_.start_s), length = static_cast<double>(grid_.end_s) - start;
+    // Rounded as the runtime's argument is, so that both are on the same side of a jump.
+    const double exact = start + length * static_cast<double>(moment) / static_cast<double>(intervals_ * kMoments);
+    return static_cast<double>(static_cast<float>(exact));
+  }
+  bool moves(std::size_t joint, Path path, const Promise& promise) const;
+  std::vector<TrackId> find_tracks(const Promise& promise) const;
+  std::optional<BuiltCoded> code(const std::vector<TrackId>& ids, const Promise& promise, std::size_t length) const;
+  ClipError measure(const BuiltClip& out, const Promise& promise) const;
+
+  const BuiltClip& clip_;
+  const BuiltSkeleton& skeleton_;
+  const Rig& rig_;
+  SourceCurves curves_;
+  Grid grid_;
+  std::size_t intervals_;
+  std::vector<std::vector<Transform>> source_;  // a joint and moment
+  std::vector<TrackId> exact_;
+};
+
+// Whether a sub-track ever leaves the rest pose by more than a small share of the promise: exporters write every track,
+// and most of them are rounding.
+bool Compressor::moves(std::size_t joint, Path path, const Promise& promise) const {
+  const Track* const track = curves_.track(joint, path);
+  if (track == nullptr || jumps(clip_, *track)) return false;
+  const Transform& rest = rig_.rest[joint];
+  const double most = kRestShare * promise.error /
+                      (path == Path::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
+  return std::any_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
+    if (path == Path::translation) return glm::length(t.translation - rest.translation) > most;
+    if (path == Path::scale) return glm::length(t.scale - rest.scale) > most;
+    const glm::dquat turned = glm::conjugate(rest.rotation) * t.rotation;
+    return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) > most;
+  });
+}
+
+// In the order in which they are stored: groups of four joints, in each rotations, translations, scales.
+std::vector<TrackId> Compressor::find_tracks(const Promise& promise) const {
+  std::vector<TrackId> out;
+  for (std::size_t group = 0; group < rig_.size(); group += 4)
+    for (const Path path : {Path::rotation, Path::translation, Path::scale})
+      for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j)
+        if (moves(j, path, promise)) out.push_back({j, path});
+  return out;
+}
+
+ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) const {
+  const Skeleton skeleton = view(skeleton_);
+  const Clip clip = view(out, skeleton);
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<World> source(rig_.size()), decoded(rig_.size());
+  ClipError worst;
+  for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) {
+    if (sample(skeleton, clip, static_cast<float>(time_of(e)), local) != Status::ok) return {INFINITY, 0, 0};
+    BuiltSkeleton posed;
+    posed.rest = local;
+    posed.parents = skeleton_.parents;
+    const std::vector<Transform> transforms = rest_transforms(posed);
+    for (std::size_t j = 0; j < rig_.size(); ++j) {
+      const bool root = rig_.parents[j] == kNone;
+      const auto up = static_cast<std::size_t>(rig_.parents[j]);
+      source[j] = rig_.place(j, root ? nullptr : &source[up], source_[j][e]);
+      decoded[j] = rig_.place(j, root ? nullptr : &decoded[up], transforms[j]);
+      const double error = shell_error(source[j], decoded[j], promise.shell);
+      if (!(error <= worst.error_m)) worst = {error, j, time_of(e)};
+    }
+  }
+  return worst;
+}
+
+// Coded tracks in segments of at most `length` intervals, all about as long.
+std::optional<BuiltCoded> Compressor::code(const std::vector<TrackId>& ids, const Promise& promise,
+                                           std::size_t length) const {
+  const std::size_t segments = (intervals_ + length - 1) / length;
+  const std::size_t each = (intervals_ + segments - 1) / segments;
+  Packer packer(ids, rig_.size());
+  for (std::size_t first = 0; first < intervals_; first += each) {
+    const std::size_t count = std::min(each, intervals_ - first);
+    std::vector<std::vector<Transform>> source;
+    for (const std::vector<Transform>& joint : source_) {
+      const auto begin = joint.begin() + static_cast<std::ptrdiff_t>(first * kMoments);
+      source.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count * kMoments + 1));
+    }
+    Segment segment(rig_, promise, ids, exact_, std::move(source));
+    if (!segment.search()) return std::nullopt;
+    packer.add(segment.tracks());
+  }
+  return packer.finish(intervals_, each, grid_.start_s, grid_.end_s);
+}
+
+std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
+  const std::vector<TrackId> ids = find_tracks(promise);
+  if (ids.empty()) return std::nullopt;
+  std::optional<BuiltClip> best;
+  std::size_t last_count = 0;
+  for (const std::size_t length : kSegmentIntervals) {
+    const std::size_t count = (intervals_ + length - 1) / length;
+    if (count == last_count) continue;
+    last_count = count;
+    std::optional<BuiltCoded> coded = code(ids, {share * promise.error, promise.shell}, length);
+    if (!coded || (best && coded->payload.size() >= best->coded.payload.size())) continue;
+    best = keep_jumping(clip_);
+    best->coded = std::move(*coded);
+  }
+  if (best) best->error = measure(*best, promise);
+  return best;
+}
+
+std::size_t bytes_of(const BuiltClip& clip) {
+  return clip.tracks.size() * sizeof(Track) + 4 * (clip.times_s.size() + clip.values.size()) +
+         clip.coded.payload.size() + 4 * clip.coded.offsets.size() + 2 * clip.coded.masks.size() +
+         (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
+}
+
+}  // namespace
+
+void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise) {
+  for (const Grid& grid : grids(clip)) {
+    const Compressor compressor(clip, skeleton, rig, grid);
+    for (const double share : kShares) {
+      std::optional<BuiltClip> made = compressor.compress(promise, share);
+      if (!made) break;
+      if (made->error.error_m > promise.error) continue;
+      if (bytes_of(*made) < bytes_of(clip)) clip = std::move(*made);
+      return;
+    }
+  }
+}
+
+}  // namespace marrow::cook

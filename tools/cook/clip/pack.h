@@ -1,0 +1,23 @@
+// Coded tracks → the bytes of docs/format.md, and views of what has been built, as the runtime takes them.
+#pragma once
+
+#include "cook/clip/segment.h"
+#include "marrow/file.h"
+
+namespace marrow::cook {
+
+class Packer {
+ public:
+  Packer(const std::vector<TrackId>& tracks, std::size_t joint_count);
+  // A segment's tracks in the order of the constructor's.
+  void add(const std::vector<CodedTrack>& tracks);
+  BuiltCoded finish(std::size_t intervals, std::size_t segment_intervals, float start_s, float end_s);
+
+ private:
+  BuiltCoded out_;
+};
+
+Skeleton view(const BuiltSkeleton& skeleton);
+Clip view(const BuiltClip& clip, const Skeleton& skeleton);
+
+}  // namespace marrow::cook
