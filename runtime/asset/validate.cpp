@@ -158,7 +158,8 @@ bool Checker::segments(const File::Section& s, const format::CodedHeader& h, con
     for (std::uint32_t t = 0; t < h.track_count; ++t) {
       format::TrackHeader track;
       std::memcpy(&track, segment + 4 + t * sizeof track, sizeof track);
-      for (int c = 0; c < 3; ++c) bits += format::component_bits(track.widths >> (4 * c) & 15u);
+      const std::uint32_t widths = track.widths;
+      for (std::uint32_t c = 0; c < 3; ++c) bits += format::component_bits(widths >> (4 * c) & 15u);
     }
     if (bits != frame_bits) return fail(segment, "a frame's bits are its tracks'");
     const std::uint64_t left = h.frame_count - 1 - std::uint64_t{i} * h.segment_intervals;

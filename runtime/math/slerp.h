@@ -31,8 +31,7 @@ inline F sinc_of_square(F y) {
 // asin(√z) / √z for z in [0, ½], within 1.1e-7. Minimax fit of degree 6.
 template <class F>
 inline F asinc_of_square(F z) {
-  constexpr float kFit[] = {1.00000011f, 0.16664676f,  0.07559077f, 0.03815005f,
-                            0.06348833f, -0.05957173f, 0.10395446f};
+  constexpr float kFit[] = {1.00000011f, 0.16664676f, 0.07559077f, 0.03815005f, 0.06348833f, -0.05957173f, 0.10395446f};
   return horner(kFit, z);
 }
 

@@ -33,10 +33,10 @@ class Reader {
     std::memcpy(&h, header_, sizeof h);
     header_ += sizeof h;
     std::uint64_t a = word(a_), b = word(b_);
-    const std::uint32_t shift = h.widths >> 12;
+    const std::uint32_t widths = h.widths, shift = widths >> 12;
     std::uint32_t bits = 0;
     for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t width = format::component_bits(h.widths >> (4 * c) & 15u);
+      const std::uint32_t width = format::component_bits(widths >> (4 * c) & 15u);
       const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
       const auto least = static_cast<std::int32_t>(static_cast<std::uint32_t>(std::int32_t{h.least[c]}) << shift);
       out.a[c][lane] = static_cast<std::int32_t>(a & mask) + least;

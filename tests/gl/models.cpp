@@ -39,7 +39,9 @@ std::vector<std::string> model_paths() {
 
 std::optional<Model> cook_model(const std::string& path) {
   try {
-    const cook::CookResult cooked = cook::cook_file(path, {});
+    cook::CookOptions options;
+    options.raw_clips = true;  // poses are all that matters here, and compressing takes most of the time
+    const cook::CookResult cooked = cook::cook_file(path, options);
     Model model{fs::path(path).filename().string(), tools::AlignedBytes(cooked.file), {}};
     DataError error;
     if (load({model.bytes.data(), model.bytes.size()}, model.file, &error) == Status::ok) return model;

@@ -207,5 +207,13 @@ TEST(Bits, GoldenFile) {
   EXPECT_EQ(test::exercise(file), 0x8418D68D2F630DB2u);
 }
 
+TEST(Bits, CodedClip) {
+  test::AlignedBlock block = test::golden_coded_copy();
+  File file;
+  ASSERT_EQ(load(block, file), Status::ok);
+  ASSERT_GT(file.clip(0).coded.frame_count, 0u);
+  EXPECT_EQ(test::exercise(file), 0xD4FA4A6245B297C8u);
+}
+
 }  // namespace
 }  // namespace marrow

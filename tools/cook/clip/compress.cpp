@@ -222,7 +222,8 @@ std::optional<BuiltClip> Compressor::compress(const Promise& promise, double sha
     if (count == last_count) continue;
     last_count = count;
     std::optional<BuiltCoded> coded = code(ids, {share * promise.error, promise.shell}, length);
-    if (!coded || (best && coded->payload.size() >= best->coded.payload.size())) continue;
+    if (!coded) break;  // a finer grid may help, other segments will not
+    if (best && coded->payload.size() >= best->coded.payload.size()) continue;
     best = keep_jumping(clip_);
     best->coded = std::move(*coded);
   }

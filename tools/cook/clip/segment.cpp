@@ -10,8 +10,8 @@ namespace marrow::cook {
 namespace {
 
 constexpr double kFirstShare = 0.5;  // of the promise, for each track's step at the start
-constexpr int kMostShrinks = 40;
-constexpr int kFarthestStep = 24;  // quarter octaves that one coarsening may take
+constexpr int kMostShrinks = 18;     // to a fiftieth of it
+constexpr int kFarthestStep = 24;    // quarter octaves that one coarsening may take
 
 double eighth_power(double x) {
   const double x2 = x * x, x4 = x2 * x2;
