@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kGridSlack = 1e-3;  // of a frame
 constexpr std::size_t kMostIntervals = 20000;
+constexpr std::size_t kMostTransforms = 1'000'000;              // a joint and moment: 80 MB; larger clips stay raw
 constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
 constexpr double kRestShare = 0.05;              // of the promise, below which leaving the rest pose does not count
 constexpr double kShares[] = {0.97, 0.9, 0.75};  // of the promise, that the search may use up
@@ -73,9 +74,10 @@ std::vector<Grid> grids(const BuiltClip& clip) {
   const std::optional<Grid> own = find_grid(times);
   if (own && !has_cubic(clip)) return {*own};
   const double length = static_cast<double>(*times.rbegin()) - static_cast<double>(*times.begin());
-  const auto coarsest = own ? own->intervals : static_cast<std::size_t>(std::ceil(length * 30));
-  for (std::size_t finer = 1; finer <= 8; finer *= 2)
-    if (coarsest * finer <= kMostIntervals) out.push_back({*times.begin(), *times.rbegin(), coarsest * finer});
+  const double coarsest = own ? static_cast<double>(own->intervals) : std::ceil(length * 30);
+  for (const double finer : {1.0, 2.0, 4.0, 8.0})
+    if (coarsest * finer <= static_cast<double>(kMostIntervals))
+      out.push_back({*times.begin(), *times.rbegin(), static_cast<std::size_t>(coarsest * finer)});
   return out;
 }
 
@@ -241,6 +243,7 @@ std::size_t bytes_of(const BuiltClip& clip) {
 
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise) {
   for (const Grid& grid : grids(clip)) {
+    if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) return;
     const Compressor compressor(clip, skeleton, rig, grid);
     for (const double share : kShares) {
       std::optional<BuiltClip> made = compressor.compress(promise, share);
