@@ -100,6 +100,12 @@ TEST_F(CliRoad, PoseWritesWhatTheReferenceSays) {
   EXPECT_EQ(cases, 12);
 }
 
+TEST_F(CliRoad, InfoTellsCodedClipsFromRawOnes) {
+  const std::string dance = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance_v1.mrw";
+  EXPECT_NE(run_marrow({"info", dance}).out.find("9 tracks, segments\n"), std::string::npos);
+  EXPECT_NE(run_marrow({"info", mrw()}).out.find("tracks, raw\n"), std::string::npos);
+}
+
 TEST_F(CliRoad, ClipsGoByNameAndByIndex) {
   EXPECT_EQ(pose("a.bin", {"--clip", "point"}), pose("b.bin", {"--clip", "1"}));
   EXPECT_NE(pose("a.bin", {"--clip", "point"}), pose("b.bin", {}));

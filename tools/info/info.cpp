@@ -65,7 +65,12 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
   r["clips"] = ordered_json::array();
   for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
     const Clip c = file.clip(i);
-    r["clips"].push_back({{"name", c.name}, {"duration_s", c.duration_s}, {"tracks", c.tracks.size}, {"codec", "raw"}});
+    const CodedTracks& coded = c.coded;
+    r["clips"].push_back({{"name", c.name},
+                          {"duration_s", c.duration_s},
+                          {"tracks", c.tracks.size + coded.track_count},
+                          {"codec", coded.frame_count > 0 ? "segments" : "raw"},
+                          {"frames", coded.frame_count}});
   }
   return r;
 }
@@ -79,8 +84,8 @@ void print(const ordered_json& r) {
                s["roots"].get<int>());
   for (std::size_t i = 0; i < r["clips"].size(); ++i) {
     const auto& c = r["clips"][i];
-    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks\n", i, text(c["name"]), c["duration_s"].get<double>(),
-               c["tracks"].get<int>());
+    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks, {}\n", i, text(c["name"]), c["duration_s"].get<double>(),
+               c["tracks"].get<int>(), text(c["codec"]));
   }
   for (std::size_t i = 0; i < r["meshes"].size(); ++i) {
     const auto& m = r["meshes"][i];

@@ -6,7 +6,8 @@
 namespace marrow {
 
 // Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
-// STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised).
+// STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
+// tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
 //
 // out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
 // Errors: bad_argument if `out` is too short, the clip belongs to a skeleton with other joints, or time_s is not a

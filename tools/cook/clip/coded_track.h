@@ -25,13 +25,13 @@ struct CodedTrack {
 // Rounds every frame's value to the step.
 CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code);
 
-// The largest code whose step is at least `step`, clamped to what a byte holds.
+// The code of the largest step that is not above `step`, clamped to what a byte holds.
 int code_of_step(double step);
 
 // What a frame of the integers stands for.
 glm::dvec3 decode(const CodedTrack& track, std::size_t frame);
 
-// Modified Rodrigues parameters, axis · tan(θ/4), and back; `near` picks the one of q and -q.
+// Modified Rodrigues parameters, axis · tan(θ/4), and back. -q gives other parameters than q: the caller chooses.
 glm::dvec3 to_rodrigues(const glm::dquat& q);
 glm::dquat from_rodrigues(const glm::dvec3& m);
 
