@@ -64,17 +64,24 @@ struct CodedHeader {
   std::uint32_t segment_intervals;  // ≥ 1
   float start_s;                    // of frame 0
   float frames_per_s;
-  std::uint32_t track_count;    // Σ bits of the masks
-  std::uint32_t payload_bytes;  // kPayloadPadding included
-  std::uint32_t reserved[2];    // 0
+  std::uint32_t track_count;     // Σ bits of the masks of moving sub-tracks
+  std::uint32_t constant_count;  // Σ bits of the masks of constant ones
+  std::uint32_t payload_bytes;   // kPayloadPadding included
+  std::uint32_t reserved;        // 0
 };
 static_assert(sizeof(CodedHeader) == 32);
 
-// A segment: u32 bits of a frame record, a TrackHeader each coded sub-track, then frame records bit by bit.
+// Four numbers a constant sub-track. A rotation's quaternion up to a factor; or x, y, z and the step of those.
+struct Constant {
+  std::int16_t v[4];
+};
+static_assert(sizeof(Constant) == 8);
+
+// A segment: u32 bytes of a frame record, a TrackHeader each moving sub-track, then frame records.
 #pragma pack(push, 1)
 struct TrackHeader {
+  std::uint8_t codes[2];  // four bits each, lowest first: shift of the minima, widths of x, y, z (component_bits())
   std::uint8_t step;      // see step_size()
-  std::uint16_t widths;   // three codes of four bits, see component_bits(); above them the shift of the minima
   std::int16_t least[3];  // smallest value of each component, shifted right
 };
 #pragma pack(pop)
@@ -83,13 +90,14 @@ static_assert(sizeof(TrackHeader) == 9);
 // So that a frame's number is exact as a float.
 inline constexpr std::uint32_t kMaxFrames = 1u << 24;
 
-// A load of 64 bits may reach behind the last record.
+// A load of 64 bits may reach behind the last record or minimum.
 inline constexpr std::uint32_t kPayloadPadding = 8;
 
-// Four steps an octave: 2^(24 - code / 4), from bits so that it is the same everywhere.
-inline float step_size(std::uint8_t code) {
-  constexpr std::uint32_t kQuarters[4] = {0x4B800000u, 0x4B5744FDu, 0x4B3504F3u, 0x4B1837F0u};
-  return std::bit_cast<float>(kQuarters[code % 4] - (static_cast<std::uint32_t>(code / 4) << 23));
+// Four steps an octave: the code is the exponent and the first two bits of the mantissa of a float, from 2^-40 on.
+inline constexpr std::uint32_t kFirstStep = 87u << 23;
+inline constexpr std::uint32_t kStepShift = 21;
+inline float step_size(std::uint32_t code) {
+  return std::bit_cast<float>(kFirstStep + (code << kStepShift));
 }
 
 // Three components fill at most 57 bits, so one load of 64 at a byte holds a record.
@@ -165,14 +173,15 @@ constexpr std::uint32_t segment_count(const CodedHeader& h) {
 
 // Behind the raw tracks of a coded clip, on a boundary of four bytes.
 struct CodedLayout {
-  std::uint64_t header, offsets, masks, payload, bytes;
+  std::uint64_t header, offsets, masks, constants, payload, bytes;
 };
 constexpr CodedLayout layout(const CodedHeader& h, std::uint64_t start, std::uint32_t joint_count) {
   CodedLayout l{};
   l.header = start;
   l.offsets = l.header + sizeof(CodedHeader);
   l.masks = l.offsets + std::uint64_t{segment_count(h)} * 4;
-  l.payload = l.masks + (std::uint64_t{joint_count} + 3) / 4 * 2;
+  l.constants = l.masks + (std::uint64_t{joint_count} + 3) / 4 * sizeof(GroupMasks);
+  l.payload = l.constants + std::uint64_t{h.constant_count} * sizeof(Constant);
   l.bytes = l.payload + h.payload_bytes;
   return l;
 }

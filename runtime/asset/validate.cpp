@@ -52,7 +52,8 @@ class Checker {
   bool track(const format::ClipHeader& h, const Track& t, std::uint32_t joint_count);
   bool key_times(const format::ClipHeader& h, const Track& t, const float* times);
   bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
-  bool masks(const format::CodedHeader& h, const std::uint16_t* masks, std::uint32_t joint_count);
+  bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
+  bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
   bool segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l);
   bool geometry(const File::Section& s);
   bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
@@ -132,14 +133,35 @@ bool Checker::key_times(const format::ClipHeader& h, const Track& t, const float
   return true;
 }
 
-bool Checker::masks(const format::CodedHeader& h, const std::uint16_t* masks, std::uint32_t joint_count) {
-  std::uint32_t tracks = 0;
+std::uint32_t count_bits(std::uint32_t bits) {
+  std::uint32_t count = 0;
+  for (; bits != 0; bits &= bits - 1) ++count;
+  return count;
+}
+
+bool Checker::masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count) {
+  std::uint32_t moving = 0, constant = 0;
   for (std::uint32_t g = 0; g < soa_count(joint_count); ++g) {
     const std::uint32_t lanes = joint_count - 4 * g < 4 ? (1u << (joint_count - 4 * g)) - 1 : 15u;
-    if ((masks[g] & ~(lanes * 0x111u)) != 0) return fail(masks + g, "a coded track outside the skeleton");
-    for (std::uint32_t bits = masks[g]; bits != 0; bits &= bits - 1) ++tracks;
+    const std::uint32_t m = masks[g].moving, c = masks[g].constant;
+    if (((m | c) & ~(lanes * 0x111u)) != 0) return fail(masks + g, "a coded track outside the skeleton");
+    if ((m & c) != 0) return fail(masks + g, "a track moves or is constant");
+    moving += count_bits(m);
+    constant += count_bits(c);
   }
-  return tracks == h.track_count || fail(&h.track_count, "as many coded tracks as bits in the masks");
+  if (constant != h.constant_count) return fail(&h.constant_count, "as many constant tracks as bits in the masks");
+  return moving == h.track_count || fail(&h.track_count, "as many coded tracks as bits in the masks");
+}
+
+bool Checker::constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count) {
+  for (std::uint32_t g = 0; g < soa_count(joint_count); ++g) {
+    const std::uint32_t bits = masks[g].constant;
+    for (std::uint32_t i = count_bits(bits & 15u); i > 0; --i, ++next)
+      if ((next->v[0] | next->v[1] | next->v[2] | next->v[3]) == 0) return fail(next, "a rotation is not zero");
+    for (std::uint32_t i = count_bits(bits >> 4); i > 0; --i, ++next)
+      if (next->v[3] < 0 || next->v[3] > 255) return fail(next, "a step from 0 to 255");
+  }
+  return true;
 }
 
 // Segments follow one another without a gap, so one pass sees every byte once.
@@ -152,19 +174,19 @@ bool Checker::segments(const File::Section& s, const format::CodedHeader& h, con
     end += 4 + std::uint64_t{h.track_count} * sizeof(format::TrackHeader);
     if (end > limit) return fail(offsets + i, "a segment outside the payload");
     const auto* segment = at<std::byte>(s, l.payload + offsets[i]);
-    std::uint32_t frame_bits;
-    std::memcpy(&frame_bits, segment, 4);
+    std::uint32_t frame_bytes;
+    std::memcpy(&frame_bytes, segment, 4);
     std::uint64_t bits = 0;
     for (std::uint32_t t = 0; t < h.track_count; ++t) {
       format::TrackHeader track;
       std::memcpy(&track, segment + 4 + t * sizeof track, sizeof track);
-      const std::uint32_t widths = track.widths;
-      for (std::uint32_t c = 0; c < 3; ++c) bits += format::component_bits(widths >> (4 * c) & 15u);
+      const std::uint32_t x = track.codes[0] >> 4u, y = track.codes[1] & 15u, z = track.codes[1] >> 4u;
+      bits += format::component_bits(x) + format::component_bits(y) + format::component_bits(z);
     }
-    if (bits != frame_bits) return fail(segment, "a frame's bits are its tracks'");
+    if ((bits + 7) / 8 != frame_bytes) return fail(segment, "a frame's bytes hold its tracks' bits");
     const std::uint64_t left = h.frame_count - 1 - std::uint64_t{i} * h.segment_intervals;
     const std::uint64_t frames = (left < h.segment_intervals ? left : h.segment_intervals) + 1;
-    end += (frames * bits + 7) / 8;
+    end += frames * frame_bytes;
     if (end > limit) return fail(offsets + i, "a segment outside the payload");
   }
   return end == limit || fail(&h.payload_bytes, "payload behind the last segment");
@@ -173,7 +195,7 @@ bool Checker::segments(const File::Section& s, const format::CodedHeader& h, con
 bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count) {
   const auto* h = at<format::CodedHeader>(s, start);
   if (s.bytes - start < sizeof *h) return fail(block_.data + s.offset, "section too short for its header");
-  if ((h->reserved[0] | h->reserved[1]) != 0) return fail(h->reserved, "reserved must be 0");
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if (h->frame_count < 2 || h->frame_count > format::kMaxFrames) return fail(h, "2 to 16777216 frames");
   if (h->segment_intervals == 0) return fail(&h->segment_intervals, "a segment has intervals");
   if (!finite(&h->start_s, 8)) return false;
@@ -181,7 +203,9 @@ bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t j
   if (h->payload_bytes < format::kPayloadPadding) return fail(&h->payload_bytes, "payload without padding");
   const format::CodedLayout l = layout(*h, start, joint_count);
   if (l.bytes != s.bytes) return fail(h, "section size differs from its counts");
-  return masks(*h, at<std::uint16_t>(s, l.masks), joint_count) && segments(s, *h, l);
+  const auto* groups = at<GroupMasks>(s, l.masks);
+  return masks(*h, groups, joint_count) && constants(groups, at<format::Constant>(s, l.constants), joint_count) &&
+         segments(s, *h, l);
 }
 
 bool Checker::clip(const File::Section& s) {

@@ -1,7 +1,10 @@
 // f32x4 in plain C++: the reference that the SIMD backends must equal bit for bit.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace marrow {
 
@@ -22,9 +25,6 @@ inline f32x4 load(const float* p) {
 }
 inline f32x4 load_aligned(const float* p) {
   return load(p);
-}
-inline f32x4 from_ints(const std::int32_t* p) {
-  return {{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), static_cast<float>(p[3])}};
 }
 inline void store(float* p, f32x4 a) {
   for (int i = 0; i < 4; ++i) p[i] = a.v[i];
@@ -84,6 +84,90 @@ inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
     p[3 * i] = x.v[i];
     p[3 * i + 1] = y.v[i];
     p[3 * i + 2] = z.v[i];
+  }
+}
+
+// Four 32-bit and two 64-bit words, for unpacking.
+struct i32x4 {
+  std::int32_t v[4];
+};
+struct alignas(16) u64x2 {
+  std::uint64_t v[2];
+};
+
+template <class Operation>
+inline i32x4 each_int(Operation operation) {
+  return {{operation(0), operation(1), operation(2), operation(3)}};
+}
+
+inline i32x4 splat_int(std::int32_t s) {
+  return {{s, s, s, s}};
+}
+inline i32x4 operator+(i32x4 a, i32x4 b) {
+  return each_int([&](int i) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a.v[i]) + static_cast<std::uint32_t>(b.v[i]));
+  });
+}
+inline i32x4 operator&(i32x4 a, i32x4 b) {
+  return each_int([&](int i) { return a.v[i] & b.v[i]; });
+}
+template <int Bits>
+inline i32x4 shift_left(i32x4 a) {
+  return each_int([&](int i) { return static_cast<std::int32_t>(static_cast<std::uint32_t>(a.v[i]) << Bits); });
+}
+inline f32x4 to_float(i32x4 a) {
+  return each_lane([&](int i) { return static_cast<float>(a.v[i]); });
+}
+inline f32x4 bits_as_float(i32x4 a) {
+  return each_lane([&](int i) { return std::bit_cast<float>(a.v[i]); });
+}
+// One word from each place, whatever its alignment.
+inline i32x4 gather_words(const std::byte* const (&p)[4]) {
+  i32x4 out;
+  for (int i = 0; i < 4; ++i) std::memcpy(out.v + i, p[i], 4);
+  return out;
+}
+// Four int16 from each place, times 65536; component by component, one lane a place.
+inline void gather_int16(const std::byte* const (&p)[4], i32x4 (&out)[4]) {
+  for (int lane = 0; lane < 4; ++lane) {
+    std::int16_t from[4];
+    std::memcpy(from, p[lane], 8);
+    for (int i = 0; i < 4; ++i) out[i].v[lane] = from[i] * 65536;
+  }
+}
+// Four times four int16 one after the other, times 65536; component by component.
+inline void load_int16(const std::byte* p, i32x4 (&out)[4]) {
+  gather_int16({p, p + 8, p + 16, p + 24}, out);
+}
+// Sixty-four bits from each of two places, whatever their alignment.
+inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
+  u64x2 out;
+  std::memcpy(out.v, a, 8);
+  std::memcpy(out.v + 1, b, 8);
+  return out;
+}
+inline u64x2 load_aligned(const std::uint64_t* p) {
+  return {{p[0], p[1]}};
+}
+inline void store(u64x2& to, u64x2 a) {
+  to = a;
+}
+inline u64x2 operator&(u64x2 a, u64x2 b) {
+  return {{a.v[0] & b.v[0], a.v[1] & b.v[1]}};
+}
+// How shift_right wants to be told to shift by n bits; in both words.
+constexpr std::uint64_t shift_count(std::uint64_t n) {
+  return n;
+}
+// Both words by as many bits.
+inline u64x2 shift_right(u64x2 a, u64x2 n) {
+  return {{a.v[0] >> n.v[0], a.v[1] >> n.v[0]}};
+}
+// The low halves of four pairs: of their first words, and of their second.
+inline void low_words(const u64x2 (&p)[4], i32x4& first, i32x4& second) {
+  for (int i = 0; i < 4; ++i) {
+    first.v[i] = static_cast<std::int32_t>(p[i].v[0] & 0xFFFFFFFFu);
+    second.v[i] = static_cast<std::int32_t>(p[i].v[1] & 0xFFFFFFFFu);
   }
 }
 

@@ -3,7 +3,9 @@
 
 #include <emmintrin.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace marrow {
 
@@ -20,9 +22,6 @@ inline f32x4 load(const float* p) {
 // From a multiple of 16 bytes: may be folded into what uses it.
 inline f32x4 load_aligned(const float* p) {
   return {_mm_load_ps(p)};
-}
-inline f32x4 from_ints(const std::int32_t* p) {
-  return {_mm_cvtepi32_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p)))};
 }
 inline void store(float* p, f32x4 a) {
   _mm_storeu_ps(p, a.v);
@@ -86,6 +85,97 @@ inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
   _mm_storeu_ps(p, _mm_shuffle_ps(x0y0x1y1, z0__x1_, _MM_SHUFFLE(2, 0, 1, 0)));
   _mm_storeu_ps(p + 4, _mm_shuffle_ps(y1__z1_, x2y2x3y3, _MM_SHUFFLE(1, 0, 2, 0)));
   _mm_storeu_ps(p + 8, _mm_shuffle_ps(z2__x3_, y3__z3_, _MM_SHUFFLE(2, 0, 2, 0)));
+}
+
+// Four 32-bit and two 64-bit words, for unpacking.
+struct i32x4 {
+  __m128i v;
+};
+struct u64x2 {
+  __m128i v;
+};
+
+inline i32x4 splat_int(std::int32_t s) {
+  return {_mm_set1_epi32(s)};
+}
+inline i32x4 operator+(i32x4 a, i32x4 b) {
+  return {_mm_add_epi32(a.v, b.v)};
+}
+inline i32x4 operator&(i32x4 a, i32x4 b) {
+  return {_mm_and_si128(a.v, b.v)};
+}
+template <int Bits>
+inline i32x4 shift_left(i32x4 a) {
+  return {_mm_slli_epi32(a.v, Bits)};
+}
+inline f32x4 to_float(i32x4 a) {
+  return {_mm_cvtepi32_ps(a.v)};
+}
+inline f32x4 bits_as_float(i32x4 a) {
+  return {_mm_castsi128_ps(a.v)};
+}
+// One word from each place, whatever its alignment.
+inline i32x4 gather_words(const std::byte* const (&p)[4]) {
+  const auto word = [](const std::byte* at) {
+    std::int32_t w;
+    std::memcpy(&w, at, 4);
+    return _mm_cvtsi32_si128(w);
+  };
+  return {_mm_unpacklo_epi64(_mm_unpacklo_epi32(word(p[0]), word(p[1])), _mm_unpacklo_epi32(word(p[2]), word(p[3])))};
+}
+// Four int16 from each place, times 65536; component by component, one lane a place.
+inline void gather_int16(const std::byte* const (&p)[4], i32x4 (&out)[4]) {
+  const auto half = [](const std::byte* at) { return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(at)); };
+  const auto pair = [half](const std::byte* a, const std::byte* b) { return _mm_unpacklo_epi16(half(a), half(b)); };
+  const __m128i ab = pair(p[0], p[1]), cd = pair(p[2], p[3]);  // x0 x1 y0 y1 …
+  const __m128i xy = _mm_unpacklo_epi32(ab, cd), zw = _mm_unpackhi_epi32(ab, cd);
+  const __m128i zero = _mm_setzero_si128();
+  out[0] = {_mm_unpacklo_epi16(zero, xy)};
+  out[1] = {_mm_unpackhi_epi16(zero, xy)};
+  out[2] = {_mm_unpacklo_epi16(zero, zw)};
+  out[3] = {_mm_unpackhi_epi16(zero, zw)};
+}
+// Four times four int16 one after the other, times 65536; component by component.
+inline void load_int16(const std::byte* p, i32x4 (&out)[4]) {
+  const __m128i ab = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+  const __m128i cd = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p) + 1);
+  const __m128i ac = _mm_unpacklo_epi16(ab, cd), bd = _mm_unpackhi_epi16(ab, cd);
+  const __m128i xy = _mm_unpacklo_epi16(ac, bd), zw = _mm_unpackhi_epi16(ac, bd), zero = _mm_setzero_si128();
+  out[0] = {_mm_unpacklo_epi16(zero, xy)};
+  out[1] = {_mm_unpackhi_epi16(zero, xy)};
+  out[2] = {_mm_unpacklo_epi16(zero, zw)};
+  out[3] = {_mm_unpackhi_epi16(zero, zw)};
+}
+// Sixty-four bits from each of two places, whatever their alignment.
+inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
+  const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(a));
+  return {_mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(low), reinterpret_cast<const __m64*>(b)))};
+}
+inline u64x2 load_aligned(const std::uint64_t* p) {
+  return {_mm_load_si128(reinterpret_cast<const __m128i*>(p))};
+}
+inline void store(u64x2& to, u64x2 a) {
+  _mm_store_si128(&to.v, a.v);
+}
+inline u64x2 operator&(u64x2 a, u64x2 b) {
+  return {_mm_and_si128(a.v, b.v)};
+}
+// How shift_right wants to be told to shift by n bits; in both words.
+constexpr std::uint64_t shift_count(std::uint64_t n) {
+  return n;
+}
+// Both words by as many bits.
+inline u64x2 shift_right(u64x2 a, u64x2 n) {
+  return {_mm_srl_epi64(a.v, n.v)};
+}
+// The low halves of four pairs: of their first words, and of their second.
+inline void low_words(const u64x2 (&p)[4], i32x4& first, i32x4& second) {
+  const auto even = [](__m128 a, __m128 b) { return _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)); };
+  const auto odd = [](__m128 a, __m128 b) { return _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)); };
+  const __m128 ab = even(_mm_castsi128_ps(p[0].v), _mm_castsi128_ps(p[1].v));
+  const __m128 cd = even(_mm_castsi128_ps(p[2].v), _mm_castsi128_ps(p[3].v));
+  first = {_mm_castps_si128(even(ab, cd))};
+  second = {_mm_castps_si128(odd(ab, cd))};
 }
 
 }  // namespace marrow

@@ -88,15 +88,25 @@ void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTran
   for (int i = 0; i < n; ++i) lanes[i][track.joint % 4] = value[i];
 }
 
+bool wanted(const SampleOptions& options, std::uint32_t joint) {
+  return options.joints.empty() || (options.joints[joint / 32] >> (joint % 32) & 1u) != 0;
+}
+
 }  // namespace
 
-Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out) {
+Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+              const SampleOptions& options) {
   MARROW_REQUIRE(out.size >= skeleton.soa_size());
   MARROW_REQUIRE(time_s == time_s);
   for (const Track& track : clip.tracks) MARROW_REQUIRE(track.joint < skeleton.joint_count);
   MARROW_REQUIRE(clip.coded.frame_count == 0 || clip.joint_count == skeleton.joint_count);
-  std::memcpy(out.data, skeleton.rest, skeleton.soa_size() * sizeof(SoaTransform));
-  if (clip.coded.frame_count != 0) sample_coded(clip.coded, skeleton.joint_count, time_s, out.data);
+  MARROW_REQUIRE(options.joints.empty() || options.joints.size >= (std::size_t{skeleton.joint_count} + 31) / 32);
+  if (clip.coded.frame_count != 0) {
+    sample_coded(skeleton, clip.coded, time_s, options, out.data);
+  } else if (!options.prefilled) {
+    for (std::size_t g = 0; g < skeleton.soa_size(); ++g)
+      copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
+  }
   // Tracks that share a list of key times stand together: one search serves them all.
   Moment moment{};
   std::uint32_t list = 0, list_size = 0;
@@ -106,7 +116,7 @@ Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<Soa
       list_size = track.key_count;
       moment = find(clip.times_s + list, list_size, time_s);
     }
-    sample_track(clip, track, moment, out.data);
+    if (wanted(options, track.joint)) sample_track(clip, track, moment, out.data);
   }
   return Status::ok;
 }

@@ -1,14 +1,42 @@
 // Coded tracks at a time → local transforms; the part of `sample` that unpacks.
 #pragma once
 
-#include "marrow/file.h"
+#include "marrow/sample.h"
+#include "math/f32x4.h"
 
 namespace marrow {
 
-// Overwrites the lanes of `out` that the clip codes; `out` holds the rest pose. time_s is a number.
+// The joints of a group of four that are asked for, one bit each.
+inline std::uint32_t wanted_lanes(const SampleOptions& options, std::size_t group) {
+  return options.joints.empty() ? 15u : options.joints[group / 8] >> (4 * (group % 8)) & 15u;
+}
+
+// Faster than a call for a few hundred bytes.
+inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
+  if (lanes == 15) {
+    f32x4 t[3], r[4], s[3];
+    for (int i = 0; i < 3; ++i) t[i] = load_aligned(from.translation[i]);
+    for (int i = 0; i < 4; ++i) r[i] = load_aligned(from.rotation[i]);
+    for (int i = 0; i < 3; ++i) s[i] = load_aligned(from.scale[i]);
+    for (int i = 0; i < 3; ++i) store(to.translation[i], t[i]);
+    for (int i = 0; i < 4; ++i) store(to.rotation[i], r[i]);
+    for (int i = 0; i < 3; ++i) store(to.scale[i], s[i]);
+    return;
+  }
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    if ((lanes >> lane & 1u) == 0) continue;
+    for (int i = 0; i < 3; ++i) to.translation[i][lane] = from.translation[i][lane];
+    for (int i = 0; i < 4; ++i) to.rotation[i][lane] = from.rotation[i][lane];
+    for (int i = 0; i < 3; ++i) to.scale[i][lane] = from.scale[i][lane];
+  }
+}
+
+// Writes the joints asked for: the rest pose, over it what is constant in the clip (both unless options.prefilled) and
+// what moves. time_s is a number.
 // Method: rotations are rest · q(m) with m = axis · tan(θ/4), the modified Rodrigues parameters (Shuster, "A survey of
 // attitude representations", 1993), translations and scales rest + v; each component an integer times the track's step.
 // Two neighbouring frames are unpacked and blended, rotations on the sphere.
-void sample_coded(const CodedTracks& coded, std::uint32_t joint_count, float time_s, SoaTransform* out);
+void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time_s, const SampleOptions& options,
+                  SoaTransform* out);
 
 }  // namespace marrow

@@ -1,7 +1,10 @@
 // Compressed clips keep their promise: every clip of every model, in scene space through the whole hierarchy, against
 // the source curves by the glTF specification, with the runtime's own decoder, at frames and the quarters between.
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -81,7 +84,7 @@ TEST_P(Clips, KeepTheirPromise) {
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<Affine> scene(skeleton.joint_count);
   const double diagonal = diagonal_of(skeleton, local, scene);
-  const double scale = diagonal < 0.2 || diagonal > 20 ? diagonal / kPerson : 1.0;
+  const double scale = diagonal > 0 && (diagonal < 0.2 || diagonal > 20) ? diagonal / kPerson : 1.0;
   double worst = 0;
   std::size_t coded = 0, bytes = 0, compared = 0;
   for (std::size_t c = 0; c < built.clips.size(); ++c) {
@@ -110,6 +113,42 @@ TEST_P(Clips, KeepTheirPromise) {
   if (std::filesystem::path(GetParam()).stem() == "dance") {
     EXPECT_EQ(coded, 1u) << "at least one, so that this test tests";
   }
+}
+
+// A set of joints, and a pose that already holds what stays: the same bits as of the whole pose.
+TEST_P(Clips, InPartsAreTheSame) {
+  if (std::filesystem::file_size(GetParam()) > kMostBytes) GTEST_SKIP() << "thinned under sanitizers";
+  cook::RawScene raw = cook::read_gltf(GetParam());
+  const cook::BuiltScene built = cook::build_scene(raw, {});
+  const Skeleton skeleton = cook::view(built.skeleton);
+  std::vector<SoaTransform> whole(skeleton.soa_size()), kept(skeleton.soa_size()), part(skeleton.soa_size());
+  const auto lane = [](const SoaTransform& t, std::size_t n) {
+    std::vector<std::uint32_t> bits(10);
+    for (std::size_t i = 0; i < 10; ++i) std::memcpy(&bits[i], reinterpret_cast<const float*>(&t) + 4 * i + n, 4);
+    return bits;
+  };
+  std::mt19937 random(7);
+  std::size_t compared = 0;
+  for (const cook::BuiltClip& one : built.clips) {
+    const Clip clip = cook::view(one, skeleton);
+    ASSERT_EQ(sample(skeleton, clip, clip.duration_s / 3, kept), Status::ok);
+    for (int i = 0; i < 5; ++i) {
+      const float time_s = clip.duration_s * static_cast<float>(i) / 4;
+      ASSERT_EQ(sample(skeleton, clip, time_s, whole), Status::ok);
+      ASSERT_EQ(sample(skeleton, clip, time_s, kept, {.prefilled = true}), Status::ok);
+      std::vector<std::uint32_t> joints((skeleton.joint_count + 31) / 32);
+      for (std::uint32_t& word : joints) word = static_cast<std::uint32_t>(random() & (i % 2 == 0 ? random() : ~0U));
+      const SoaTransform marker = {{{7, 7, 7, 7}}, {{5, 5, 5, 5}}, {{3, 3, 3, 3}}};
+      std::fill(part.begin(), part.end(), marker);
+      ASSERT_EQ(sample(skeleton, clip, time_s, part, {.joints = joints}), Status::ok);
+      for (std::size_t j = 0; j < skeleton.joint_count; ++j, ++compared) {
+        const bool asked = (joints[j / 32] >> (j % 32) & 1U) != 0;
+        EXPECT_EQ(lane(kept[j / 4], j % 4), lane(whole[j / 4], j % 4)) << clip.name << " joint " << j;
+        EXPECT_EQ(lane(part[j / 4], j % 4), lane(asked ? whole[j / 4] : marker, j % 4)) << clip.name << " joint " << j;
+      }
+    }
+  }
+  EXPECT_EQ(compared, 5 * built.clips.size() * skeleton.joint_count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Clips, ::testing::ValuesIn(models()), [](const auto& model) {

@@ -45,9 +45,10 @@ bool has_triangles(const RawScene& scene) {
 Promise make_promise(const Rig& rig, const CookOptions& options) {
   constexpr double kPerson = 2.0;
   Promise promise;
-  const double scale = rig.diagonal_m < 0.2 || rig.diagonal_m > 20 ? rig.diagonal_m / kPerson : 1.0;
+  const double size = rig.diagonal_m > 0 ? rig.diagonal_m : kPerson;  // one joint has no extent
+  const double scale = size < 0.2 || size > 20 ? size / kPerson : 1.0;
   promise.shell *= scale;
-  promise.error = options.clip_error_is_share ? options.clip_error * rig.diagonal_m : options.clip_error * scale;
+  promise.error = options.clip_error_is_share ? options.clip_error * size : options.clip_error * scale;
   return promise;
 }
 

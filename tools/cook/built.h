@@ -35,7 +35,8 @@ struct BuiltSkeleton {
 struct BuiltCoded {
   format::CodedHeader header{};
   std::vector<std::uint32_t> offsets;
-  std::vector<std::uint16_t> masks;
+  std::vector<GroupMasks> masks;
+  std::vector<format::Constant> constants;
   std::vector<std::byte> payload;
 };
 

@@ -64,6 +64,7 @@ void add_coded(const BuiltCoded& coded, Section& out) {
   out.add(coded.header);
   out.add_all(coded.offsets);
   out.add_all(coded.masks);
+  out.add_all(coded.constants);
   out.add_all(coded.payload);
 }
 

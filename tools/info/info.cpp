@@ -68,7 +68,7 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
     const CodedTracks& coded = c.coded;
     r["clips"].push_back({{"name", c.name},
                           {"duration_s", c.duration_s},
-                          {"tracks", c.tracks.size + coded.track_count},
+                          {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
                           {"codec", coded.frame_count > 0 ? "segments" : "raw"},
                           {"frames", coded.frame_count}});
   }

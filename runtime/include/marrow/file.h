@@ -40,16 +40,26 @@ struct Track {
 };
 static_assert(sizeof(Track) == 16);
 
+// Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
+// stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
+struct GroupMasks {
+  std::uint16_t moving;
+  std::uint16_t constant;
+};
+static_assert(sizeof(GroupMasks) == 4);
+
 // Tracks compressed within a stated error: poses at even steps of time, in segments, as packed integers relative to the
-// rest pose (docs/format.md).
+// rest pose (docs/format.md). What does not move stands once.
 struct CodedTracks {
-  std::uint32_t frame_count = 0;        // 0: the clip has no coded tracks; else ≥ 2
-  std::uint32_t track_count = 0;        // coded sub-tracks, one bit in masks each
+  std::uint32_t frame_count = 0;  // 0: the clip has no coded tracks; else ≥ 2
+  std::uint32_t track_count = 0;  // sub-tracks that move
+  std::uint32_t constant_count = 0;
   std::uint32_t segment_intervals = 0;  // steps of time a segment; the last may have fewer
   float start_s = 0;                    // of frame 0
   float frames_per_s = 0;
-  const std::uint16_t* masks = nullptr;            // a group of four joints: which sub-tracks are coded
+  const GroupMasks* masks = nullptr;               // one a group of four joints
   const std::uint32_t* segment_offsets = nullptr;  // bytes into payload
+  const std::byte* constants = nullptr;
   const std::byte* payload = nullptr;
 };
 

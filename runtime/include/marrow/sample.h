@@ -5,15 +5,26 @@
 
 namespace marrow {
 
+struct SampleOptions {
+  // A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
+  // Joints whose bit is 0 keep what `out` holds. Empty: all joints. Every group of four without a joint of the set
+  // costs a few operations only.
+  Span<const std::uint32_t> joints = {};
+  // `out` already holds what this function made of the same clip, for any time and at least the same joints: only what
+  // moves in the clip is written again. The result has the same bits.
+  bool prefilled = false;
+};
+
 // Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
 // STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
 // tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
 //
 // out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
-// Errors: bad_argument if `out` is too short, the clip belongs to a skeleton with other joints, or time_s is not a
-// number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus float rounding. Cost: a binary
-// search a distinct key-time list and a few dozen operations a track, wherever time_s is. Stateless; thread-safe on
-// different outputs.
-Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out);
+// Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints, or
+// time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus float rounding.
+// Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s is. Stateless;
+// thread-safe on different outputs.
+Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+              const SampleOptions& options = {});
 
 }  // namespace marrow

@@ -17,7 +17,8 @@ using test::AlignedBlock;
 // The golden file with one thing changed at a time.
 class Load : public ::testing::Test {
  protected:
-  Load() : block_(test::golden_copy()) {
+  explicit Load(AlignedBlock (*copy)() = &test::golden_copy) : block_(copy()), bytes_(block_.size()) {
+    std::memcpy(bytes_.data(), block_.data(), block_.size());
     EXPECT_EQ(load(block_, original_), Status::ok);
     for (const File::Section& s : original_.sections()) sections_.push_back(s);
   }
@@ -50,7 +51,7 @@ class Load : public ::testing::Test {
     EXPECT_LE(error.offset, last) << what << ": " << error.rule;
     EXPECT_GT(std::strlen(error.rule), 5u) << what;
     EXPECT_EQ(out.skeleton_count() + out.clip_count() + out.mesh_count(), 0u) << "written only on success";
-    std::memcpy(block_.data(), embedded::tiny_v1, block_.size());
+    std::memcpy(block_.data(), bytes_.data(), block_.size());
     ++refused_;
   }
   template <class T>
@@ -60,6 +61,7 @@ class Load : public ::testing::Test {
   }
 
   AlignedBlock block_;
+  std::vector<std::byte> bytes_;
   File original_;
   std::vector<File::Section> sections_;
   int refused_ = 0;
@@ -171,6 +173,49 @@ TEST_F(Load, Clips) {
   refuse(base + l.times, kNaN, "a time that is not a number");
   refuse(base + l.values + 4, kInfinity, "a value that is not finite");
   EXPECT_EQ(refused_, 19);
+}
+
+class LoadCoded : public Load {
+ protected:
+  LoadCoded() : Load(&test::golden_coded_copy) {}
+};
+
+TEST_F(LoadCoded, Clips) {
+  const std::size_t base = at(format::kClips);
+  const format::ClipLayout raw = layout(header<format::ClipHeader>(format::kClips));
+  format::CodedHeader h;
+  std::memcpy(&h, block_.data() + base + raw.bytes, sizeof h);
+  const std::uint32_t joints = original_.skeleton(0).joint_count;
+  const format::CodedLayout l = layout(h, raw.bytes, joints);
+  ASSERT_EQ(joints, 7u);
+  ASSERT_EQ(h.constant_count, 3u);
+  const std::size_t start = base + l.header;
+  refuse(start, std::uint32_t{1}, "one frame");
+  refuse(start, h.frame_count - 1, "a frame fewer");
+  refuse(start, std::uint32_t{0xFFFFFFFF}, "too many frames");
+  refuse(start + 4, std::uint32_t{0}, "no intervals a segment");
+  refuse(start + 8, kNaN, "a start that is not a number");
+  refuse(start + 12, 0.0f, "no frames a second");
+  refuse(start + 12, kInfinity, "frames a second without end");
+  refuse(start + 16, h.track_count + 1, "a track more");
+  refuse(start + 20, h.constant_count - 1, "a constant fewer");
+  refuse(start + 20, std::uint32_t{0xFFFFFFFF}, "too many constants");
+  refuse(start + 24, h.payload_bytes - 1, "a payload too short");
+  refuse(start + 24, std::uint32_t{0}, "no payload");
+  refuse(start + 28, std::uint32_t{1}, "reserved");
+  refuse(base + l.offsets, std::uint32_t{4}, "a segment that does not begin the payload");
+  GroupMasks last;
+  std::memcpy(&last, block_.data() + base + l.masks + sizeof last, sizeof last);
+  refuse(base + l.masks + sizeof last, static_cast<std::uint16_t>(last.moving ^ 8), "a joint outside the skeleton");
+  refuse(base + l.masks + sizeof last, static_cast<std::uint16_t>(last.moving | last.constant), "both kinds at once");
+  refuse(base + l.masks + sizeof last, std::uint16_t{0}, "tracks without a bit");
+  refuse(base + l.constants + 6, std::int16_t{256}, "a step of a constant");
+  refuse(base + l.constants + 6, std::int16_t{-1}, "a negative step of a constant");
+  refuse(base + l.constants + 16, std::uint64_t{0}, "a rotation that is zero");
+  refuse(base + l.payload, std::uint32_t{0}, "an empty frame");
+  refuse(base + l.payload, std::uint32_t{0xFFFFFFFF}, "a frame too long");
+  refuse(base + l.payload + 4, std::uint8_t{0xFF}, "a track too wide");
+  EXPECT_EQ(refused_, 23);
 }
 
 TEST_F(Load, Geometries) {

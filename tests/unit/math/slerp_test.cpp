@@ -36,9 +36,10 @@ TEST(Slerp, SeriesIsWithinItsStatedError) {
     const double u = k / 64.0;
     const SlerpSeries series = slerp_series(static_cast<float>(u));
     for (int i = 1; i <= 1000; ++i, ++cases) {
-      const double versine = static_cast<double>(kSlerpSeriesLimit) * i / 1000, theta = std::acos(1 - versine);
+      const double chord_squared = static_cast<double>(kSlerpSeriesLimit) * i / 1000;
+      const double theta = std::acos(1 - chord_squared / 2);
       float got[4];
-      store(got, slerp_weight(series, splat(static_cast<float>(versine))));
+      store(got, slerp_weight(series, splat(static_cast<float>(chord_squared))));
       worst = std::max(worst, std::fabs(static_cast<double>(got[3]) - std::sin(u * theta) / std::sin(theta)));
     }
   }

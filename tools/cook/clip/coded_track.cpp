@@ -21,13 +21,15 @@ std::uint32_t width_code(std::uint32_t range) {
 }  // namespace
 
 int code_of_step(double step) {
-  return std::clamp(static_cast<int>(std::ceil(4 * (24 - std::log2(step)))), 0, 255);
+  int code = 255;
+  while (code > 0 && static_cast<double>(format::step_size(static_cast<std::uint32_t>(code))) > step) --code;
+  return code;
 }
 
 CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code) {
   CodedTrack track;
   track.step_code = step_code;
-  const double inverse = 1 / static_cast<double>(format::step_size(static_cast<std::uint8_t>(step_code)));
+  const double inverse = 1 / static_cast<double>(format::step_size(static_cast<std::uint32_t>(step_code)));
   std::array<std::int32_t, 3> low{}, high{};
   track.values.reserve(frames.size());
   for (const glm::dvec3& v : frames) {
@@ -56,7 +58,7 @@ CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code) {
 }
 
 glm::dvec3 decode(const CodedTrack& track, std::size_t frame) {
-  const double step = static_cast<double>(format::step_size(static_cast<std::uint8_t>(track.step_code)));
+  const double step = static_cast<double>(format::step_size(static_cast<std::uint32_t>(track.step_code)));
   const std::array<std::int32_t, 3>& n = track.values[frame];
   return step * glm::dvec3(n[0], n[1], n[2]);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "cook/clip/constant.h"
 #include "cook/clip/pack.h"
 #include "cook/clip/segment.h"
 #include "marrow/local_to_model.h"
@@ -17,8 +18,8 @@ constexpr double kGridSlack = 1e-3;  // of a frame
 constexpr std::size_t kMostIntervals = 20000;
 constexpr std::size_t kMostTransforms = 1'000'000;              // a joint and moment: 80 MB; larger clips stay raw
 constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
-constexpr double kRestShare = 0.05;              // of the promise, below which leaving the rest pose does not count
-constexpr double kShares[] = {0.97, 0.9, 0.75};  // of the promise, that the search may use up
+constexpr double kStillShare = 0.05;                            // of the promise, below which a movement does not count
+constexpr double kShares[] = {0.97, 0.9, 0.75};                 // of the promise, that the search may use up
 
 // A STEP track that changes cannot be blended between frames.
 bool jumps(const BuiltClip& clip, const Track& track) {
@@ -70,7 +71,8 @@ bool has_cubic(const BuiltClip& clip) {
 std::vector<Grid> grids(const BuiltClip& clip) {
   const std::set<float> times = key_times(clip);
   std::vector<Grid> out;
-  if (times.size() < 2) return out;
+  if (times.empty()) return out;
+  if (times.size() == 1) return {{*times.begin(), *times.begin() + 1, 1}};  // nothing moves
   const std::optional<Grid> own = find_grid(times);
   if (own && !has_cubic(clip)) return {*own};
   const double length = static_cast<double>(*times.rbegin()) - static_cast<double>(*times.begin());
@@ -110,7 +112,8 @@ BuiltClip keep_jumping(const BuiltClip& clip) {
 // Everything about one clip at one spacing of frames.
 class Compressor {
  public:
-  Compressor(const BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Grid& grid)
+  Compressor(const BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Grid& grid,
+             const Promise& promise)
       : clip_(clip), skeleton_(skeleton), rig_(rig), curves_(clip, skeleton), grid_(grid), intervals_(grid.intervals) {
     for (std::size_t j = 0; j < rig.size(); ++j) {
       source_.emplace_back();
@@ -118,9 +121,11 @@ class Compressor {
     }
     for (const Track& track : clip.tracks)
       if (jumps(clip, track)) exact_.push_back({track.joint, track.path});
+    sort_tracks(promise);
   }
 
   std::optional<BuiltClip> compress(const Promise& promise, double share) const;
+  bool empty() const { return moving_.empty() && constant_.empty(); }
 
  private:
   double time_of(std::size_t moment) const {
@@ -129,9 +134,10 @@ class Compressor {
     const double exact = start + length * static_cast<double>(moment) / static_cast<double>(intervals_ * kMoments);
     return static_cast<double>(static_cast<float>(exact));
   }
-  bool moves(std::size_t joint, Path path, const Promise& promise) const;
-  std::vector<TrackId> find_tracks(const Promise& promise) const;
-  std::optional<BuiltCoded> code(const std::vector<TrackId>& ids, const Promise& promise, std::size_t length) const;
+  bool stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const;
+  Transform middle(std::size_t joint) const;
+  void sort_tracks(const Promise& promise);
+  std::optional<BuiltCoded> code(const Promise& promise, std::size_t length) const;
   ClipError measure(const BuiltClip& out, const Promise& promise) const;
 
   const BuiltClip& clip_;
@@ -141,33 +147,64 @@ class Compressor {
   Grid grid_;
   std::size_t intervals_;
   std::vector<std::vector<Transform>> source_;  // a joint and moment
-  std::vector<TrackId> exact_;
+  std::vector<TrackId> exact_, moving_;
+  std::vector<ConstantTrack> constant_;
+  std::vector<Transform> still_;  // a joint: the rest pose with the constants
 };
 
-// Whether a sub-track ever leaves the rest pose by more than a small share of the promise: exporters write every track,
-// and most of them are rounding.
-bool Compressor::moves(std::size_t joint, Path path, const Promise& promise) const {
-  const Track* const track = curves_.track(joint, path);
-  if (track == nullptr || jumps(clip_, *track)) return false;
-  const Transform& rest = rig_.rest[joint];
-  const double most = kRestShare * promise.error /
+// Whether a sub-track never leaves `at` by more than a small share of the promise: exporters write every track, and
+// most of them are rounding.
+bool Compressor::stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const {
+  const double most = kStillShare * promise.error /
                       (path == Path::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
-  return std::any_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
-    if (path == Path::translation) return glm::length(t.translation - rest.translation) > most;
-    if (path == Path::scale) return glm::length(t.scale - rest.scale) > most;
-    const glm::dquat turned = glm::conjugate(rest.rotation) * t.rotation;
-    return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) > most;
+  return std::all_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
+    if (path == Path::translation) return glm::length(t.translation - at.translation) <= most;
+    if (path == Path::scale) return glm::length(t.scale - at.scale) <= most;
+    const glm::dquat turned = glm::conjugate(at.rotation) * t.rotation;
+    return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) <= most;
   });
 }
 
-// In the order in which they are stored: groups of four joints, in each rotations, translations, scales.
-std::vector<TrackId> Compressor::find_tracks(const Promise& promise) const {
-  std::vector<TrackId> out;
+// Between the extremes; of rotations, which are only asked for where they hardly differ, the mean.
+Transform Compressor::middle(std::size_t joint) const {
+  const std::vector<Transform>& source = source_[joint];
+  Transform low = source[0], high = source[0];
+  glm::dquat sum(0, 0, 0, 0);
+  for (const Transform& t : source) {
+    low.translation = glm::min(low.translation, t.translation);
+    high.translation = glm::max(high.translation, t.translation);
+    low.scale = glm::min(low.scale, t.scale);
+    high.scale = glm::max(high.scale, t.scale);
+    sum += glm::dot(sum, t.rotation) < 0 ? -t.rotation : t.rotation;
+  }
+  return {0.5 * (low.translation + high.translation), glm::normalize(sum), 0.5 * (low.scale + high.scale)};
+}
+
+// What rests, what is constant and what moves; in the order in which tracks are stored.
+void Compressor::sort_tracks(const Promise& promise) {
+  still_ = rig_.rest;
   for (std::size_t group = 0; group < rig_.size(); group += 4)
     for (const Path path : {Path::rotation, Path::translation, Path::scale})
-      for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j)
-        if (moves(j, path, promise)) out.push_back({j, path});
-  return out;
+      for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
+        const Track* const track = curves_.track(j, path);
+        if (track == nullptr || jumps(clip_, *track) || stays(j, path, rig_.rest[j], promise)) continue;
+        const Transform& rest = rig_.rest[j];
+        Transform at = middle(j);
+        const format::Constant numbers = path == Path::rotation      ? code_rotation(at.rotation)
+                                         : path == Path::translation ? code_offset(at.translation - rest.translation)
+                                                                     : code_offset(at.scale - rest.scale);
+        if (path == Path::rotation) at.rotation = decode_rotation(numbers);
+        if (path == Path::translation) at.translation = rest.translation + decode_offset(numbers);
+        if (path == Path::scale) at.scale = rest.scale + decode_offset(numbers);
+        if (!stays(j, path, at, promise)) {
+          moving_.push_back({j, path});
+          continue;
+        }
+        constant_.push_back({{j, path}, numbers});
+        if (path == Path::rotation) still_[j].rotation = at.rotation;
+        if (path == Path::translation) still_[j].translation = at.translation;
+        if (path == Path::scale) still_[j].scale = at.scale;
+      }
 }
 
 ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) const {
@@ -195,11 +232,10 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
 }
 
 // Coded tracks in segments of at most `length` intervals, all about as long.
-std::optional<BuiltCoded> Compressor::code(const std::vector<TrackId>& ids, const Promise& promise,
-                                           std::size_t length) const {
+std::optional<BuiltCoded> Compressor::code(const Promise& promise, std::size_t length) const {
   const std::size_t segments = (intervals_ + length - 1) / length;
   const std::size_t each = (intervals_ + segments - 1) / segments;
-  Packer packer(ids, rig_.size());
+  Packer packer(moving_, constant_, rig_.size());
   for (std::size_t first = 0; first < intervals_; first += each) {
     const std::size_t count = std::min(each, intervals_ - first);
     std::vector<std::vector<Transform>> source;
@@ -207,7 +243,7 @@ std::optional<BuiltCoded> Compressor::code(const std::vector<TrackId>& ids, cons
       const auto begin = joint.begin() + static_cast<std::ptrdiff_t>(first * kMoments);
       source.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count * kMoments + 1));
     }
-    Segment segment(rig_, promise, ids, exact_, std::move(source));
+    Segment segment(rig_, promise, moving_, exact_, still_, std::move(source));
     if (!segment.search()) return std::nullopt;
     packer.add(segment.tracks());
   }
@@ -215,15 +251,13 @@ std::optional<BuiltCoded> Compressor::code(const std::vector<TrackId>& ids, cons
 }
 
 std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
-  const std::vector<TrackId> ids = find_tracks(promise);
-  if (ids.empty()) return std::nullopt;
   std::optional<BuiltClip> best;
   std::size_t last_count = 0;
   for (const std::size_t length : kSegmentIntervals) {
     const std::size_t count = (intervals_ + length - 1) / length;
     if (count == last_count) continue;
     last_count = count;
-    std::optional<BuiltCoded> coded = code(ids, {share * promise.error, promise.shell}, length);
+    std::optional<BuiltCoded> coded = code({share * promise.error, promise.shell}, length);
     if (!coded) break;  // a finer grid may help, other segments will not
     if (best && coded->payload.size() >= best->coded.payload.size()) continue;
     best = keep_jumping(clip_);
@@ -235,7 +269,8 @@ std::optional<BuiltClip> Compressor::compress(const Promise& promise, double sha
 
 std::size_t bytes_of(const BuiltClip& clip) {
   return clip.tracks.size() * sizeof(Track) + 4 * (clip.times_s.size() + clip.values.size()) +
-         clip.coded.payload.size() + 4 * clip.coded.offsets.size() + 2 * clip.coded.masks.size() +
+         clip.coded.payload.size() + 4 * clip.coded.offsets.size() + sizeof(GroupMasks) * clip.coded.masks.size() +
+         sizeof(format::Constant) * clip.coded.constants.size() +
          (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
 }
 
@@ -244,7 +279,8 @@ std::size_t bytes_of(const BuiltClip& clip) {
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise) {
   for (const Grid& grid : grids(clip)) {
     if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) return;
-    const Compressor compressor(clip, skeleton, rig, grid);
+    const Compressor compressor(clip, skeleton, rig, grid, promise);
+    if (compressor.empty()) return;
     for (const double share : kShares) {
       std::optional<BuiltClip> made = compressor.compress(promise, share);
       if (!made) break;

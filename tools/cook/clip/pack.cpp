@@ -29,41 +29,47 @@ void append(std::vector<std::byte>& to, const T& value) {
 
 format::TrackHeader header_of(const CodedTrack& track) {
   format::TrackHeader h{};
+  h.codes[0] = static_cast<std::uint8_t>(track.shift | track.width_codes[0] << 4);
+  h.codes[1] = static_cast<std::uint8_t>(track.width_codes[1] | track.width_codes[2] << 4);
   h.step = static_cast<std::uint8_t>(track.step_code);
-  std::uint32_t widths = track.shift << 12;
-  for (std::uint32_t c = 0; c < 3; ++c) {
-    widths |= track.width_codes[c] << (4 * c);
-    h.least[c] = static_cast<std::int16_t>(track.least[c]);
-  }
-  h.widths = static_cast<std::uint16_t>(widths);
+  for (std::size_t c = 0; c < 3; ++c) h.least[c] = static_cast<std::int16_t>(track.least[c]);
   return h;
+}
+
+std::uint16_t mask_of(const TrackId& id) {
+  const int first = id.path == Path::rotation ? 0 : id.path == Path::translation ? 4 : 8;
+  return static_cast<std::uint16_t>(1 << (first + static_cast<int>(id.joint % 4)));
 }
 
 }  // namespace
 
-Packer::Packer(const std::vector<TrackId>& tracks, std::size_t joint_count) {
+Packer::Packer(const std::vector<TrackId>& moving, const std::vector<ConstantTrack>& constant,
+               std::size_t joint_count) {
   out_.masks.resize(soa_count(joint_count));
-  for (const TrackId& id : tracks) {
-    const int first = id.path == Path::rotation ? 0 : id.path == Path::translation ? 4 : 8;
-    out_.masks[id.joint / 4] |= static_cast<std::uint16_t>(1 << (first + static_cast<int>(id.joint % 4)));
+  for (const TrackId& id : moving) out_.masks[id.joint / 4].moving |= mask_of(id);
+  for (const ConstantTrack& track : constant) {
+    out_.masks[track.id.joint / 4].constant |= mask_of(track.id);
+    out_.constants.push_back(track.numbers);
   }
-  out_.header.track_count = static_cast<std::uint32_t>(tracks.size());
+  out_.header.track_count = static_cast<std::uint32_t>(moving.size());
+  out_.header.constant_count = static_cast<std::uint32_t>(constant.size());
 }
 
 void Packer::add(const std::vector<CodedTrack>& tracks) {
   out_.offsets.push_back(static_cast<std::uint32_t>(out_.payload.size()));
   std::uint32_t frame_bits = 0;
   for (const CodedTrack& track : tracks) frame_bits += track.frame_bits;
-  append(out_.payload, frame_bits);
+  append(out_.payload, (frame_bits + 7) / 8);
   for (const CodedTrack& track : tracks) append(out_.payload, header_of(track));
-  BitWriter bits(out_.payload);
-  for (std::size_t frame = 0; frame < tracks[0].values.size(); ++frame)
+  for (std::size_t frame = 0; !tracks.empty() && frame < tracks[0].values.size(); ++frame) {
+    BitWriter record(out_.payload);
     for (const CodedTrack& track : tracks)
       for (std::size_t c = 0; c < 3; ++c) {
         const std::int32_t least = track.least[c] * (1 << track.shift);
-        bits.put(static_cast<std::uint32_t>(track.values[frame][c] - least),
-                 format::component_bits(track.width_codes[c]));
+        record.put(static_cast<std::uint32_t>(track.values[frame][c] - least),
+                   format::component_bits(track.width_codes[c]));
       }
+  }
 }
 
 BuiltCoded Packer::finish(std::size_t intervals, std::size_t segment_intervals, float start_s, float end_s) {
@@ -98,11 +104,13 @@ Clip view(const BuiltClip& clip, const Skeleton& skeleton) {
   if (c.header.frame_count == 0) return out;
   out.coded.frame_count = c.header.frame_count;
   out.coded.track_count = c.header.track_count;
+  out.coded.constant_count = c.header.constant_count;
   out.coded.segment_intervals = c.header.segment_intervals;
   out.coded.start_s = c.header.start_s;
   out.coded.frames_per_s = c.header.frames_per_s;
   out.coded.masks = c.masks.data();
   out.coded.segment_offsets = c.offsets.data();
+  out.coded.constants = reinterpret_cast<const std::byte*>(c.constants.data());
   out.coded.payload = c.payload.data();
   return out;
 }

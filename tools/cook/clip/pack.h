@@ -1,6 +1,7 @@
 // Coded tracks → the bytes of docs/format.md, and views of what has been built, as the runtime takes them.
 #pragma once
 
+#include "cook/clip/constant.h"
 #include "cook/clip/segment.h"
 #include "marrow/file.h"
 
@@ -8,8 +9,9 @@ namespace marrow::cook {
 
 class Packer {
  public:
-  Packer(const std::vector<TrackId>& tracks, std::size_t joint_count);
-  // A segment's tracks in the order of the constructor's.
+  // Both in the order in which they are stored: by groups of four joints, in each rotations, translations, scales.
+  Packer(const std::vector<TrackId>& moving, const std::vector<ConstantTrack>& constant, std::size_t joint_count);
+  // A segment's tracks, one for each that moves.
   void add(const std::vector<CodedTrack>& tracks);
   BuiltCoded finish(std::size_t intervals, std::size_t segment_intervals, float start_s, float end_s);
 

@@ -25,7 +25,8 @@ double largest_axis(const World& w) {
 }  // namespace
 
 Segment::Segment(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded,
-                 const std::vector<TrackId>& exact, std::vector<std::vector<Transform>> source)
+                 const std::vector<TrackId>& exact, const std::vector<Transform>& still,
+                 std::vector<std::vector<Transform>> source)
     : rig_(rig),
       promise_(promise),
       ids_(coded),
@@ -42,7 +43,7 @@ Segment::Segment(const Rig& rig, const Promise& promise, const std::vector<Track
           rig_.parents[j] == kNone ? nullptr : &source_world_[static_cast<std::size_t>(rig_.parents[j])][e];
       source_world_[j].push_back(rig_.place(j, parent, source_[j][e]));
     }
-    local_.emplace_back(moment_count(), rig_.rest[j]);
+    local_.emplace_back(moment_count(), still[j]);
     world_[j].resize(moment_count());
     trial_world_[j].resize(moment_count());
   }
@@ -161,7 +162,7 @@ bool Segment::start(double budget) {
     int code = code_of_step(step);
     do {
       coded_[t] = quantise(targets_[t], code);
-    } while (!coded_[t].fits && code-- > 0);
+    } while (!coded_[t].fits && code++ < 255);
     if (!coded_[t].fits) return false;
     decode_local(id.joint, t, coded_[t], trial_local_);
     std::swap(local_[id.joint], trial_local_);
@@ -182,7 +183,7 @@ bool Segment::start(double budget) {
 // The finest of the coarser steps that saves a bit.
 bool Segment::coarser(std::size_t track, CodedTrack& candidate) const {
   const CodedTrack& now = coded_[track];
-  for (int code = now.step_code - 1; code >= 0 && code >= now.step_code - kFarthestStep; --code) {
+  for (int code = now.step_code + 1; code <= 255 && code <= now.step_code + kFarthestStep; ++code) {
     candidate = quantise(targets_[track], code);
     if (candidate.fits && candidate.frame_bits < now.frame_bits) return true;
   }

@@ -22,9 +22,9 @@ inline constexpr std::size_t kMoments = 4;
 class Segment {
  public:
   // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint. exact: tracks that are stored
-  // without loss; what is neither coded nor exact rests.
+  // without loss. still: a joint; what is neither coded nor exact.
   Segment(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded, const std::vector<TrackId>& exact,
-          std::vector<std::vector<Transform>> source);
+          const std::vector<Transform>& still, std::vector<std::vector<Transform>> source);
 
   // False if no steps keep the promise.
   bool search();
