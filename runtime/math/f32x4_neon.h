@@ -66,6 +66,18 @@ template <int Lane>
 inline f32x4 splat_lane(f32x4 a) {
   return {vdupq_laneq_f32(a.v, Lane)};
 }
+// Four numbers that whole vectors are multiplied by: multiplication takes a lane of a vector as it is.
+struct Factors {
+  f32x4 row;
+};
+inline Factors factors(f32x4 a) {
+  return {a};
+}
+template <int Lane>
+inline f32x4 times(f32x4 v, const Factors& f) {
+  return {vmulq_laneq_f32(v.v, f.row.v, Lane)};
+}
+
 // 0, 0, 0, a.w
 inline f32x4 only_w(f32x4 a) {
   return {vcopyq_laneq_f32(vdupq_n_f32(0.0f), 3, a.v, 3)};
@@ -83,6 +95,11 @@ inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
 inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
   vst3q_f32(p, float32x4x3_t{{x.v, y.v, z.v}});
+}
+
+// Sixteen floats: x0 y0 z0 w0 x1 y1 z1 w1 …
+inline void store_xyzw(float* p, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
+  vst4q_f32(p, float32x4x4_t{{x.v, y.v, z.v, w.v}});
 }
 
 }  // namespace marrow
