@@ -7,6 +7,9 @@
 
 namespace marrow {
 
+// Operands come from registers only.
+inline constexpr bool kMemoryOperands = false;
+
 struct f32x4 {
   float32x4_t v;
 };
@@ -80,16 +83,19 @@ inline f32x4 times(f32x4 v, const Factors& f) {
 
 // 0, 0, 0, a.w
 inline f32x4 only_w(f32x4 a) {
-  return {vcopyq_laneq_f32(vdupq_n_f32(0.0f), 3, a.v, 3)};
+  const uint32x4_t mask = {0, 0, 0, 0xFFFFFFFFu};
+  return {vreinterpretq_f32_u32(vandq_u32(vreinterpretq_u32_f32(a.v), mask))};
 }
 
 inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
-  const float32x4x2_t ab = vtrnq_f32(a.v, b.v);
-  const float32x4x2_t cd = vtrnq_f32(c.v, d.v);
-  a.v = vcombine_f32(vget_low_f32(ab.val[0]), vget_low_f32(cd.val[0]));
-  b.v = vcombine_f32(vget_low_f32(ab.val[1]), vget_low_f32(cd.val[1]));
-  c.v = vcombine_f32(vget_high_f32(ab.val[0]), vget_high_f32(cd.val[0]));
-  d.v = vcombine_f32(vget_high_f32(ab.val[1]), vget_high_f32(cd.val[1]));
+  const float64x2_t ab0 = vreinterpretq_f64_f32(vtrn1q_f32(a.v, b.v)),
+                    ab1 = vreinterpretq_f64_f32(vtrn2q_f32(a.v, b.v));
+  const float64x2_t cd0 = vreinterpretq_f64_f32(vtrn1q_f32(c.v, d.v)),
+                    cd1 = vreinterpretq_f64_f32(vtrn2q_f32(c.v, d.v));
+  a.v = vreinterpretq_f32_f64(vtrn1q_f64(ab0, cd0));
+  b.v = vreinterpretq_f32_f64(vtrn1q_f64(ab1, cd1));
+  c.v = vreinterpretq_f32_f64(vtrn2q_f64(ab0, cd0));
+  d.v = vreinterpretq_f32_f64(vtrn2q_f64(ab1, cd1));
 }
 
 // Twelve floats: x0 y0 z0 x1 y1 z1 …

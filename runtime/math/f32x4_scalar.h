@@ -5,6 +5,9 @@
 
 namespace marrow {
 
+// As on NEON.
+inline constexpr bool kMemoryOperands = false;
+
 struct f32x4 {
   float v[4];
 };

@@ -7,6 +7,9 @@
 
 namespace marrow {
 
+// Instructions take an operand from memory: what is used once need not be loaded first.
+inline constexpr bool kMemoryOperands = true;
+
 struct f32x4 {
   __m128 v;
 };
