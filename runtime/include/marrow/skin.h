@@ -10,23 +10,26 @@
 
 namespace marrow {
 
-// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex' blended matrix.
+// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
 enum class NormalTransform : std::uint8_t {
   // Normals through the inverse transpose of M (its cofactors), tangents through M, both unit: exact for any blend that
   // can be inverted, mirrored or unevenly scaled ones too.
   inverse_transpose,
-  // Both through M, their length left as it comes: cheaper, and what a shader that normalises anyway needs. Right in
-  // direction where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. Tangents
-  // are inverse_transpose's up to length. See docs/architecture.md for how far normals stray.
+  // Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
+  // where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
+  // normals
+  // stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27 (docs/architecture.md).
+  // Tangents
+  // are inverse_transpose's up to length.
   blended_matrix,
 };
 
 struct SkinOutput {
   Span<float> positions;  // 3 a slot; required
   Span<float> normals;    // 3 a slot; leave empty to skip
-  // 4 a slot: xyz, then the handedness, turned where the blend mirrors. (blended_matrix asks the last joint of the run
-  // and not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs normals. Leave empty to
-  // skip.
+  // 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
+  // ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
+  // normals. Leave empty to skip.
   Span<float> tangents;
   NormalTransform normal_transform = NormalTransform::inverse_transpose;
 };
@@ -35,14 +38,15 @@ struct SkinOutput {
 //   position = M_j (v, 1)
 // palette: mesh.joint_count entries. Errors, here and below: bad_argument if a span is too short, if normals or
 // tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
-// Cost: positions 51 / 44; with exact normals 78 / 61.
+// Cost: positions 51 / 32; with exact normals 78 / 49.
 Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
 
 // Skeletal subspace deformation, also called linear blend skinning.
 //   position = (Σ_j w_j M_j) (v, 1)
-// Cost: positions 39 / 30; with blended normals 50 / 36, and tangents 64 / 43; with exact ones 73 / 51 and 89 / 60.
-// 12 multiply-adds an influence but the last, 9 for the position, 9 for a blended normal or tangent, 36 and a square
-// root for an exact normal.
+// Cost: positions 39 / 30; with normals through the blended matrix 50 / 35, and tangents 63 / 43; through the inverse
+// transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
+// or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
+// transpose.
 Status skin_ssd(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
 
 // How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
@@ -61,8 +65,9 @@ Status as_coordinates(const Geometry& geometry, Span<float> out);
 //            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
 // Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
 // coordinates: from as_coordinates() of this geometry.
-// Cost: positions 41 / 32; with blended normals 78 / 57, and tangents 94 / 63; with exact ones 101 / 68 and 116 / 77.
-// 12 multiply-adds an influence but the last, 9 for the sum; with directions 9 more an influence but the last.
+// Cost: positions 41 / 32; with normals through the blended matrix 78 / 57, and tangents 93 / 62; through the inverse
+// transpose 100 / 68 and 116 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
+// more an influence but the last.
 Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out);
 
 }  // namespace marrow
