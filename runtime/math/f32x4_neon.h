@@ -100,12 +100,14 @@ inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
 
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
 inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
-  vst3q_f32(p, float32x4x3_t{{x.v, y.v, z.v}});
+  const float32x4x3_t xyz = {{x.v, y.v, z.v}};  // a name, since clang's vst3q_f32 is a macro
+  vst3q_f32(p, xyz);
 }
 
 // Sixteen floats: x0 y0 z0 w0 x1 y1 z1 w1 …
 inline void store_xyzw(float* p, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
-  vst4q_f32(p, float32x4x4_t{{x.v, y.v, z.v, w.v}});
+  const float32x4x4_t xyzw = {{x.v, y.v, z.v, w.v}};
+  vst4q_f32(p, xyzw);
 }
 
 }  // namespace marrow
