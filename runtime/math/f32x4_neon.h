@@ -8,6 +8,9 @@
 
 namespace marrow {
 
+// Operands come from registers only.
+inline constexpr bool kMemoryOperands = false;
+
 struct f32x4 {
   float32x4_t v;
 };
@@ -64,23 +67,45 @@ template <int Lane>
 inline f32x4 splat_lane(f32x4 a) {
   return {vdupq_laneq_f32(a.v, Lane)};
 }
+// Four numbers that whole vectors are multiplied by: multiplication takes a lane of a vector as it is.
+struct Factors {
+  f32x4 row;
+};
+inline Factors factors(f32x4 a) {
+  return {a};
+}
+template <int Lane>
+inline f32x4 times(f32x4 v, const Factors& f) {
+  return {vmulq_laneq_f32(v.v, f.row.v, Lane)};
+}
+
 // 0, 0, 0, a.w
 inline f32x4 only_w(f32x4 a) {
-  return {vcopyq_laneq_f32(vdupq_n_f32(0.0f), 3, a.v, 3)};
+  const uint32x4_t mask = {0, 0, 0, 0xFFFFFFFFu};
+  return {vreinterpretq_f32_u32(vandq_u32(vreinterpretq_u32_f32(a.v), mask))};
 }
 
 inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
-  const float32x4x2_t ab = vtrnq_f32(a.v, b.v);
-  const float32x4x2_t cd = vtrnq_f32(c.v, d.v);
-  a.v = vcombine_f32(vget_low_f32(ab.val[0]), vget_low_f32(cd.val[0]));
-  b.v = vcombine_f32(vget_low_f32(ab.val[1]), vget_low_f32(cd.val[1]));
-  c.v = vcombine_f32(vget_high_f32(ab.val[0]), vget_high_f32(cd.val[0]));
-  d.v = vcombine_f32(vget_high_f32(ab.val[1]), vget_high_f32(cd.val[1]));
+  const float64x2_t ab0 = vreinterpretq_f64_f32(vtrn1q_f32(a.v, b.v)),
+                    ab1 = vreinterpretq_f64_f32(vtrn2q_f32(a.v, b.v));
+  const float64x2_t cd0 = vreinterpretq_f64_f32(vtrn1q_f32(c.v, d.v)),
+                    cd1 = vreinterpretq_f64_f32(vtrn2q_f32(c.v, d.v));
+  a.v = vreinterpretq_f32_f64(vtrn1q_f64(ab0, cd0));
+  b.v = vreinterpretq_f32_f64(vtrn1q_f64(ab1, cd1));
+  c.v = vreinterpretq_f32_f64(vtrn2q_f64(ab0, cd0));
+  d.v = vreinterpretq_f32_f64(vtrn2q_f64(ab1, cd1));
 }
 
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
 inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
-  vst3q_f32(p, float32x4x3_t{{x.v, y.v, z.v}});
+  const float32x4x3_t xyz = {{x.v, y.v, z.v}};  // a name, since clang's vst3q_f32 is a macro
+  vst3q_f32(p, xyz);
+}
+
+// Sixteen floats: x0 y0 z0 w0 x1 y1 z1 w1 …
+inline void store_xyzw(float* p, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
+  const float32x4x4_t xyzw = {{x.v, y.v, z.v, w.v}};
+  vst4q_f32(p, xyzw);
 }
 
 // Four 32-bit and two 64-bit words, for unpacking.

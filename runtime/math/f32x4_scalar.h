@@ -8,6 +8,9 @@
 
 namespace marrow {
 
+// As on NEON.
+inline constexpr bool kMemoryOperands = false;
+
 struct f32x4 {
   float v[4];
 };
@@ -67,6 +70,18 @@ template <int Lane>
 inline f32x4 splat_lane(f32x4 a) {
   return splat(a.v[Lane]);
 }
+// Four numbers that whole vectors are multiplied by.
+struct Factors {
+  f32x4 row;
+};
+inline Factors factors(f32x4 a) {
+  return {a};
+}
+template <int Lane>
+inline f32x4 times(f32x4 v, const Factors& f) {
+  return v * splat(f.row.v[Lane]);
+}
+
 // 0, 0, 0, a.w
 inline f32x4 only_w(f32x4 a) {
   return {{0.0f, 0.0f, 0.0f, a.v[3]}};
@@ -84,6 +99,16 @@ inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
     p[3 * i] = x.v[i];
     p[3 * i + 1] = y.v[i];
     p[3 * i + 2] = z.v[i];
+  }
+}
+
+// Sixteen floats: x0 y0 z0 w0 x1 y1 z1 w1 …
+inline void store_xyzw(float* p, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
+  for (int i = 0; i < 4; ++i) {
+    p[4 * i] = x.v[i];
+    p[4 * i + 1] = y.v[i];
+    p[4 * i + 2] = z.v[i];
+    p[4 * i + 3] = w.v[i];
   }
 }
 

@@ -9,6 +9,9 @@
 
 namespace marrow {
 
+// Instructions take an operand from memory: what is used once need not be loaded first.
+inline constexpr bool kMemoryOperands = true;
+
 struct f32x4 {
   __m128 v;
 };
@@ -66,6 +69,18 @@ template <int Lane>
 inline f32x4 splat_lane(f32x4 a) {
   return {_mm_castsi128_ps(_mm_shuffle_epi32(_mm_castps_si128(a.v), Lane * 0x55))};
 }
+// Four numbers that whole vectors are multiplied by, kept as this instruction set does that best: each in all lanes.
+struct Factors {
+  f32x4 lane[4];
+};
+inline Factors factors(f32x4 a) {
+  return {{splat_lane<0>(a), splat_lane<1>(a), splat_lane<2>(a), splat_lane<3>(a)}};
+}
+template <int Lane>
+inline f32x4 times(f32x4 v, const Factors& f) {
+  return v * f.lane[Lane];
+}
+
 // 0, 0, 0, a.w
 inline f32x4 only_w(f32x4 a) {
   return {_mm_and_ps(a.v, _mm_castsi128_ps(_mm_setr_epi32(0, 0, 0, -1)))};
@@ -76,15 +91,25 @@ inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
 
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
 inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
-  const __m128 x0y0x1y1 = _mm_unpacklo_ps(x.v, y.v);
-  const __m128 x2y2x3y3 = _mm_unpackhi_ps(x.v, y.v);
-  const __m128 z0__x1_ = _mm_shuffle_ps(z.v, x.v, _MM_SHUFFLE(1, 1, 0, 0));
-  const __m128 y1__z1_ = _mm_shuffle_ps(y.v, z.v, _MM_SHUFFLE(1, 1, 1, 1));
-  const __m128 z2__x3_ = _mm_shuffle_ps(z.v, x.v, _MM_SHUFFLE(3, 3, 2, 2));
-  const __m128 y3__z3_ = _mm_shuffle_ps(y.v, z.v, _MM_SHUFFLE(3, 3, 3, 3));
-  _mm_storeu_ps(p, _mm_shuffle_ps(x0y0x1y1, z0__x1_, _MM_SHUFFLE(2, 0, 1, 0)));
-  _mm_storeu_ps(p + 4, _mm_shuffle_ps(y1__z1_, x2y2x3y3, _MM_SHUFFLE(1, 0, 2, 0)));
-  _mm_storeu_ps(p + 8, _mm_shuffle_ps(z2__x3_, y3__z3_, _MM_SHUFFLE(2, 0, 2, 0)));
+  const auto store_low = [](float* to, __m128 v) { _mm_storel_pi(reinterpret_cast<__m64*>(to), v); };
+  const auto store_high = [](float* to, __m128 v) { _mm_storeh_pi(reinterpret_cast<__m64*>(to), v); };
+  const __m128 z0z2x1x3 = _mm_shuffle_ps(z.v, x.v, _MM_SHUFFLE(3, 1, 2, 0));
+  const __m128 z0x1z2x3 = _mm_shuffle_ps(z0z2x1x3, z0z2x1x3, _MM_SHUFFLE(3, 1, 2, 0));
+  store_low(p, _mm_unpacklo_ps(x.v, y.v));
+  store_low(p + 2, z0x1z2x3);
+  store_high(p + 4, _mm_unpacklo_ps(y.v, z.v));
+  store_low(p + 6, _mm_unpackhi_ps(x.v, y.v));
+  store_high(p + 8, z0x1z2x3);
+  store_high(p + 10, _mm_unpackhi_ps(y.v, z.v));
+}
+
+// Sixteen floats: x0 y0 z0 w0 x1 y1 z1 w1 …
+inline void store_xyzw(float* p, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
+  transpose(x, y, z, w);
+  store(p, x);
+  store(p + 4, y);
+  store(p + 8, z);
+  store(p + 12, w);
 }
 
 // Four 32-bit and two 64-bit words, for unpacking.

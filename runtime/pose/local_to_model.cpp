@@ -35,32 +35,39 @@ inline void to_matrices(const SoaTransform& t, FourMatrices& m) {
   store_row(a, b, c, d, m.rows[2]);
 }
 
+// Joints `first` … `end` - 1 of one group of four; the parents of roots are what stands above them.
+void transform_some(const Skeleton& skeleton, const SoaTransform* local, std::uint32_t first, std::uint32_t end,
+                    Affine* out) {
+  FourMatrices m;
+  to_matrices(local[first / 4], m);
+  for (std::uint32_t joint = first; joint < end; ++joint) {
+    const Affine& above = joint < skeleton.root_count ? skeleton.scene_from_root[joint] : out[skeleton.parents[joint]];
+    const std::uint32_t lane = joint % 4;
+    multiply(above, m.rows[0][lane], m.rows[1][lane], m.rows[2][lane], out[joint]);
+  }
+}
+
 // Joints `first` … `end` - 1, whose parents are done.
 void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::uint32_t first, std::uint32_t end,
                       Affine* out) {
-  const std::uint16_t* const parents = skeleton.parents;
-  const Affine* const roots = skeleton.scene_from_root;
-  const std::uint32_t root_count = skeleton.root_count;
-  for (std::uint32_t joint = first; joint < end;) {
-    FourMatrices m;
-    to_matrices(local[joint / 4], m);
-    if (joint % 4 == 0 && joint + 4 <= end && root_count <= joint) {
-      const std::uint16_t* const above = parents + joint;
-      Affine* const to = out + joint;
-      multiply(out[above[0]], m.rows[0][0], m.rows[1][0], m.rows[2][0], to[0]);
-      multiply(out[above[1]], m.rows[0][1], m.rows[1][1], m.rows[2][1], to[1]);
-      multiply(out[above[2]], m.rows[0][2], m.rows[1][2], m.rows[2][2], to[2]);
-      multiply(out[above[3]], m.rows[0][3], m.rows[1][3], m.rows[2][3], to[3]);
-      joint += 4;
-      continue;
-    }
-    do {
-      const Affine& above = joint < root_count ? roots[joint] : out[parents[joint]];
-      const std::uint32_t lane = joint % 4;
-      multiply(above, m.rows[0][lane], m.rows[1][lane], m.rows[2][lane], out[joint]);
-      ++joint;
-    } while (joint % 4 != 0 && joint < end);
+  std::uint32_t joint = first;
+  while (joint < end && (joint % 4 != 0 || joint < skeleton.root_count)) {
+    const std::uint32_t group_end = joint / 4 * 4 + 4, stop = group_end < end ? group_end : end;
+    transform_some(skeleton, local, joint, stop, out);
+    joint = stop;
   }
+  const std::uint16_t* above = skeleton.parents + joint;
+  const SoaTransform* group = local + joint / 4;
+  for (; joint + 4 <= end; joint += 4, above += 4, ++group) {
+    FourMatrices m;
+    to_matrices(*group, m);
+    Affine* const to = out + joint;
+    multiply(out[above[0]], m.rows[0][0], m.rows[1][0], m.rows[2][0], to[0]);
+    multiply(out[above[1]], m.rows[0][1], m.rows[1][1], m.rows[2][1], to[1]);
+    multiply(out[above[2]], m.rows[0][2], m.rows[1][2], m.rows[2][2], to[2]);
+    multiply(out[above[3]], m.rows[0][3], m.rows[1][3], m.rows[2][3], to[3]);
+  }
+  if (joint < end) transform_some(skeleton, local, joint, end, out);
 }
 
 }  // namespace

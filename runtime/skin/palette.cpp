@@ -12,11 +12,17 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
   std::uint16_t last = 0;
   for (const std::uint16_t joint : joints) last = last < joint ? joint : last;
   MARROW_REQUIRE(joints.empty() || last < scene_from_joint.size);
-  for (std::size_t i = 0; i < joints.size; ++i) {
-    const Affine& b = bind[i];
-    multiply(scene_from_joint[joints[i]], load_aligned(b.rows[0]), load_aligned(b.rows[1]), load_aligned(b.rows[2]),
-             out[i]);
+  const auto product = [&](std::size_t i) {
+    multiply(scene_from_joint.data[joints.data[i]], bind.data[i], out.data[i]);
+  };
+  std::size_t i = 0;
+  for (; i + 4 <= joints.size; i += 4) {
+    product(i);
+    product(i + 1);
+    product(i + 2);
+    product(i + 3);
   }
+  for (; i < joints.size; ++i) product(i);
   return Status::ok;
 }
 

@@ -104,6 +104,20 @@ TEST(BadCalls, SkinAttributesThatAreAbsent) {
   for (const Status status : f.skin(f.palette, {f.positions, {}, {}})) EXPECT_EQ(status, Status::ok);
 }
 
+TEST(BadCalls, SkinStreamsOffTheirBoundary) {
+  Frame f;
+  int cases = 0;
+  for (const float* Geometry::*stream : {&Geometry::skin, &Geometry::normals, &Geometry::tangents}) {
+    const float* const aligned = f.mesh.geometry.*stream;
+    f.mesh.geometry.*stream = aligned + 1;
+    expect_refused(f.skin(f.palette, f.output()));
+    f.mesh.geometry.*stream = aligned;
+    ++cases;
+  }
+  EXPECT_EQ(cases, 3);
+  EXPECT_TRUE(f.untouched());
+}
+
 TEST(BadCalls, AnimationSpaceCoordinates) {
   Frame f;
   EXPECT_EQ(as_coordinates(f.mesh.geometry, shorter(f.coordinates)), Status::bad_argument);

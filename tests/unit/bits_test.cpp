@@ -22,19 +22,21 @@ std::uint64_t hash_of(const std::vector<T>& v, std::uint64_t state = test::kHash
 
 struct Hashes {
   std::uint64_t local = test::kHashStart, model = test::kHashStart, palette = test::kHashStart;
-  std::uint64_t vertices[3] = {test::kHashStart, test::kHashStart, test::kHashStart};  // rigid, SSD, AS
+  // Rigid, SSD, AS with exact normals; the same with blended ones.
+  std::uint64_t vertices[6] = {test::kHashStart, test::kHashStart, test::kHashStart,
+                               test::kHashStart, test::kHashStart, test::kHashStart};
 };
 
 void expect_hashes(const Hashes& got, const Hashes& want) {
   EXPECT_EQ(got.local, want.local) << "sample";
   EXPECT_EQ(got.model, want.model) << "local_to_model";
   EXPECT_EQ(got.palette, want.palette) << "build_palette";
-  const char* const names[] = {"rigid", "ssd", "as"};
-  for (int d = 0; d < 3; ++d) EXPECT_EQ(got.vertices[d], want.vertices[d]) << names[d];
+  const char* const names[] = {"rigid", "ssd", "as", "rigid, blended", "ssd, blended", "as, blended"};
+  for (int d = 0; d < 6; ++d) EXPECT_EQ(got.vertices[d], want.vertices[d]) << names[d];
   if (::testing::Test::HasFailure()) {
-    std::printf("{0x%016llX, 0x%016llX, 0x%016llX, {0x%016llX, 0x%016llX, 0x%016llX}}\n", 0ULL + got.local,
-                0ULL + got.model, 0ULL + got.palette, 0ULL + got.vertices[0], 0ULL + got.vertices[1],
-                0ULL + got.vertices[2]);
+    std::printf("{0x%016llX, 0x%016llX, 0x%016llX, {", 0ULL + got.local, 0ULL + got.model, 0ULL + got.palette);
+    for (const std::uint64_t v : got.vertices) std::printf("0x%016llX, ", 0ULL + v);
+    std::printf("}}\n");
   }
 }
 
@@ -47,7 +49,6 @@ Hashes pose_character(const test::TestCharacter& c) {
   std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
   std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), positions(mesh.geometry.slot_count * 3);
   std::vector<float> normals(positions.size()), tangents(mesh.geometry.slot_count * 4);
-  const SkinOutput out{positions, normals, tangents};
   EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
   Hashes h;
   for (int moment = 0; moment < 40; ++moment) {
@@ -57,10 +58,12 @@ Hashes pose_character(const test::TestCharacter& c) {
     h.local = hash_of(local, h.local);
     h.model = hash_of(model, h.model);
     h.palette = hash_of(palette, h.palette);
-    for (int d = 0; d < 3; ++d) {
-      EXPECT_EQ(d == 0   ? skin_rigid(mesh, palette, out)
-                : d == 1 ? skin_ssd(mesh, palette, out)
-                         : skin_as(mesh, coordinates, palette, out),
+    for (int d = 0; d < 6; ++d) {
+      const SkinOutput out{positions, normals, tangents,
+                           d < 3 ? NormalTransform::inverse_transpose : NormalTransform::blended_matrix};
+      EXPECT_EQ(d % 3 == 0   ? skin_rigid(mesh, palette, out)
+                : d % 3 == 1 ? skin_ssd(mesh, palette, out)
+                             : skin_as(mesh, coordinates, palette, out),
                 Status::ok);
       h.vertices[d] = hash_of(tangents, hash_of(normals, hash_of(positions, h.vertices[d])));
     }
@@ -80,7 +83,8 @@ TEST(Bits, CreatureOfNoise) {
                 {0xD7885F5C53EEE295,
                  0xC37D058FF32F6F79,
                  0x5EF9EA3346008E53,
-                 {0xCD9A9BD3C93216B7, 0x7DB7971F09C904D5, 0x60DC7A4982E15055}});
+                 {0xCD9A9BD3C93216B7, 0x7DB7971F09C904D5, 0x329A05E316075D1B, 0x415B8FE16EAAC0D2, 0x47F9E5D7F59CCF70,
+                  0x9BFC5D5F8DE93A9E}});
 }
 
 TEST(Bits, CreatureOfNoiseWithResiduals) {
@@ -88,7 +92,8 @@ TEST(Bits, CreatureOfNoiseWithResiduals) {
                 {0x864A09F7B392E4DA,
                  0x87E0E1E053627420,
                  0x2991113F2FC9A40C,
-                 {0x734C3F0E1F5BA270, 0x2B2438A337C8A20D, 0xEBC19E0B4B90A051}});
+                 {0x734C3F0E1F5BA270, 0x2B2438A337C8A20D, 0xA1D01A567C91AB9D, 0x5F06B979E1A57093, 0xBE3F31E331E3B350,
+                  0xD288E1A55DA013D6}});
 }
 
 // A rotating and a plain curve of every kind at sixty moments.
@@ -204,7 +209,7 @@ TEST(Bits, GoldenFile) {
   test::AlignedBlock block = test::golden_copy();
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
-  EXPECT_EQ(test::exercise(file), 0x8418D68D2F630DB2u);
+  EXPECT_EQ(test::exercise(file), 0x5A700D014A140EBDu);
 }
 
 TEST(Bits, CodedClip) {
@@ -212,7 +217,7 @@ TEST(Bits, CodedClip) {
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
   ASSERT_GT(file.clip(0).coded.frame_count, 0u);
-  EXPECT_EQ(test::exercise(file), 0xAEE6A7CEB8202A76u);
+  EXPECT_EQ(test::exercise(file), 0x43A065CF4EEECEA1u);
 }
 
 }  // namespace

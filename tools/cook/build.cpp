@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/failure.h"
+#include "common/parallel.h"
 #include "cook/clip/compress.h"
 
 namespace marrow::cook {
@@ -67,7 +68,8 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   if (!options.raw_clips) {
     const Rig rig(out.skeleton);
     const Promise promise = make_promise(rig, options);
-    for (BuiltClip& clip : out.clips) compress_clip(clip, out.skeleton, rig, promise);
+    tools::for_each_in_parallel(out.clips.size(),
+                                [&](std::size_t i) { compress_clip(out.clips[i], out.skeleton, rig, promise); });
   }
   build_meshes(scene, options, out);
   return out;

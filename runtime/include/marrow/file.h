@@ -84,7 +84,7 @@ struct Run {
 static_assert(sizeof(Run) == 8);
 
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
-// (`b` counts blocks of the whole geometry, `k` is the run's influence count).
+// (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
 struct Geometry {
   std::uint32_t slot_count = 0;    // vertices with padding; a multiple of 4
   std::uint32_t vertex_count = 0;  // without padding

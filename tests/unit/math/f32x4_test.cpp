@@ -179,6 +179,30 @@ TEST(F32x4, StoreXyzInterleavesAndWritesNoMore) {
   }
 }
 
+TEST(F32x4, StoreXyzwInterleavesAndWritesNoMore) {
+  const float in[4][4] = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}};
+  float out[18];
+  for (float& f : out) f = -1;
+  store_xyzw(out + 1, load(in[0]), load(in[1]), load(in[2]), load(in[3]));
+  EXPECT_EQ(out[0], -1.0f);
+  EXPECT_EQ(out[17], -1.0f);
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(out[1 + i], in[i % 4][i / 4]) << i;
+}
+
+TEST(F32x4, TimesALane) {
+  const int cases = for_pairs([](const float* a, const float* b) {
+    const Factors f = factors(load(b));
+    float want[4][4];
+    for (int lane = 0; lane < 4; ++lane)
+      for (int i = 0; i < 4; ++i) want[lane][i] = a[i] * b[lane];
+    expect_lanes(times<0>(load(a), f), want[0], "times<0>");
+    expect_lanes(times<1>(load(a), f), want[1], "times<1>");
+    expect_lanes(times<2>(load(a), f), want[2], "times<2>");
+    expect_lanes(times<3>(load(a), f), want[3], "times<3>");
+  });
+  EXPECT_GT(cases, 1000);
+}
+
 TEST(F32x4, InverseLength) {
   const float squared[4] = {4.0f, 0.0f, 2.0f, kNaN};
   expect_lanes(inverse_length(load(squared)), {0.5f, 0.0f, 1.0f / std::sqrt(2.0f), 0.0f}, "inverse_length");

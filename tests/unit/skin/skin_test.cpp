@@ -18,7 +18,9 @@ using test::Vec3;
 struct Skinned {
   std::vector<float> positions, normals, tangents;
   explicit Skinned(std::size_t slots) : positions(slots * 3), normals(slots * 3), tangents(slots * 4) {}
-  SkinOutput output() { return {positions, normals, tangents}; }
+  SkinOutput output(NormalTransform transform = NormalTransform::inverse_transpose) {
+    return {positions, normals, tangents, transform};
+  }
   static Vec3 three(const std::vector<float>& v, std::size_t slot, std::size_t stride = 3) {
     return {static_cast<double>(v[slot * stride]), static_cast<double>(v[slot * stride + 1]),
             static_cast<double>(v[slot * stride + 2])};
@@ -27,16 +29,18 @@ struct Skinned {
 
 enum class Kind { rigid, ssd, as };
 
-Skinned skin(const TestMesh& mesh, const std::vector<Map>& palette, Kind kind) {
+Skinned skin(const TestMesh& mesh, const std::vector<Map>& palette, Kind kind,
+             NormalTransform transform = NormalTransform::inverse_transpose) {
   const Mesh view = mesh.view();
   std::vector<Affine> entries;
   for (const Map& m : palette) entries.push_back(test::to_affine(m));
   Skinned out(mesh.slot_count);
   std::vector<float> coordinates(as_coordinate_count(view.geometry));
   EXPECT_EQ(as_coordinates(view.geometry, coordinates), Status::ok);
-  const Status status = kind == Kind::rigid ? skin_rigid(view, entries, out.output())
-                        : kind == Kind::ssd ? skin_ssd(view, entries, out.output())
-                                            : skin_as(view, coordinates, entries, out.output());
+  const SkinOutput output = out.output(transform);
+  const Status status = kind == Kind::rigid ? skin_rigid(view, entries, output)
+                        : kind == Kind::ssd ? skin_ssd(view, entries, output)
+                                            : skin_as(view, coordinates, entries, output);
   EXPECT_EQ(status, Status::ok);
   return out;
 }
@@ -88,6 +92,28 @@ int compare(const TestMesh& mesh, const std::vector<Map>& palette, Kind kind) {
   return directions;
 }
 
+// The same with NormalTransform::blended_matrix; returns how many vertices were compared.
+std::size_t compare_blended(const TestMesh& mesh, const std::vector<Map>& palette, Kind kind) {
+  const Skinned got = skin(mesh, palette, kind, NormalTransform::blended_matrix);
+  const Skinned exact = skin(mesh, palette, kind);
+  EXPECT_EQ(got.positions, exact.positions) << "positions know nothing of normals";
+  std::size_t compared = 0;
+  for (std::size_t r = 0; r < mesh.source.size(); ++r) {
+    const Map& last = palette[mesh.source[r].set.back()];
+    for (std::size_t i = 0; i < mesh.source[r].vertices.size(); ++i, ++compared) {
+      const TestVertex& v = mesh.source[r].vertices[i];
+      const Expected want = expect(mesh.source[r], v, palette, kind);
+      const std::size_t slot = mesh.slot(r, i);
+      const Vec3 normal = Skinned::three(got.normals, slot), tangent = Skinned::three(got.tangents, slot, 4);
+      EXPECT_LT(test::length(test::minus(normal, test::direction(want.blend, v.normal))), 2e-6) << "slot " << slot;
+      EXPECT_LT(test::length(test::minus(tangent, test::direction(want.blend, v.tangent))), 2e-6) << "slot " << slot;
+      const bool mirrors = test::determinant(kind == Kind::rigid ? want.blend : last) < 0;
+      EXPECT_EQ(got.tangents[slot * 4 + 3], static_cast<float>(mirrors ? -v.sign : v.sign)) << "slot " << slot;
+    }
+  }
+  return compared;
+}
+
 std::vector<Map> random_palette(std::uint64_t seed, std::size_t count, const Vec3& scale) {
   test::Random random(seed);
   std::vector<Map> out;
@@ -121,6 +147,20 @@ TEST_P(SkinEveryWay, Mirrored) {
 TEST_P(SkinEveryWay, Residuals) {
   const test::TestCharacter c = test::make_character(14, 40, 6, true);
   EXPECT_GT(compare(c.mesh, random_palette(4, 40, {1, 1, 1}), GetParam()), 20);
+}
+
+TEST_P(SkinEveryWay, BlendedMatrix) {
+  const Vec3 scales[] = {{1, 1, 1}, {0.5, 1, 2}, {1, -1, 1}};
+  int cases = 0;
+  for (const bool residuals : {false, true}) {
+    const test::TestCharacter c = test::make_character(17, 40, 9, residuals);
+    ASSERT_EQ(c.mesh.source.size(), 8u) << "a run for each number of influences";
+    for (const Vec3& scale : scales) {
+      EXPECT_EQ(compare_blended(c.mesh, random_palette(7, 40, scale), GetParam()), c.mesh.vertex_count);
+      ++cases;
+    }
+  }
+  EXPECT_EQ(cases, 6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Deformers, SkinEveryWay, ::testing::Values(Kind::rigid, Kind::ssd, Kind::as));
@@ -178,6 +218,20 @@ TEST(Skin, NormalsOfAnUnevenScaleByHand) {
   }
 }
 
+// What an inverse transpose would not do: the normal is stretched as the surface is, and nothing is normalised.
+TEST(Skin, BlendedMatrixByHand) {
+  const TestMesh mesh({{{0}, {{{0, 0, 0}, {0.5, 0.5, 0}, {0.5, -0.5, 0}, -1, {1}, {}}}}}, {{}});
+  const std::vector<Map> palette = {{{{-2, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
+  for (const Kind kind : {Kind::rigid, Kind::ssd, Kind::as}) {
+    const Skinned got = skin(mesh, palette, kind, NormalTransform::blended_matrix);
+    EXPECT_EQ(got.normals[0], -1.0f);
+    EXPECT_EQ(got.normals[1], 0.5f);
+    EXPECT_EQ(got.tangents[0], -1.0f);
+    EXPECT_EQ(got.tangents[1], -0.5f);
+    EXPECT_EQ(got.tangents[3], 1.0f) << "the joint mirrors";
+  }
+}
+
 // Under a mirror the bitangent is w cross(n, t) with the other w: the triad's handedness changes with the surface.
 TEST(Skin, MirrorByHand) {
   const TestMesh mesh({{{0}, {{{1, 2, 3}, {1, 0, 0}, {0, 1, 0}, 1, {1}, {}}}}}, {{}});
@@ -211,6 +265,12 @@ TEST(Skin, PositionsAloneAreTheSameBits) {
     EXPECT_EQ(all.positions, alone.positions);
     EXPECT_EQ(all.positions, two.positions);
     EXPECT_EQ(all.normals, two.normals);
+    const NormalTransform blended = NormalTransform::blended_matrix;
+    ASSERT_EQ(run(all.output(blended)), Status::ok);
+    ASSERT_EQ(run({two.positions, two.normals, {}, blended}), Status::ok);
+    EXPECT_EQ(all.positions, two.positions);
+    EXPECT_EQ(all.positions, alone.positions);
+    EXPECT_EQ(all.normals, two.normals);
   }
 }
 
@@ -219,13 +279,13 @@ TEST(Skin, AnimationSpaceCoordinatesAreLiftAndResidual) {
       {{{0, 1}, {{{2, 4, 8}, {0, 0, 1}, {1, 0, 0}, 1, {0.25, 0.75}, {{0.5, 0, 0, 0.25}, {0, 0, -0.5, -0.25}}}}}},
       {{}, {}}, true);
   const Geometry g = mesh.view().geometry;
-  ASSERT_EQ(as_coordinate_count(g), 32u);
-  std::vector<float> q(33, 99.0f);
+  ASSERT_EQ(as_coordinate_count(g), 28u);
+  std::vector<float> q(29, 99.0f);
   ASSERT_EQ(as_coordinates(g, q), Status::ok);
-  const float want[8] = {0.25f * 2 + 0.5f, 1, 2, 0.5f, 1.5f, 3, 6 - 0.5f, 0.5f};
-  for (std::size_t i = 0; i < 8; ++i)
+  const float want[7] = {2 + 0.5f, 4, 8 - 0.5f, 0.25f * 2 + 0.5f, 1, 2, 0.5f};  // the sum, then q_0
+  for (std::size_t i = 0; i < 7; ++i)
     for (std::size_t lane = 0; lane < 4; ++lane) EXPECT_EQ(q[i * 4 + lane], want[i]) << i;
-  EXPECT_EQ(q[32], 99.0f) << "no more than the count is written";
+  EXPECT_EQ(q[28], 99.0f) << "no more than the count is written";
 }
 
 TEST(Skin, TheLiftIsSsd) {

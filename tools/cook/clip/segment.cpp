@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 
 #include <glm/geometric.hpp>
@@ -9,13 +10,24 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kFirstShare = 0.5;  // of the promise, for each track's step at the start
-constexpr int kMostShrinks = 18;     // to a fiftieth of it
-constexpr int kFarthestStep = 24;    // quarter octaves that one coarsening may take
+constexpr double kFirstShare = 0.5;     // of the promise, for each track's step at the start
+constexpr int kMostShrinks = 18;        // to a fiftieth of it
+constexpr int kFarthestStep = 24;       // quarter octaves that one coarsening may take
+constexpr std::uint32_t kMoreBits = 2;  // a frame, that a track may take to make good what those above it miss
 
 double eighth_power(double x) {
   const double x2 = x * x, x4 = x2 * x2;
   return x4 * x4;
+}
+
+// The rotation in a map that is one after a scaling along its own axes; nullopt if it is not.
+std::optional<glm::dquat> rotation_of(const glm::dmat3& linear) {
+  const glm::dmat3 unit(glm::normalize(linear[0]), glm::normalize(linear[1]), glm::normalize(linear[2]));
+  constexpr double kSlack = 1e-6;
+  const double skew = std::max({std::fabs(glm::dot(unit[0], unit[1])), std::fabs(glm::dot(unit[1], unit[2])),
+                                std::fabs(glm::dot(unit[2], unit[0]))});
+  if (!(skew < kSlack) || glm::determinant(unit) < 0) return std::nullopt;
+  return glm::quat_cast(unit);
 }
 
 double largest_axis(const World& w) {
@@ -223,6 +235,53 @@ void Segment::coarsen() {
   }
 }
 
+std::size_t Segment::frame_bits() const {
+  std::size_t bits = 0;
+  for (const CodedTrack& track : coded_) bits += track.frame_bits;
+  return bits;
+}
+
+// What a track would have to hold for its joint to stand in the scene as in the source, below joints that do not quite.
+// Empty where a parent is scaled unevenly.
+std::vector<glm::dvec3> Segment::compensated(std::size_t track) const {
+  const TrackId& id = ids_[track];
+  const Transform& rest = rig_.rest[id.joint];
+  const int parent = rig_.parents[id.joint];
+  if (parent == kNone || id.path == Path::scale) return {};
+  std::vector<glm::dvec3> out;
+  glm::dquat last = from_rodrigues(targets_[track][0]);
+  for (std::size_t e = 0; e < moment_count(); e += kMoments) {
+    const World& above = world_[static_cast<std::size_t>(parent)][e];
+    const World& wanted = source_world_[id.joint][e];
+    const glm::dmat3 inverse = glm::inverse(above.linear);
+    if (id.path == Path::translation) {
+      out.push_back(inverse * (wanted.origin - above.origin) - rest.translation);
+      continue;
+    }
+    const std::optional<glm::dquat> turned = rotation_of(inverse * wanted.linear);
+    if (!turned) return {};
+    glm::dquat q = glm::conjugate(rest.rotation) * *turned;
+    if (glm::dot(last, q) < 0) q = -q;
+    last = q;
+    out.push_back(to_rodrigues(q));
+  }
+  return out;
+}
+
+// From the root down, with steps as they are.
+void Segment::compensate() {
+  for (std::size_t t = 0; t < ids_.size(); ++t) {
+    std::vector<glm::dvec3> targets = compensated(t);
+    if (targets.empty()) continue;
+    CodedTrack candidate = quantise(targets, coded_[t].step_code);
+    if (!candidate.fits || candidate.frame_bits > coded_[t].frame_bits + kMoreBits) continue;
+    const Trial trial = attempt(t, candidate);
+    if (!trial.kept || trial.energy >= 0) continue;
+    commit(t, std::move(candidate));
+    targets_[t] = std::move(targets);
+  }
+}
+
 bool Segment::search() {
   double budget = kFirstShare * promise_.error;
   int shrinks = 0;
@@ -231,6 +290,15 @@ bool Segment::search() {
     budget *= 0.8;
   }
   coarsen();
+  std::vector<CodedTrack> best = coded_;
+  for (std::size_t least = frame_bits();;) {
+    compensate();
+    coarsen();
+    if (frame_bits() >= least) break;
+    least = frame_bits();
+    best = coded_;
+  }
+  coded_ = std::move(best);
   return true;
 }
 

@@ -18,7 +18,8 @@ inline constexpr std::size_t kMoments = 4;
 
 // Works on poses in scene space through the whole hierarchy, in double precision, and on the very integers that are
 // stored. First every track gets a step by how far its joint reaches, all shrunk together until the promise holds; then
-// one track at a time is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸.
+// one track at a time is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸. Then
+// every track aims again, so that it makes good what the joints above it miss, and the rest of the slack is spent.
 class Segment {
  public:
   // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint. exact: tracks that are stored
@@ -46,6 +47,9 @@ class Segment {
                     std::vector<Transform>& out) const;
   bool coarser(std::size_t track, CodedTrack& candidate) const;
   void coarsen();
+  std::size_t frame_bits() const;
+  std::vector<glm::dvec3> compensated(std::size_t track) const;
+  void compensate();
 
   const Rig& rig_;
   Promise promise_;

@@ -1,0 +1,66 @@
+// Every vertex follows one joint, four vertices at a time.
+#include "skin/deform.h"
+
+namespace marrow {
+namespace {
+
+struct FourJoints {
+  const Affine* lane[4];
+};
+
+// The joint with the largest weight; of equal ones the first.
+FourJoints largest(const std::uint16_t* set, std::uint32_t influences, const float* weights, const Affine* palette) {
+  float which[4] = {0, 0, 0, 0};
+  if (influences > 1) {
+    f32x4 most = load_aligned(weights), rest = splat(1.0f) - most, entry = splat(0.0f);
+    for (std::uint32_t j = 1; j < influences; ++j) {
+      f32x4 w = rest;
+      if (j + 1 < influences) {
+        w = load_aligned(weights + 4 * j);
+        rest = rest - w;
+      }
+      const mask4 larger = most < w;
+      most = select(larger, w, most);
+      entry = select(larger, splat(static_cast<float>(j)), entry);
+    }
+    store(which, entry);
+  }
+  FourJoints joints;
+  for (int i = 0; i < 4; ++i) joints.lane[i] = palette + set[static_cast<int>(which[i])];
+  return joints;
+}
+
+BlockRow load_rows(const FourJoints& joints, int row) {
+  f32x4 x = load_aligned(joints.lane[0]->rows[row]), y = load_aligned(joints.lane[1]->rows[row]),
+        z = load_aligned(joints.lane[2]->rows[row]), t = load_aligned(joints.lane[3]->rows[row]);
+  transpose(x, y, z, t);
+  return {x, y, z, t};
+}
+
+struct Rigid {
+  template <Directions D>
+  static void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
+                  Cursor& cursor) {
+    Cursor at = cursor;
+    for (; blocks > 0; --blocks) {
+      const FourJoints joints = largest(set, influences, at.stream + 12, palette);
+      const Blend m = {load_rows(joints, 0), load_rows(joints, 1), load_rows(joints, 2)};
+      store_xyz(at.out_positions, dot3(m.a, at.stream) + m.a.t, dot3(m.b, at.stream) + m.b.t,
+                dot3(m.c, at.stream) + m.c.t);
+      at.stream += 4 * (influences + 2);
+      at.out_positions += 12;
+      f32x4 mirror = splat(1.0f);
+      if constexpr (D == Directions::blended_tangents) mirror = determinant(m);
+      write_directions<D>(m, mirror, at);
+    }
+    cursor = at;
+  }
+};
+
+}  // namespace
+
+Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
+  return deform<Rigid>(mesh, mesh.geometry.skin, palette, out);
+}
+
+}  // namespace marrow
