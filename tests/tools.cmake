@@ -7,6 +7,11 @@ marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
+# What `marrow bench` runs; the command itself is tested with the program.
+marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp
+  ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
+target_link_libraries(marrow_bench_tests PRIVATE marrow_bench)
+
 # The reference evaluator, written from the glTF specification; it shares nothing with the cooker.
 add_library(marrow_reference STATIC road/source.cpp road/reference.cpp)
 target_include_directories(marrow_reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})

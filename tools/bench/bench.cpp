@@ -49,14 +49,14 @@ std::vector<Row> select_rows(const std::string& pattern, const Models& models) {
 // Leaves out rows whose models are missing, and says so.
 void drop_missing(const Models& models, std::vector<Row>& rows) {
   const auto note = [&](const char* file, std::size_t count, const char* effect) {
-    if (count > 0) fmt::print(stderr, "marrow: note: no {} in {}: {} rows {}\n", file, models.folder(), count, effect);
+    if (count > 0) fmt::print(stderr, "marrow: note: no {} in {}: {}: {}\n", file, models.folder(), effect, count);
   };
   for (const ModelSource* model : {&kPab, &kCesiumMan, &kRuby}) {
     if (models.has(*model)) continue;
-    note(model->file, std::erase_if(rows, [&](const Row& row) { return row.model == model; }), "are left out");
+    note(model->file, std::erase_if(rows, [&](const Row& row) { return row.model == model; }), "rows left out");
   }
   const auto stand_ins = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return row.stand_in; });
-  note(kPab.file, static_cast<std::size_t>(stand_ins), "run on the sample instead");
+  note(kPab.file, static_cast<std::size_t>(stand_ins), "rows on the sample instead");
   if (rows.empty())
     throw Failure(Exit::io, models.folder(), "", "no model of the selected rows is there",
                   "let MARROW_ASSETS name the folder that has them");

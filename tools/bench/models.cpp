@@ -23,7 +23,7 @@ void keep_first_keys(cook::RawClip& clip) {
 
 Models::Models() {
   const char* const given = std::getenv("MARROW_ASSETS");
-  folder_ = given != nullptr ? given : MARROW_DEFAULT_ASSETS;
+  folder_ = std::filesystem::path(given != nullptr ? given : MARROW_DEFAULT_ASSETS).lexically_normal().string();
 }
 
 bool Models::has(const ModelSource& model) const {
