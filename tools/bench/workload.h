@@ -67,6 +67,7 @@ std::vector<Affine> noise_palette(std::size_t count);
 
 template <class T>
 std::uint64_t hash_of(const std::vector<T>& values, std::uint64_t state) {
+  if (values.empty()) return state;
   const std::uint64_t both[2] = {
       state, format::checksum(reinterpret_cast<const std::byte*>(values.data()), values.size() * sizeof(T))};
   return format::checksum(reinterpret_cast<const std::byte*>(both), sizeof both);
