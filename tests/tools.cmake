@@ -7,6 +7,11 @@ marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
+# What `marrow bench` runs; the command itself is tested with the program.
+marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp
+  ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
+target_link_libraries(marrow_bench_tests PRIVATE marrow_bench)
+
 # The reference evaluator, written from the glTF specification; it shares nothing with the cooker.
 add_library(marrow_reference STATIC road/source.cpp road/reference.cpp)
 target_include_directories(marrow_reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
@@ -18,7 +23,7 @@ target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
 
-marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp)
+marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")

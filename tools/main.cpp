@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "bench/bench.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "cook/command.h"
@@ -95,6 +96,24 @@ void add_pose(CLI::App& app) {
   command->callback([&a] { run_pose(a); });
 }
 
+void add_bench(CLI::App& app) {
+  BenchArguments& a = arguments_of<BenchArguments>();
+  CLI::App* const command = app.add_subcommand("bench", "Measure every stage, a joint or a vertex");
+  command->add_option("--only", a.only, "rows by name; * and ? stand for any characters, slashes too")
+      ->type_name("GLOB")
+      ->capture_default_str();
+  command
+      ->add_option("--iterations", a.iterations, "run each row exactly so often; without it, as often as steadies it")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 1000000000u));
+  command->add_flag("--json", a.json, "as JSON: [{name, items, ns_per_item, hash}]");
+  command->footer([] {
+    return "Models are looked for in the folder that the environment variable MARROW_ASSETS names. Rows:\n" +
+           bench_row_names();
+  });
+  command->callback([&a] { run_bench(a); });
+}
+
 void add_sample(CLI::App& app) {
   std::string& out = arguments_of<std::string>();
   CLI::App* const command = app.add_subcommand("sample", "Write the embedded sample character as a .glb file");
@@ -140,6 +159,7 @@ int run(int argc, char** argv) {
   add_cook(app);
   add_info(app);
   add_pose(app);
+  add_bench(app);
   add_sample(app);
 #ifdef MARROW_HAS_GLES
   add_render(app);

@@ -1,0 +1,186 @@
+// `marrow bench`: the rows it promises, and hashes that depend on nothing but what a row computes.
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/process.h"
+
+namespace marrow::test {
+namespace {
+
+// Points MARROW_ASSETS at a folder for as long as it lives; empty ones stand for machines without the models.
+class AssetsAt {
+ public:
+  explicit AssetsAt(const std::string& folder) {
+    const char* const was = std::getenv("MARROW_ASSETS");
+    if (was != nullptr) before_ = was;
+    had_ = was != nullptr;
+    setenv("MARROW_ASSETS", folder.c_str(), 1);
+  }
+  ~AssetsAt() { had_ ? setenv("MARROW_ASSETS", before_.c_str(), 1) : unsetenv("MARROW_ASSETS"); }
+  AssetsAt(const AssetsAt&) = delete;
+  AssetsAt& operator=(const AssetsAt&) = delete;
+
+ private:
+  std::string before_;
+  bool had_ = false;
+};
+
+struct BenchRow {
+  int items;
+  std::string hash;
+  bool operator==(const BenchRow& other) const { return items == other.items && hash == other.hash; }
+};
+using Rows = std::map<std::string, BenchRow>;
+
+// What the selected rows say; checks what all rows have in common.
+Rows bench(const std::string& only, const std::string& iterations) {
+  const Ran ran = run_marrow({"bench", "--only", only, "--iterations", iterations, "--json"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  Rows rows;
+  const nlohmann::json json = nlohmann::json::parse(ran.out, nullptr, false);
+  EXPECT_TRUE(json.is_array()) << ran.out;
+  for (const auto& row : json) {
+    const std::string name = row.at("name"), hash = row.at("hash");
+    EXPECT_EQ(row.size(), 4u) << name;
+    EXPECT_GT(row.at("ns_per_item"), 0) << name;
+    EXPECT_EQ(hash.size(), 16u) << name;
+    EXPECT_TRUE(rows.emplace(name, BenchRow{row.at("items"), hash}).second) << name << " twice";
+  }
+  return rows;
+}
+
+int joints_of_the_sample() {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_marrow({"sample", "-o", folder / "newt.glb"}).code, 0);
+  const Ran cooked =
+      run_marrow({"cook", folder / "newt.glb", "-o", folder / "newt.mrw", "--clip-codec", "raw", "--json"});
+  EXPECT_EQ(cooked.code, 0) << cooked.err;
+  return nlohmann::json::parse(cooked.out).at("skeletons").at(0).at("joints");
+}
+
+TEST(Bench, SamplesEveryClipOfTheSampleInEveryOrder) {
+  const int joints = joints_of_the_sample();
+  const Rows rows = bench("sample/*/newt_*", "2");
+  std::set<std::string> hashes;
+  for (const char* order : {"forward", "random", "backward", "crowd"}) {
+    for (const char* clip : {"idle", "walk", "twist", "reach"}) {
+      const auto row = rows.find(std::string("sample/") + order + "/newt_" + clip);
+      ASSERT_NE(row, rows.end()) << order << ' ' << clip;
+      EXPECT_EQ(row->second.items, joints);
+      hashes.insert(row->second.hash);
+    }
+  }
+  EXPECT_EQ(rows.size(), 16u);
+  EXPECT_EQ(hashes.size(), 16u) << "each of them reads other poses";
+}
+
+TEST(Bench, SkinsInEveryForm) {
+  const Rows rows = bench("skin/*/1000", "1");
+  for (const char* deformer : {"rigid", "ssd", "as"}) {
+    for (const char* attributes : {"p", "pn", "pnt"}) {
+      for (const char* influences : {"1", "2", "3", "4", "8"}) {
+        const std::string name = std::string("skin/") + deformer + '/' + attributes + '/' + influences + "/1000";
+        ASSERT_TRUE(rows.contains(name)) << name;
+        EXPECT_EQ(rows.at(name).items, 1000);
+      }
+    }
+  }
+  EXPECT_EQ(rows.size(), 45u);
+  std::set<std::string> hashes;
+  for (const auto& [name, row] : rows)
+    if (name.rfind("skin/rigid/", 0) != 0) hashes.insert(row.hash);
+  EXPECT_EQ(hashes.size(), 30u) << "SSD and animation space differ by the residual";
+  // With one influence there is nothing to blend.
+  for (const char* attributes : {"p", "pn", "pnt"}) {
+    const std::string form = std::string("/") + attributes + "/1/1000";
+    EXPECT_EQ(rows.at("skin/rigid" + form).hash, rows.at("skin/ssd" + form).hash) << form;
+  }
+}
+
+TEST(Bench, LargerMeshesHaveAsManyVerticesAsTheirNamesSay) {
+  const Rows rows = bench("skin/ssd/p/4/*", "1");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows.at("skin/ssd/p/4/10000").items, 10000);
+  EXPECT_EQ(rows.at("skin/ssd/p/4/100000").items, 100000);
+}
+
+TEST(Bench, HashesDoNotDependOnIterationsOrOnOtherRows) {
+  const TemporaryFolder none;
+  const AssetsAt empty(none / "");
+  for (const char* only : {"sample/*/newt_walk", "[bfp]*", "skin/as/pnt/3/1000"}) {
+    const Rows once = bench(only, "1");
+    EXPECT_FALSE(once.empty()) << only;
+    EXPECT_EQ(once, bench(only, "1")) << only;
+    EXPECT_EQ(once, bench(only, "700")) << only;
+  }
+  EXPECT_EQ(bench("sample/random/newt_walk", "1").at("sample/random/newt_walk"),
+            bench("sample/random/newt_[iw]*", "3").at("sample/random/newt_walk"));
+}
+
+TEST(Bench, WithoutModelsTheSampleStandsInAndItIsSaid) {
+  const TemporaryFolder none;
+  const AssetsAt empty(none / "");
+  const Rows rows = bench("[!s]*", "1");
+  const int joints = joints_of_the_sample();
+  for (const char* name : {"blend/2", "blend/4", "blend/2_masked", "blend/4_masked", "blend/2_additive1",
+                           "local_to_model", "palette", "frame"}) {
+    ASSERT_TRUE(rows.contains(name)) << name;
+    EXPECT_EQ(rows.at(name).items, joints) << name;
+  }
+  EXPECT_EQ(rows.size(), 8u);
+  EXPECT_NE(run_marrow({"bench", "--only", "palette", "--iterations", "1"}).err.find("no pab.glb in"),
+            std::string::npos);
+
+  const Ran left_out = run_marrow({"bench", "--only", "sample/*/*_walk*", "--iterations", "1", "--json"});
+  EXPECT_EQ(left_out.code, 0);
+  EXPECT_EQ(nlohmann::json::parse(left_out.out).size(), 4u);
+  EXPECT_NE(left_out.err.find("no pab.glb in"), std::string::npos) << left_out.err;
+  EXPECT_EQ(run_marrow({"bench", "--only", "skin/ssd/p/1/1000", "--iterations", "1"}).err, "") << "needs no model";
+
+  for (const char* model : {"CesiumMan", "ruby"}) {
+    const Ran nothing_left = run_marrow({"bench", "--only", std::string("sample/*/") + model});
+    EXPECT_EQ(nothing_left.code, 2);
+    EXPECT_EQ(nothing_left.out, "");
+    EXPECT_NE(nothing_left.err.find(std::string("no ") + model + ".glb in"), std::string::npos) << nothing_left.err;
+  }
+}
+
+TEST(Bench, TheTableSaysTheSame) {
+  const Rows rows = bench("skin/ssd/p*/4/1000", "1");
+  const Ran table = run_marrow({"bench", "--only", "skin/ssd/p*/4/1000"});
+  EXPECT_EQ(table.code, 0);
+  std::istringstream lines(table.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line.rfind("name ", 0), 0u) << line;
+  std::size_t count = 0;
+  for (; std::getline(lines, line); ++count) {
+    std::istringstream words(line);
+    std::string name, hash;
+    int items = 0;
+    double ns = 0;
+    ASSERT_TRUE(words >> name >> items >> ns >> hash) << line;
+    EXPECT_EQ(rows.at(name), (BenchRow{items, hash})) << line;
+    EXPECT_GT(ns, 0) << line;
+  }
+  EXPECT_EQ(count, 3u);
+}
+
+TEST(Bench, UnknownRowsAndSillyCountsAreUsageErrors) {
+  const Ran unknown = run_marrow({"bench", "--only", "skin/dual_quaternions/*"});
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_EQ(unknown.out, "");
+  for (const char* name : {"skin/dual_quaternions/*", "skin/{rigid,ssd,as}/{p,pn,pnt}", "local_to_model", "newt_walk"})
+    EXPECT_NE(unknown.err.find(name), std::string::npos) << name;
+  for (const char* count : {"0", "-1", "1.5", "many"})
+    EXPECT_EQ(run_marrow({"bench", "--only", "palette", "--iterations", count}).code, 1) << count;
+}
+
+}  // namespace
+}  // namespace marrow::test

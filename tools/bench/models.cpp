@@ -1,0 +1,56 @@
+#include "bench/models.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "common/failure.h"
+#include "cook/cook.h"
+#include "cook/gltf/read.h"
+#include "sample/sample.h"
+
+namespace marrow::tools {
+namespace {
+
+// What a clip moves stays a joint, so the skeleton is the same whichever clips are wanted.
+void keep_first_keys(cook::RawClip& clip) {
+  for (cook::RawChannel& channel : clip.channels) {
+    channel.times_s.resize(1);
+    channel.values.resize(channel.interpolation == cook::RawInterpolation::cubic_spline ? 3 : 1);
+  }
+}
+
+}  // namespace
+
+Models::Models() {
+  const char* const given = std::getenv("MARROW_ASSETS");
+  folder_ = std::filesystem::path(given != nullptr ? given : MARROW_DEFAULT_ASSETS).lexically_normal().string();
+}
+
+bool Models::has(const ModelSource& model) const {
+  std::error_code unreadable;
+  return model.embedded || std::filesystem::exists(std::filesystem::path(folder_) / model.file, unreadable);
+}
+
+const File& Models::get(const ModelSource& model) {
+  const auto [at, is_new] = cooked_.try_emplace(&model);
+  LoadedFile& loaded = at->second;
+  if (!is_new) return loaded.file;
+  cook::RawScene scene = model.embedded ? cook::read_gltf(model.file, sample_glb())
+                                        : cook::read_gltf((std::filesystem::path(folder_) / model.file).string());
+  for (cook::RawClip& clip : scene.clips)
+    if (!wanted_[&model].contains(clip.name)) keep_first_keys(clip);
+  loaded.bytes = AlignedBytes(std::span<const std::byte>(cook::cook_scene(std::move(scene), {}).file));
+  if (load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file) != Status::ok)
+    throw Failure(Exit::internal, model.file, "", "cannot be loaded once cooked", "please report this");
+  return loaded.file;
+}
+
+ClipOfModel find_clip(const ModelSource& model, const File& file, const std::string& name) {
+  const std::uint32_t index = file.find_clip(name.c_str());
+  if (index == file.clip_count())
+    throw Failure(Exit::invalid, model.file, "", "no clip \"" + name + "\"", "use the model that the row is meant for");
+  const Clip clip = file.clip(index);
+  return {file.skeleton(clip.skeleton), clip};
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,82 @@
+// The rows skin/DEFORMER/ATTRIBUTES/INFLUENCES/VERTICES: a whole generated mesh an iteration.
+#include "bench/vertices.h"
+#include "bench/workload.h"
+#include "pose/evaluate.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr const char* kDeformers[] = {"rigid", "ssd", "as"};
+constexpr const char* kAttributes[] = {"p", "pn", "pnt"};  // positions, normals, tangents
+constexpr std::uint32_t kInfluences[] = {1, 2, 3, 4, 8};
+constexpr std::uint32_t kVertices[] = {1000, 10000, 100000};
+
+struct SkinningShape {
+  Deformer deformer;
+  std::string attributes;
+  std::uint32_t influences, vertices;
+};
+
+class Skinning : public Workload {
+ public:
+  explicit Skinning(const SkinningShape& shape)
+      : deformer_(shape.deformer), mesh_(shape.vertices, shape.influences), palette_(noise_palette(kMeshJoints)) {
+    const std::size_t slots = mesh_.view().geometry.slot_count;
+    positions_.resize(3 * slots);
+    if (shape.attributes != "p") normals_.resize(3 * slots);
+    if (shape.attributes == "pnt") tangents_.resize(4 * slots);
+    if (deformer_ != Deformer::as) return;
+    coordinates_.resize(as_coordinate_count(mesh_.view().geometry));
+    check(as_coordinates(mesh_.view().geometry, coordinates_));
+  }
+  std::uint32_t items() const override { return mesh_.view().geometry.vertex_count; }
+  std::uint64_t hash_output(std::uint64_t state) const override {
+    return hash_of(tangents_, hash_of(normals_, hash_of(positions_, state)));
+  }
+  void run(std::uint64_t iterations) override {
+    const SkinOutput out = {positions_, normals_, tangents_};
+    for (std::uint64_t i = 0; i < iterations; ++i) {
+      switch (deformer_) {
+        case Deformer::rigid:
+          check(skin_rigid(mesh_.view(), palette_, out));
+          break;
+        case Deformer::ssd:
+          check(skin_ssd(mesh_.view(), palette_, out));
+          break;
+        case Deformer::as:
+          check(skin_as(mesh_.view(), coordinates_, palette_, out));
+          break;
+      }
+    }
+  }
+
+ private:
+  Deformer deformer_;
+  GeneratedMesh mesh_;
+  std::vector<Affine> palette_;
+  std::vector<float> coordinates_, positions_, normals_, tangents_;
+};
+
+}  // namespace
+
+RowGroup skinning_rows() {
+  RowGroup group;
+  for (const char* const deformer : kDeformers) {
+    for (const char* const attributes : kAttributes) {
+      for (const std::uint32_t influences : kInfluences) {
+        for (const std::uint32_t vertices : kVertices) {
+          const SkinningShape shape = {*parse_deformer(deformer), attributes, influences, vertices};
+          group.rows.push_back({fmt::format("skin/{}/{}/{}/{}", deformer, attributes, influences, vertices),
+                                nullptr,
+                                {},
+                                [shape](Models&) { return std::make_unique<Skinning>(shape); }});
+        }
+      }
+    }
+  }
+  group.names = fmt::format("skin/{}/{}/{}/{}\n", choice(kDeformers), choice(kAttributes), choice(kInfluences),
+                            choice(kVertices));
+  return group;
+}
+
+}  // namespace marrow::tools
