@@ -34,7 +34,7 @@ class Skinning : public Workload {
     return hash_of(tangents_, hash_of(normals_, hash_of(positions_, state)));
   }
   void run(std::uint64_t iterations) override {
-    const SkinOutput out = {positions_, normals_, tangents_};
+    const SkinOutput out = {positions_, normals_, tangents_, NormalTransform::blended_matrix};
     for (std::uint64_t i = 0; i < iterations; ++i) {
       switch (deformer_) {
         case Deformer::rigid:
