@@ -205,6 +205,22 @@ TEST(Bits, BlendsAndTransitions) {
   EXPECT_EQ(inertial, 0x6D13E9D127642971u) << "inertialisation, fades";
 }
 
+TEST(Bits, Playback) {
+  test::Random random(54);
+  std::uint64_t h = test::kHashStart;
+  for (int i = 0; i < 3000; ++i) {
+    Playback p;
+    p.mode = static_cast<PlayMode>(i % 3);
+    for (int frame = 0; frame < 20; ++frame) {
+      p.speed = static_cast<float>(random.between(-3, 3));
+      EXPECT_EQ(advance(p, 1.0f / static_cast<float>(1 + i % 7), static_cast<float>(random.between(-1, 1))),
+                Status::ok);
+      h = test::hash(test::hash(h, &p.time_s, sizeof p.time_s), &p.turns, sizeof p.turns);
+    }
+  }
+  EXPECT_EQ(h, 0x4F2CABAC9C6F885Cu);
+}
+
 TEST(Bits, GoldenFile) {
   test::AlignedBlock block = test::golden_copy();
   File file;

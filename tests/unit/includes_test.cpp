@@ -46,7 +46,8 @@ const std::map<std::string, std::string> kHeaders = {
     {"marrow/status.h", "core"},     {"marrow/span.h", "core"},           {"marrow/pose.h", "core"},
     {"marrow/glm.h", "math"},        {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
     {"marrow/sample.h", "pose"},     {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
-    {"marrow/transition.h", "pose"}, {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"}};
+    {"marrow/transition.h", "pose"}, {"marrow/playback.h", "pose"},       {"marrow/palette.h", "skin"},
+    {"marrow/skin.h", "skin"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
