@@ -1,9 +1,10 @@
 # Tests of the cooker and of the program; included where the tools are built.
-marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/gltf_test.cpp)
+marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/gltf_test.cpp unit/cook/channels_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
 set_source_files_properties(unit/cook/gltf_test.cpp PROPERTIES COMPILE_OPTIONS -O0)
 marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
 marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
+marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
@@ -18,7 +19,8 @@ target_include_directories(marrow_reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVATE draco::draco)
 marrow_warnings(marrow_reference)
 
-marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp road/cooked.cpp)
+marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
+  road/channels_test.cpp road/cooked.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
@@ -36,7 +38,8 @@ add_dependencies(marrow_cli_tests marrow)
 add_executable(marrow_gltf_fuzz fuzz/gltf_fuzz.cpp fuzz/driver.cpp)
 target_link_libraries(marrow_gltf_fuzz PRIVATE marrow_test_support marrow_cook)
 marrow_warnings(marrow_gltf_fuzz)
-add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRENT_SOURCE_DIR}/golden/tiny.gltf)
+add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRENT_SOURCE_DIR}/golden/tiny.gltf
+  ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf)
 set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
 
 # The README's first program, as printed there.

@@ -51,6 +51,7 @@ Clip File::clip(std::uint32_t index) const {
   c.skeleton = header.skeleton;
   c.duration_s = header.duration_s;
   c.tracks = {at<Track>(base, l.tracks), header.track_count};
+  c.channels = {at<Channel>(base, l.channels), header.channel_count};
   c.times_s = at<float>(base, l.times);
   c.values = at<float>(base, l.values);
   const auto& joints = *at<format::SkeletonHeader>(section(format::kSkeletons, header.skeleton), 0);
@@ -113,6 +114,12 @@ Mesh File::mesh(std::uint32_t index) const {
 std::uint32_t File::find_clip(const char* name) const {
   std::uint32_t i = 0;
   while (i < clip_count() && std::strcmp(clip(i).name, name) != 0) ++i;
+  return i;
+}
+
+std::uint32_t File::find_channel(const Clip& clip, const char* name) const {
+  std::uint32_t i = 0;
+  while (i < clip.channels.size && std::strcmp(text(clip.channels[i].name), name) != 0) ++i;
   return i;
 }
 

@@ -54,7 +54,8 @@ struct ClipHeader {
   std::uint32_t track_count;
   std::uint32_t time_count;
   std::uint32_t value_count;
-  std::uint32_t reserved[2];  // 0
+  std::uint32_t channel_count;
+  std::uint32_t reserved;  // 0
 };
 static_assert(sizeof(ClipHeader) == 32);
 
@@ -165,7 +166,7 @@ constexpr SkeletonLayout layout(const SkeletonHeader& h) {
 }
 
 struct ClipLayout {
-  std::uint64_t tracks, times, values, bytes;
+  std::uint64_t tracks, channels, times, values, bytes;
 };
 constexpr std::uint32_t segment_count(const CodedHeader& h) {
   return (h.frame_count - 2) / h.segment_intervals + 1;
@@ -189,7 +190,8 @@ constexpr CodedLayout layout(const CodedHeader& h, std::uint64_t start, std::uin
 constexpr ClipLayout layout(const ClipHeader& h) {
   ClipLayout l{};
   l.tracks = sizeof(ClipHeader);
-  l.times = l.tracks + std::uint64_t{h.track_count} * sizeof(Track);
+  l.channels = l.tracks + std::uint64_t{h.track_count} * sizeof(Track);
+  l.times = l.channels + std::uint64_t{h.channel_count} * sizeof(Channel);
   l.values = l.times + std::uint64_t{h.time_count} * 4;
   l.bytes = l.values + std::uint64_t{h.value_count} * 4;
   return l;
@@ -232,6 +234,10 @@ constexpr MeshLayout layout(const MeshHeader& h) {
 // How many values a track's key has in Clip::values.
 constexpr std::uint32_t floats_per_key(Path path, Interpolation interpolation) {
   return (path == Path::rotation ? 4u : 3u) * (interpolation == Interpolation::cubic_spline ? 3u : 1u);
+}
+
+constexpr std::uint32_t floats_per_key(Interpolation of_channel) {
+  return of_channel == Interpolation::cubic_spline ? 3u : 1u;
 }
 
 // Finds damage, not malice. Four independent lanes of 64-bit multiply and rotate; `bytes` may be any number.

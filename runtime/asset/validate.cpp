@@ -49,8 +49,10 @@ class Checker {
   bool names(const File::Section& s);
   bool skeleton(const File::Section& s);
   bool clip(const File::Section& s);
-  bool track(const format::ClipHeader& h, const Track& t, std::uint32_t joint_count);
-  bool key_times(const format::ClipHeader& h, const Track& t, const float* times);
+  bool clip_header(const File::Section& s);
+  bool tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count);
+  template <class Keyed>
+  bool keys(const format::ClipHeader& h, const Keyed& t, std::uint32_t floats_per_key);
   bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
   bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
   bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
@@ -114,22 +116,14 @@ bool Checker::skeleton(const File::Section& s) {
   return name(h->name) && finite(at<float>(s, l.roots), l.names - l.roots);
 }
 
-bool Checker::track(const format::ClipHeader& h, const Track& t, std::uint32_t joint_count) {
-  if (t.joint >= joint_count) return fail(&t, "track's joint outside the skeleton");
-  if (t.path > Path::scale) return fail(&t, "unknown path");
+// A track's or a channel's keys.
+template <class Keyed>
+bool Checker::keys(const format::ClipHeader& h, const Keyed& t, std::uint32_t floats_per_key) {
   if (t.interpolation > Interpolation::cubic_spline) return fail(&t, "unknown interpolation");
-  const std::uint64_t values = std::uint64_t{t.key_count} * format::floats_per_key(t.path, t.interpolation);
   if (t.key_count == 0 || std::uint64_t{t.first_time} + t.key_count > h.time_count)
     return fail(&t, "keys outside the times");
-  if (t.first_value + values > h.value_count) return fail(&t, "keys outside the values");
-  return true;
-}
-
-bool Checker::key_times(const format::ClipHeader& h, const Track& t, const float* times) {
-  const float* const key = times + t.first_time;
-  for (std::uint32_t i = 1; i < t.key_count; ++i)
-    if (!(key[i - 1] < key[i])) return fail(key + i, "times must increase");
-  if (!(key[0] >= 0) || key[t.key_count - 1] > h.duration_s) return fail(key, "times from 0 to the duration");
+  if (t.first_value + std::uint64_t{t.key_count} * floats_per_key > h.value_count)
+    return fail(&t, "keys outside the values");
   return true;
 }
 
@@ -208,7 +202,7 @@ bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t j
          segments(s, *h, l);
 }
 
-bool Checker::clip(const File::Section& s) {
+bool Checker::clip_header(const File::Section& s) {
   if (s.codec > format::kCodecSegments) {
     error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
     return false;
@@ -218,27 +212,65 @@ bool Checker::clip(const File::Section& s) {
   const std::uint64_t raw_bytes = layout(*h).bytes;
   if (s.codec == format::kCodecRaw ? raw_bytes != s.bytes : raw_bytes > s.bytes)
     return fail(h, "section size differs from its counts");
-  if (h->reserved[0] != 0 || h->reserved[1] != 0) return fail(h->reserved, "reserved must be 0");
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  const format::ClipLayout l = layout(*h);
-  if (!name(h->name) || !finite(&h->duration_s, 4) || !finite(at<float>(s, l.times), l.bytes - l.times)) return false;
-  if (!(h->duration_s >= 0)) return fail(&h->duration_s, "a duration is not negative");
-  const auto* joints = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
-  const auto* tracks = at<Track>(s, l.tracks);
-  const auto* times = at<float>(s, l.times);
-  // Lists of times follow one another, each shared by consecutive tracks: so one pass sees every list once.
-  std::uint32_t list = 0, list_end = 0;
-  for (std::uint32_t i = 0; i < h->track_count; ++i) {
-    const Track& t = tracks[i];
-    if (!track(*h, t, joints->joint_count)) return false;
-    if (i > 0 && t.first_time == list && t.first_time + t.key_count == list_end) continue;
-    if (t.first_time != list_end) return fail(&t, "a list of times is the last track's or follows it");
-    list = t.first_time;
-    list_end = t.first_time + t.key_count;
-    if (!key_times(*h, t, times)) return false;
+  if (!name(h->name) || !finite(&h->duration_s, 4)) return false;
+  return h->duration_s >= 0 || fail(&h->duration_s, "a duration is not negative");
+}
+
+// Lists of times follow one another, each shared by neighbouring tracks and channels: so one pass sees every list once.
+class Lists {
+ public:
+  // Whether the list may stand here; `is_new` if it has not been seen.
+  bool next(std::uint32_t first, std::uint32_t count, bool& is_new) {
+    is_new = empty_ || first != first_ || first + count != end_;
+    if (is_new && first != end_) return false;
+    empty_ = false;
+    first_ = first;
+    end_ = first + count;
+    return true;
   }
-  if (list_end != h->time_count) return fail(&h->time_count, "times that no track uses");
-  return s.codec == format::kCodecRaw || coded(s, l.bytes, joints->joint_count);
+  std::uint32_t end() const { return end_; }
+
+ private:
+  bool empty_ = true;
+  std::uint32_t first_ = 0, end_ = 0;
+};
+
+bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count) {
+  const format::ClipLayout l = layout(h);
+  const auto* times = at<float>(s, l.times);
+  Lists lists;
+  const auto in_order = [&](const auto& t) {
+    bool is_new = false;
+    if (!lists.next(t.first_time, t.key_count, is_new))
+      return fail(&t, "a list of times is the last track's or follows it");
+    const float* const key = times + t.first_time;
+    for (std::uint32_t i = 1; is_new && i < t.key_count; ++i)
+      if (!(key[i - 1] < key[i])) return fail(key + i, "times must increase");
+    if (!(key[0] >= 0) || key[t.key_count - 1] > h.duration_s) return fail(key, "times from 0 to the duration");
+    return true;
+  };
+  for (const Track& t : Span<const Track>{at<Track>(s, l.tracks), h.track_count}) {
+    if (t.joint >= joint_count) return fail(&t, "track's joint outside the skeleton");
+    if (t.path > Path::scale) return fail(&t, "unknown path");
+    if (!keys(h, t, format::floats_per_key(t.path, t.interpolation)) || !in_order(t)) return false;
+  }
+  for (const Channel& c : Span<const Channel>{at<Channel>(s, l.channels), h.channel_count}) {
+    if ((c.reserved[0] | c.reserved[1] | c.reserved[2]) != 0) return fail(c.reserved, "reserved must be 0");
+    if (!name(c.name) || !finite(&c.rest, 4)) return false;
+    if (!keys(h, c, format::floats_per_key(c.interpolation)) || !in_order(c)) return false;
+  }
+  return lists.end() == h.time_count || fail(&h.time_count, "times that no track uses");
+}
+
+bool Checker::clip(const File::Section& s) {
+  if (!clip_header(s)) return false;
+  const auto* h = at<format::ClipHeader>(s, 0);
+  const format::ClipLayout l = layout(*h);
+  const auto* joints = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  return finite(at<float>(s, l.times), l.bytes - l.times) && tracks(s, *h, joints->joint_count) &&
+         (s.codec == format::kCodecRaw || coded(s, l.bytes, joints->joint_count));
 }
 
 bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets) {

@@ -49,15 +49,22 @@ void linear(const Track& track, const Moment& m, const float* keys, int n, float
 }
 
 // glTF 2.0, "Interpolation Cubic": a key holds in-tangent, value, out-tangent; tangents are per second.
+struct HermiteWeights {
+  float from, leave, to, arrive;
+  explicit HermiteWeights(const Moment& m) {
+    const float u = m.u, u2 = u * u, u3 = u2 * u;
+    from = 2.0f * u3 - 3.0f * u2 + 1.0f;
+    leave = (u3 - 2.0f * u2 + u) * m.span_s;
+    to = 3.0f * u2 - 2.0f * u3;
+    arrive = (u3 - u2) * m.span_s;
+  }
+};
+
 void cubic_spline(const Track& track, const Moment& m, const float* keys, int n, float* out) {
   const float* const a = keys + m.key * static_cast<std::uint32_t>(3 * n);
   const float* const b = track.key_count > 1 ? a + 3 * n : a;
-  const float u = m.u, u2 = u * u, u3 = u2 * u;
-  const float from = 2.0f * u3 - 3.0f * u2 + 1.0f;
-  const float leave = (u3 - 2.0f * u2 + u) * m.span_s;
-  const float to = 3.0f * u2 - 2.0f * u3;
-  const float arrive = (u3 - u2) * m.span_s;
-  for (int i = 0; i < n; ++i) out[i] = from * a[n + i] + leave * a[2 * n + i] + to * b[n + i] + arrive * b[i];
+  const HermiteWeights w(m);
+  for (int i = 0; i < n; ++i) out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
   if (track.path != Path::rotation) return;
   const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
   const float inverse = squared > 0.0f ? 1.0f / __builtin_sqrtf(squared) : 0.0f;
@@ -92,6 +99,42 @@ bool wanted(const SampleOptions& options, std::uint32_t joint) {
   return options.joints.empty() || (options.joints[joint / 32] >> (joint % 32) & 1u) != 0;
 }
 
+float channel_value(const Channel& channel, const Moment& m, const float* keys) {
+  const std::uint32_t next = channel.key_count > 1 ? m.key + 1 : m.key;
+  switch (channel.interpolation) {
+    case Interpolation::step:
+      return keys[m.u >= 1.0f ? next : m.key];
+    case Interpolation::linear:
+      return (1.0f - m.u) * keys[m.key] + m.u * keys[next];
+    case Interpolation::cubic_spline: {
+      const float *const a = keys + 3 * std::size_t{m.key}, *const b = keys + 3 * std::size_t{next};
+      const HermiteWeights w(m);
+      return w.from * a[1] + w.leave * a[2] + w.to * b[1] + w.arrive * b[0];
+    }
+  }
+  return channel.rest;
+}
+
+// Finds the moment of a time in list after list; one search serves neighbours that share theirs.
+class MomentFinder {
+ public:
+  MomentFinder(const Clip& clip, float time_s) : times_s_(clip.times_s), time_s_(time_s) {}
+  const Moment& in(std::uint32_t first, std::uint32_t count) {
+    if (first != first_ || count != count_) {
+      first_ = first;
+      count_ = count;
+      moment_ = find(times_s_ + first, count, time_s_);
+    }
+    return moment_;
+  }
+
+ private:
+  const float* times_s_;
+  float time_s_;
+  Moment moment_{};
+  std::uint32_t first_ = 0, count_ = 0;
+};
+
 }  // namespace
 
 Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
@@ -107,16 +150,20 @@ Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<Soa
     for (std::size_t g = 0; g < skeleton.soa_size(); ++g)
       copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
   }
-  // Tracks that share a list of key times stand together: one search serves them all.
-  Moment moment{};
-  std::uint32_t list = 0, list_size = 0;
-  for (const Track& track : clip.tracks) {
-    if (track.first_time != list || track.key_count != list_size) {
-      list = track.first_time;
-      list_size = track.key_count;
-      moment = find(clip.times_s + list, list_size, time_s);
-    }
-    if (wanted(options, track.joint)) sample_track(clip, track, moment, out.data);
+  MomentFinder moment(clip, time_s);
+  for (const Track& track : clip.tracks)
+    if (wanted(options, track.joint)) sample_track(clip, track, moment.in(track.first_time, track.key_count), out.data);
+  return Status::ok;
+}
+
+Status sample_channels(const Clip& clip, float time_s, Span<float> out) {
+  MARROW_REQUIRE(out.size >= clip.channels.size);
+  MARROW_REQUIRE(time_s == time_s);
+  MomentFinder moment(clip, time_s);
+  for (std::size_t i = 0; i < clip.channels.size; ++i) {
+    const Channel& channel = clip.channels[i];
+    out[i] =
+        channel_value(channel, moment.in(channel.first_time, channel.key_count), clip.values + channel.first_value);
   }
   return Status::ok;
 }

@@ -59,6 +59,23 @@ TEST(Report, HoldsEveryField) {
   EXPECT_GT(r["warnings"][0].at("text").get<std::string>().size(), 10u);
 }
 
+// The report and `marrow info` list a clip's channels.
+TEST(Report, Channels) {
+  const TemporaryFolder folder;
+  const std::string face = std::string(MARROW_SOURCE_DIR) + "/tests/golden/face.gltf";
+  const Ran cooked = run_marrow({"cook", face, "-o", folder / "f.mrw", "--json"});
+  ASSERT_EQ(cooked.code, 0) << cooked.err;
+  const nlohmann::json names = {"nodes[2].weights[0]", "nodes[2].weights[1]", "head.bells[1]", "face.smile",
+                                "face.blink",          "head.glow",           "mood"};
+  EXPECT_EQ(nlohmann::json::parse(cooked.out).at("clips").at(0).at("channels"), names);
+  EXPECT_EQ(
+      nlohmann::json::parse(run_marrow({"info", folder / "f.mrw", "--json"}).out).at("clips").at(0).at("channels"),
+      names);
+  const Ran text = run_marrow({"info", folder / "f.mrw"});
+  for (const auto& name : names)
+    EXPECT_NE(text.out.find("channel \"" + name.get<std::string>() + "\""), std::string::npos) << text.out;
+}
+
 TEST(Report, OnStdoutIsTheSame) {
   const TemporaryFolder folder;
   const Ran ran = run_marrow({"cook", tiny_gltf(), "-o", folder / "t.mrw", "--report", folder / "r.json", "--json"});

@@ -57,11 +57,11 @@ double diagonal_of(const Skeleton& skeleton, Span<SoaTransform> rest, Span<Affin
   return std::sqrt(squared);
 }
 
-// Animations that move joints, not morph weights alone.
+// The animations that become clips.
 std::vector<std::size_t> moving(const Source& source) {
   std::vector<std::size_t> out;
   for (std::size_t a = 0; a < source.animations.size(); ++a)
-    if (!source.animations[a].channels.empty()) out.push_back(a);
+    if (!source.animations[a].channels.empty() || !source.animations[a].weights.empty()) out.push_back(a);
   return out;
 }
 

@@ -27,7 +27,7 @@ inline std::vector<std::string> models() {
   }
   const std::filesystem::path sample = std::filesystem::path(MARROW_SOURCE_DIR) / "tools/sample/newt.glb";
   if (std::filesystem::exists(sample)) out.push_back(sample.string());
-  for (const char* name : {"tiny.gltf", "dance.gltf"})
+  for (const char* name : {"tiny.gltf", "dance.gltf", "face.gltf"})
     out.push_back((std::filesystem::path(MARROW_SOURCE_DIR) / "tests/golden" / name).string());
   return out;
 }

@@ -94,6 +94,7 @@ struct Reader {
   SourcePrimitive draco_primitive(const Json& j) const;
   SourceSkin skin(const Json& j) const;
   SourceAnimation animation(const Json& j) const;
+  std::vector<SourceWeight> weights(const Json& sampler, std::size_t node_index) const;
 };
 
 Reader::Reader(const std::filesystem::path& path) {
@@ -258,6 +259,29 @@ SourceSkin Reader::skin(const Json& j) const {
   return s;
 }
 
+// One channel of glTF holds the weights of all targets: for a spline first all in-tangents of a key, then all values,
+// then all out-tangents.
+std::vector<SourceWeight> Reader::weights(const Json& sampler, std::size_t node_index) const {
+  const Json& node = json.at("nodes").at(node_index);
+  const Json& mesh = json.at("meshes").at(node.at("mesh").get<std::size_t>());
+  const std::size_t count = mesh.at("primitives").at(0).at("targets").size();
+  const Json names = mesh.value("extras", Json::object()).value("targetNames", Json::array());
+  const Json rest = node.contains("weights") ? node.at("weights") : mesh.value("weights", Json::array());
+  const std::string number = std::to_string(node_index);
+  std::size_t n = 0;
+  const std::vector<double> flat = accessor(sampler.at("output").get<std::size_t>(), n);
+  std::vector<SourceWeight> out(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    out[t].name = node.value("name", "nodes[" + number + "]") + "." +
+                  (t < names.size() ? names[t].get<std::string>() : "weights[" + std::to_string(t) + "]");
+    out[t].rest = t < rest.size() ? rest[t].get<double>() : 0.0;
+    out[t].channel.interpolation = sampler.value("interpolation", "LINEAR");
+    out[t].channel.times_s = accessor(sampler.at("input").get<std::size_t>(), n);
+    for (std::size_t i = t; i < flat.size(); i += count) out[t].channel.values.push_back({flat[i], 0, 0, 0});
+  }
+  return out;
+}
+
 SourceAnimation Reader::animation(const Json& j) const {
   SourceAnimation a;
   a.name = j.value("name", "");
@@ -266,6 +290,11 @@ SourceAnimation Reader::animation(const Json& j) const {
     SourceChannel c;
     c.path = target.at("path").get<std::string>();
     c.node = target.value("node", -1);
+    if (c.node >= 0 && c.path == "weights") {
+      for (SourceWeight& w :
+           weights(j.at("samplers").at(channel.at("sampler").get<std::size_t>()), static_cast<std::size_t>(c.node)))
+        a.weights.push_back(std::move(w));
+    }
     if (c.node < 0 || (c.path != "translation" && c.path != "rotation" && c.path != "scale")) continue;
     const Json& sampler = j.at("samplers").at(channel.at("sampler").get<std::size_t>());
     c.interpolation = sampler.value("interpolation", "LINEAR");

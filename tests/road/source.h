@@ -45,9 +45,17 @@ struct SourceChannel {
   std::vector<Quat> values;  // one a key, three for CUBICSPLINE; w unused but for rotations
 };
 
+// A morph target's weight; values hold it in x.
+struct SourceWeight {
+  std::string name;  // NODE.TARGET, NODE.weights[2] without a target's name; nodes[3] for a node without
+  double rest = 0;
+  SourceChannel channel;
+};
+
 struct SourceAnimation {
   std::string name;
   std::vector<SourceChannel> channels;  // morph weights left out
+  std::vector<SourceWeight> weights;
 };
 
 struct Source {

@@ -10,6 +10,8 @@ extern const unsigned char tiny_v1[];
 extern const unsigned long long tiny_v1_size;
 extern const unsigned char dance_v1[];
 extern const unsigned long long dance_v1_size;
+extern const unsigned char face_v1[];
+extern const unsigned long long face_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -21,6 +23,11 @@ inline AlignedBlock golden_copy() {
 // A file whose clip is coded.
 inline AlignedBlock golden_coded_copy() {
   return AlignedBlock(embedded::dance_v1, static_cast<std::size_t>(embedded::dance_v1_size));
+}
+
+// A file whose clip has channels.
+inline AlignedBlock golden_channels_copy() {
+  return AlignedBlock(embedded::face_v1, static_cast<std::size_t>(embedded::face_v1_size));
 }
 
 }  // namespace marrow::test

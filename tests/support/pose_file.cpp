@@ -34,6 +34,19 @@ std::uint64_t hash_geometry(std::uint64_t state, const Geometry& g) {
   return state;
 }
 
+std::uint64_t hash_channels(std::uint64_t state, const File& file, const Clip& clip) {
+  std::vector<float> values(clip.channels.size);
+  for (const Channel& channel : clip.channels) {
+    state = hash(hash_text(state, file.text(channel.name)), &channel.rest, sizeof channel.rest);
+    require(file.find_channel(clip, file.text(channel.name)) < clip.channels.size);
+  }
+  for (const float part : {0.0f, 0.4f, 1.0f}) {
+    require(sample_channels(clip, part * clip.duration_s, values) == Status::ok);
+    state = hash_all(state, values);
+  }
+  return state;
+}
+
 }  // namespace
 
 void forge_checksum(std::byte* block, std::size_t size) {
@@ -84,6 +97,7 @@ std::uint64_t exercise(const File& file) {
     for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) state = hash_text(state, file.text(skeleton.names[j]));
   }
   require(file.find_clip("no clip has such a name") <= file.clip_count());
+  for (std::uint32_t c = 0; c < file.clip_count(); ++c) state = hash_channels(state, file, file.clip(c));
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
     const Mesh mesh = file.mesh(m);
     state = hash_text(hash_text(state, mesh.name), mesh.material);

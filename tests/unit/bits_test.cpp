@@ -228,6 +228,14 @@ TEST(Bits, GoldenFile) {
   EXPECT_EQ(test::exercise(file), 0x5A700D014A140EBDu);
 }
 
+TEST(Bits, Channels) {
+  test::AlignedBlock block = test::golden_channels_copy();
+  File file;
+  ASSERT_EQ(load(block, file), Status::ok);
+  ASSERT_EQ(file.clip(0).channels.size, 7u);
+  EXPECT_EQ(test::exercise(file), 0xB60D64037148EB40u);
+}
+
 TEST(Bits, CodedClip) {
   test::AlignedBlock block = test::golden_coded_copy();
   File file;

@@ -71,6 +71,7 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
     tools::for_each_in_parallel(out.clips.size(),
                                 [&](std::size_t i) { compress_clip(out.clips[i], out.skeleton, rig, promise); });
   }
+  for (std::size_t i = 0; i < out.clips.size(); ++i) add_channels(scene.clips[i], options.raw_clips, out.clips[i]);
   build_meshes(scene, options, out);
   return out;
 }

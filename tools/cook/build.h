@@ -21,6 +21,8 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options);
 // The stages of build_scene, each in a file of its own.
 BuiltSkeleton build_skeleton(RawScene& scene);
 BuiltClip build_clip(const RawClip& clip, const BuiltSkeleton& skeleton);
+// Behind the tracks, which must be final. all_keys: keep those too that others make superfluous.
+void add_channels(const RawClip& raw, bool all_keys, BuiltClip& clip);
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
 
 // node-to-parent matrix of one node, and rows of an affine matrix.

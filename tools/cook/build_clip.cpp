@@ -73,6 +73,7 @@ BuiltClip build_clip(const RawClip& clip, const BuiltSkeleton& skeleton) {
     out.duration_s = std::max(out.duration_s, channel.times_s.back());
     out.most_keys = std::max(out.most_keys, track.key_count);
   }
+  for (const RawScalar& scalar : clip.scalars) out.duration_s = std::max(out.duration_s, scalar.times_s.back());
   return out;
 }
 

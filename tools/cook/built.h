@@ -52,6 +52,8 @@ struct BuiltClip {
   float duration_s = 0;
   std::uint32_t most_keys = 0;  // of any track
   std::vector<Track> tracks;
+  std::vector<Channel> channels;  // their names stand beside them
+  std::vector<std::string> channel_names;
   std::vector<float> times_s;
   std::vector<float> values;
   BuiltCoded coded;

@@ -70,14 +70,15 @@ void add_coded(const BuiltCoded& coded, Section& out) {
 
 Section write_clip(const BuiltClip& c, Names& names) {
   Section out;
-  out.add(format::ClipHeader{names.add(c.name),
-                             0,
-                             c.duration_s,
-                             static_cast<std::uint32_t>(c.tracks.size()),
-                             static_cast<std::uint32_t>(c.times_s.size()),
-                             static_cast<std::uint32_t>(c.values.size()),
-                             {0, 0}});
+  out.add(format::ClipHeader{names.add(c.name), 0, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
+                             static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
+                             static_cast<std::uint32_t>(c.channels.size()), 0});
   out.add_all(c.tracks);
+  for (std::size_t i = 0; i < c.channels.size(); ++i) {
+    Channel channel = c.channels[i];
+    channel.name = names.add(c.channel_names[i]);
+    out.add(channel);
+  }
   out.add_all(c.times_s);
   out.add_all(c.values);
   if (c.coded.header.frame_count > 0) add_coded(c.coded, out);

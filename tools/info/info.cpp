@@ -66,11 +66,14 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
   for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
     const Clip c = file.clip(i);
     const CodedTracks& coded = c.coded;
+    ordered_json channels = ordered_json::array();
+    for (const Channel& channel : c.channels) channels.push_back(file.text(channel.name));
     r["clips"].push_back({{"name", c.name},
                           {"duration_s", c.duration_s},
                           {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
                           {"codec", coded.frame_count > 0 ? "segments" : "raw"},
-                          {"frames", coded.frame_count}});
+                          {"frames", coded.frame_count},
+                          {"channels", channels}});
   }
   return r;
 }
@@ -86,6 +89,7 @@ void print(const ordered_json& r) {
     const auto& c = r["clips"][i];
     fmt::print("clip {} \"{}\": {:.3f} s, {} tracks, {}\n", i, text(c["name"]), c["duration_s"].get<double>(),
                c["tracks"].get<int>(), text(c["codec"]));
+    for (const auto& channel : c["channels"]) fmt::print("  channel \"{}\"\n", text(channel));
   }
   for (std::size_t i = 0; i < r["meshes"].size(); ++i) {
     const auto& m = r["meshes"][i];

@@ -48,6 +48,19 @@ struct GroupMasks {
 };
 static_assert(sizeof(GroupMasks) == 4);
 
+// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
+// that keys on a straight line between others may have been left out (docs/architecture.md).
+struct Channel {
+  std::uint32_t name;         // see File::text
+  float rest;                 // the number where no clip drives it
+  std::uint32_t key_count;    // ≥ 1
+  std::uint32_t first_time;   // as in Track
+  std::uint32_t first_value;  // into Clip::values; one float a key, three for cubic_spline (in, value, out)
+  Interpolation interpolation;
+  std::uint8_t reserved[3];
+};
+static_assert(sizeof(Channel) == 24);
+
 // Tracks compressed within a stated error: poses at even steps of time, in segments, as packed integers relative to the
 // rest pose (docs/format.md). What does not move stands once.
 struct CodedTracks {
@@ -63,7 +76,7 @@ struct CodedTracks {
   const std::byte* payload = nullptr;
 };
 
-// An animation of one skeleton. Joints without a track keep their rest pose.
+// An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
 struct Clip {
   const char* name = "";
   std::uint32_t skeleton = 0;     // which skeleton of the file
@@ -71,6 +84,7 @@ struct Clip {
   float duration_s = 0;           // time of the last key; ≥ 0
   CodedTracks coded;
   Span<const Track> tracks;
+  Span<const Channel> channels;
   const float* times_s = nullptr;
   const float* values = nullptr;
 };
@@ -133,7 +147,10 @@ class File {
 
   // Index of the first clip with this name, or clip_count().
   std::uint32_t find_clip(const char* name) const;
-  // A name by its number (Skeleton::names). UTF-8, zero-terminated, never null.
+  // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
+  // a frame.
+  std::uint32_t find_channel(const Clip& clip, const char* name) const;
+  // A name by its number (Skeleton::names, Channel::name). UTF-8, zero-terminated, never null.
   const char* text(std::uint32_t name) const;
 
   // For tools: the sections as they stand in the file.

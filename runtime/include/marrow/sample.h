@@ -27,4 +27,11 @@ struct SampleOptions {
 Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
               const SampleOptions& options = {});
 
+// Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
+//
+// out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
+// drive have no channel, and keep what the game gives them. Errors: bad_argument if `out` is too short or time_s is not
+// a number. Cost: a binary search a distinct key-time list and a few operations a channel.
+Status sample_channels(const Clip& clip, float time_s, Span<float> out);
+
 }  // namespace marrow

@@ -13,9 +13,10 @@ namespace {
 
 using test::AlignedBlock;
 
-// Clips raw and coded.
+// Clips raw and coded, and channels.
 class Hostile : public ::testing::TestWithParam<AlignedBlock (*)()> {};
-INSTANTIATE_TEST_SUITE_P(Golden, Hostile, ::testing::Values(&test::golden_copy, &test::golden_coded_copy));
+INSTANTIATE_TEST_SUITE_P(Golden, Hostile,
+                         ::testing::Values(&test::golden_copy, &test::golden_coded_copy, &test::golden_channels_copy));
 
 // Each in a block of its own size, so that a sanitizer sees a read past the end.
 TEST_P(Hostile, EveryPrefixIsRefused) {

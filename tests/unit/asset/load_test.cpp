@@ -14,7 +14,7 @@ namespace {
 
 using test::AlignedBlock;
 
-// The golden file with one thing changed at a time.
+// A golden file with one thing changed at a time.
 class Load : public ::testing::Test {
  protected:
   explicit Load(AlignedBlock (*copy)() = &test::golden_copy) : block_(copy()), bytes_(block_.size()) {
@@ -158,7 +158,8 @@ TEST_F(Load, Clips) {
   refuse(base + 8, 1.0f, "a duration before the last key");
   refuse(base + 12, h.track_count + 1, "a track more");
   refuse(base + 20, std::uint32_t{0x40000000}, "too many values");
-  refuse(base + 24, std::uint32_t{1}, "reserved");
+  refuse(base + 24, std::uint32_t{1}, "channels that are not there");
+  refuse(base + 28, std::uint32_t{1}, "reserved");
   const std::size_t track = base + l.tracks;
   refuse(track, std::uint16_t{3}, "a joint outside the skeleton");
   refuse(track + 2, std::uint8_t{3}, "a path");
@@ -172,7 +173,39 @@ TEST_F(Load, Clips) {
   refuse(base + l.times + 4, 0.0f, "times that stand still");
   refuse(base + l.times, kNaN, "a time that is not a number");
   refuse(base + l.values + 4, kInfinity, "a value that is not finite");
-  EXPECT_EQ(refused_, 19);
+  EXPECT_EQ(refused_, 20);
+}
+
+class LoadChannels : public Load {
+ protected:
+  LoadChannels() : Load(&test::golden_channels_copy) {}
+};
+
+TEST_F(LoadChannels, EveryRule) {
+  const std::size_t base = at(format::kClips);
+  const auto h = header<format::ClipHeader>(format::kClips);
+  const format::ClipLayout l = layout(h);
+  ASSERT_EQ(h.channel_count, 7u);
+  const std::size_t first = base + l.channels, last = first + 6 * sizeof(Channel);
+  refuse(base + 24, std::uint32_t{8}, "a channel more");
+  refuse(base + 24, std::uint32_t{0xFFFFFFFF}, "too many channels");
+  for (const std::size_t channel : {first, last}) {
+    refuse(channel, std::uint32_t{100000}, "a name outside");
+    refuse(channel + 4, kNaN, "a rest that is not a number");
+    refuse(channel + 4, kInfinity, "a rest that is not finite");
+    refuse(channel + 8, std::uint32_t{0}, "no keys");
+    refuse(channel + 8, std::uint32_t{0xFFFFFFFF}, "too many keys");
+    refuse(channel + 12, std::uint32_t{0xFFFFFFFF}, "times outside");
+    refuse(channel + 12, h.time_count - 1, "a list that does not follow");
+    refuse(channel + 16, std::uint32_t{0xFFFFFFFF}, "values outside");
+    refuse(channel + 16, h.value_count, "values behind the last");
+    refuse(channel + 20, std::uint8_t{3}, "an interpolation");
+    for (std::size_t i = 21; i < 24; ++i) refuse(channel + i, std::uint8_t{1}, "reserved");
+  }
+  refuse(base + 8, 1.25f, "a duration before the last key of a channel");
+  refuse(base + l.values + 4 * (h.value_count - std::size_t{1}), kInfinity, "a value that is not finite");
+  refuse(base + l.times + 4 * (h.time_count - std::size_t{1}), 0.0f, "times that stand still");
+  EXPECT_EQ(refused_, 2 + 2 * 13 + 3);
 }
 
 class LoadCoded : public Load {

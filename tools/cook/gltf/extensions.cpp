@@ -11,10 +11,11 @@ namespace marrow::cook::gltf {
 namespace {
 
 // Read in full.
-constexpr std::array<std::string_view, 2> kRead = {"KHR_mesh_quantization", "KHR_draco_mesh_compression"};
+constexpr std::array<std::string_view, 3> kRead = {"KHR_mesh_quantization", "KHR_draco_mesh_compression",
+                                                   "KHR_animation_pointer"};  // what it leaves out it says
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
-constexpr std::array<std::string_view, 27> kHarmless = {"KHR_materials_anisotropy",
+constexpr std::array<std::string_view, 26> kHarmless = {"KHR_materials_anisotropy",
                                                         "KHR_materials_clearcoat",
                                                         "KHR_materials_diffuse_transmission",
                                                         "KHR_materials_dispersion",
@@ -33,7 +34,6 @@ constexpr std::array<std::string_view, 27> kHarmless = {"KHR_materials_anisotrop
                                                         "KHR_xmp_json_ld",
                                                         "KHR_xmp",
                                                         "KHR_node_visibility",
-                                                        "KHR_animation_pointer",
                                                         "KHR_node_hoverability",
                                                         "KHR_node_selectability",
                                                         "EXT_lights_image_based",

@@ -39,6 +39,7 @@ std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Rep
 std::vector<RawInstance> import_instances(const Document& document, std::vector<RawMesh>& meshes,
                                           const std::vector<RawSkin>& skins, Report& report);
 
-std::vector<RawClip> import_clips(const Document& document, Budget& budget, Report& report);
+std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
+                                  Report& report);
 
 }  // namespace marrow::cook::gltf

@@ -17,6 +17,12 @@ struct Key {
   float time_s;
 };
 
+// A number that a channel moves.
+struct ScalarTarget {
+  std::string name;
+  float rest;
+};
+
 class ChannelImporter {
  public:
   ChannelImporter(const Document& document, const tinygltf::Animation& animation, const std::string& where,
@@ -24,24 +30,57 @@ class ChannelImporter {
       : document_(document), animation_(animation), where_(where), budget_(budget), report_(report) {}
 
   RawChannel import(const tinygltf::AnimationChannel& channel) {
-    const auto sampler_index = static_cast<std::size_t>(channel.sampler);
-    const tinygltf::AnimationSampler& sampler = animation_.samplers[sampler_index];
-    sampler_where_ = under(where_, "samplers", sampler_index);
+    const tinygltf::AnimationSampler& sampler = sampler_of(channel);
     RawChannel raw;
     raw.node = channel.target_node;
     raw.path = channel.target_path == "translation" ? RawPath::translation
                : channel.target_path == "rotation"  ? RawPath::rotation
                                                     : RawPath::scale;
-    raw.interpolation = sampler.interpolation == "STEP"          ? RawInterpolation::step
-                        : sampler.interpolation == "CUBICSPLINE" ? RawInterpolation::cubic_spline
-                                                                 : RawInterpolation::linear;
+    raw.interpolation = interpolation_of(sampler);
     const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
     for (const Key& key : keys) raw.times_s.push_back(key.time_s);
     raw.values = values_of(document_.accessors[static_cast<std::size_t>(sampler.output)], keys, raw);
     return raw;
   }
 
+  // One number a target; a key holds those of all targets, for a spline first their in-tangents, then their values,
+  // then their out-tangents (glTF 2.0, section 3.11).
+  std::vector<RawScalar> import_scalars(const tinygltf::AnimationChannel& channel,
+                                        const std::vector<ScalarTarget>& targets) {
+    const tinygltf::AnimationSampler& sampler = sampler_of(channel);
+    const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
+    const std::vector<float> all =
+        read(document_.accessors[static_cast<std::size_t>(sampler.output)], under(sampler_where_, "output"));
+    std::vector<RawScalar> out;
+    for (std::size_t t = 0; t < targets.size() && !keys.empty(); ++t) {
+      RawScalar raw;
+      raw.name = clean_name(targets[t].name, where_, report_);
+      raw.rest = targets[t].rest;
+      raw.interpolation = interpolation_of(sampler);
+      const std::size_t parts = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
+      for (const Key& key : keys) {
+        raw.times_s.push_back(key.time_s);
+        for (std::size_t part = 0; part < parts; ++part)
+          raw.values.push_back(all[(key.index * parts + part) * targets.size() + t]);
+      }
+      out.push_back(std::move(raw));
+    }
+    return out;
+  }
+
  private:
+  const tinygltf::AnimationSampler& sampler_of(const tinygltf::AnimationChannel& channel) {
+    const auto index = static_cast<std::size_t>(channel.sampler);
+    sampler_where_ = under(where_, "samplers", index);
+    return animation_.samplers[index];
+  }
+
+  static RawInterpolation interpolation_of(const tinygltf::AnimationSampler& sampler) {
+    return sampler.interpolation == "STEP"          ? RawInterpolation::step
+           : sampler.interpolation == "CUBICSPLINE" ? RawInterpolation::cubic_spline
+                                                    : RawInterpolation::linear;
+  }
+
   std::vector<float> read(const Accessor& accessor, const std::string& where) {
     budget_.take(accessor.count * accessor.components() * 8, where, report_);
     std::vector<float> values = read_floats(accessor);
@@ -127,9 +166,31 @@ class ChannelImporter {
   std::string sampler_where_;
 };
 
+// The weights of the morph targets of a node's mesh, at rest as the node has them, else the mesh.
+std::vector<ScalarTarget> morph_weights(const Document& document, const std::vector<RawNode>& nodes, int node_index) {
+  std::vector<ScalarTarget> out;
+  const auto n = static_cast<std::size_t>(node_index);
+  const tinygltf::Node& node = document.model.nodes[n];
+  if (node.mesh < 0) return out;
+  const auto m = static_cast<std::size_t>(node.mesh);
+  const tinygltf::Mesh& mesh = document.model.meshes[m];
+  const std::size_t count = mesh.primitives.front().targets.size();
+  const std::vector<std::string>& names = document.target_names[m];
+  const std::string owner = nodes[n].name.empty() ? "nodes[" + std::to_string(n) + ']' : nodes[n].name;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool named = i < names.size() && !names[i].empty();
+    const double rest = node.weights.size() == count   ? node.weights[i]
+                        : mesh.weights.size() == count ? mesh.weights[i]
+                                                       : 0.0;
+    out.push_back({owner + (named ? '.' + names[i] : ".weights[" + std::to_string(i) + ']'), static_cast<float>(rest)});
+  }
+  return out;
+}
+
 }  // namespace
 
-std::vector<RawClip> import_clips(const Document& document, Budget& budget, Report& report) {
+std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
+                                  Report& report) {
   std::vector<RawClip> clips;
   for (std::size_t a = 0; a < document.model.animations.size(); ++a) {
     const tinygltf::Animation& animation = document.model.animations[a];
@@ -137,22 +198,23 @@ std::vector<RawClip> import_clips(const Document& document, Budget& budget, Repo
     RawClip clip;
     clip.name = clean_name(animation.name, where, report);
     ChannelImporter importer(document, animation, where, budget, report);
-    std::size_t morphs = 0;
     for (std::size_t c = 0; c < animation.channels.size(); ++c) {
       const tinygltf::AnimationChannel& channel = animation.channels[c];
       if (channel.target_path.empty()) continue;
-      if (channel.target_path == "weights") {
-        ++morphs;
+      const auto number = document.user_numbers.find({a, c});
+      if (number != document.user_numbers.end() || channel.target_path == "weights") {
+        std::vector<RawScalar> scalars =
+            importer.import_scalars(channel, number != document.user_numbers.end()
+                                                 ? std::vector<ScalarTarget>{{number->second.name, number->second.rest}}
+                                                 : morph_weights(document, nodes, channel.target_node));
+        for (RawScalar& scalar : scalars) clip.scalars.push_back(std::move(scalar));
         continue;
       }
       RawChannel raw = importer.import(channel);
       if (!raw.times_s.empty()) clip.channels.push_back(std::move(raw));
     }
-    if (morphs > 0) {
-      report.warn(where, "morph-channels-dropped", std::to_string(morphs) + " channels of morph weights are left out");
-    }
-    if (clip.channels.empty()) {
-      report.warn(where, "clip-dropped", "no channel is left that moves a node");
+    if (clip.channels.empty() && clip.scalars.empty()) {
+      report.warn(where, "clip-dropped", "no channel is left that moves a node or a number");
       continue;
     }
     clips.push_back(std::move(clip));

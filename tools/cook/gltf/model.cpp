@@ -56,6 +56,10 @@ bool is_animated(const Json& channel, const std::string& where, Report& report) 
   static const std::set<std::string, std::less<>> kPaths = {"translation", "rotation", "scale", "weights"};
   const Json& target = channel.at("target");
   const auto& path = target.at("path").get_ref<const std::string&>();
+  if (path == "pointer") {
+    report.warn(under(where, "target", "path"), "channel-dropped", "it points at no number in extras; left out");
+    return false;
+  }
   if (!kPaths.contains(path)) {
     report.warn(under(where, "target", "path"), "channel-dropped", "nothing that Marrow animates; left out");
     return false;
@@ -67,11 +71,15 @@ bool is_animated(const Json& channel, const std::string& where, Report& report) 
   return true;
 }
 
-Json keep_animation(Json& animation, std::size_t index, Report& report) {
+Json keep_animation(Json& animation, std::size_t index, const UserNumbers& user_numbers, Report& report) {
   Json kept = keep(animation, {"name"});
   Json channels = Json::array();
   for (std::size_t i = 0; i < animation.at("channels").size(); ++i) {
     Json& channel = animation.at("channels")[i];
+    if (user_numbers.contains({index, i})) {
+      channels.push_back({{"sampler", channel.at("sampler")}, {"target", {{"node", 0}, {"path", "pointer"}}}});
+      continue;
+    }
     if (!is_animated(channel, pointer("animations", index, "channels", i), report)) {
       channels.push_back({{"sampler", 0}, {"target", {{"node", 0}, {"path", ""}}}});  // keeps the numbering
       continue;
@@ -101,7 +109,7 @@ Json accessor_stand_ins(const Json& meshes) {
   return Json::array_t(count, {{"bufferView", 0}, {"componentType", 5121}, {"count", 1}, {"type", "SCALAR"}});
 }
 
-Json slim_document(Json& root, Report& report) {
+Json slim_document(Json& root, const UserNumbers& user_numbers, Report& report) {
   Json slim = Json::object();
   slim["asset"] = {{"version", "2.0"}};
   slim["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
@@ -120,16 +128,17 @@ Json slim_document(Json& root, Report& report) {
     return keep(skin, {"name", "joints", "skeleton", "inverseBindMatrices"});
   });
   slim["scenes"] = map_items(root, "scenes", [](Json& scene, std::size_t) { return keep(scene, {"nodes"}); });
-  slim["animations"] = map_items(
-      root, "animations", [&](Json& animation, std::size_t index) { return keep_animation(animation, index, report); });
+  slim["animations"] = map_items(root, "animations", [&](Json& animation, std::size_t index) {
+    return keep_animation(animation, index, user_numbers, report);
+  });
   if (root.contains("scene")) slim["scene"] = std::move(root.at("scene"));
   return slim;
 }
 
 }  // namespace
 
-tinygltf::Model parse_model(Json root, Report& report) {
-  std::string text = slim_document(root, report).dump();
+tinygltf::Model parse_model(Json root, const UserNumbers& user_numbers, Report& report) {
+  std::string text = slim_document(root, user_numbers, report).dump();
   root = nullptr;  // the tree is several times the text's size
   if (text.size() > std::numeric_limits<unsigned>::max()) {
     report.unsupported("@0", "JSON too large", "split the scene; 4 GiB is the limit");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cook/gltf/accessor.h"
+#include "cook/gltf/extras.h"
 #include "cook/gltf/json.h"
 #include "cook/gltf/tinygltf.h"
 
@@ -13,13 +14,15 @@ namespace marrow::cook::gltf {
 struct Document {
   tinygltf::Model model;  // meshes, nodes, skins, animations, materials and scenes; no bytes
   std::vector<std::string> extensions_used;
+  std::vector<std::vector<std::string>> target_names;  // by mesh and morph target; may be shorter
+  UserNumbers user_numbers;
   std::vector<Accessor> accessors;  // by the document's numbering
   Buffers buffers;
 };
 
 // tinygltf believes what it reads, so it gets only those parts of the document that check_schema() has been through
 // and that are carried on: no URIs, no images, no extras, no bytes. Channels that aim at nothing Marrow animates are
-// left out with a warning. Eats `root`.
-tinygltf::Model parse_model(Json root, Report& report);
+// left out with a warning: they get an empty path. Those of `user_numbers` get the path "pointer". Eats `root`.
+tinygltf::Model parse_model(Json root, const UserNumbers& user_numbers, Report& report);
 
 }  // namespace marrow::cook::gltf

@@ -44,7 +44,9 @@ Document read_document(const Container& container, const std::optional<std::stri
   document.accessors = build_accessors(root, document.buffers, report);
   check_texture_coordinates(root, report);
   document.extensions_used = extensions_used(root);
-  document.model = parse_model(std::move(root), report);
+  document.target_names = read_target_names(root);
+  document.user_numbers = find_user_numbers(root);
+  document.model = parse_model(std::move(root), document.user_numbers, report);
   return document;
 }
 
@@ -66,7 +68,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
   scene.skins = import_skins(document, scene.nodes, report);
   scene.meshes = import_meshes(document, budget, report);
   scene.instances = import_instances(document, scene.meshes, scene.skins, report);
-  scene.clips = import_clips(document, budget, report);
+  scene.clips = import_clips(document, scene.nodes, budget, report);
   scene.warnings = report.take_warnings();
   return scene;
 }

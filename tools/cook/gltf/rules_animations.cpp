@@ -13,6 +13,7 @@ class AnimationChecker {
   AnimationChecker(const Document& document, std::size_t index, std::vector<bool>& times_checked, Report& report)
       : document_(document),
         animation_(document.model.animations[index]),
+        index_(index),
         where_(pointer("animations", index)),
         times_checked_(times_checked),
         report_(report) {}
@@ -28,10 +29,12 @@ class AnimationChecker {
         report_.invalid(under(where, "sampler"), "reference to nothing",
                         "the animation has " + std::to_string(animation_.samplers.size()) + " samplers; export again");
       }
-      if (!targets.emplace(channel.target_node, channel.target_path).second) {
+      const auto number = document_.user_numbers.find({index_, c});
+      const bool is_number = number != document_.user_numbers.end();
+      if (!targets.emplace(channel.target_node, is_number ? number->second.pointer : channel.target_path).second) {
         report_.invalid(under(where, "target"), "target animated twice", "one channel a property; export again");
       }
-      check_channel(channel, where);
+      is_number ? check_number(channel, where) : check_channel(channel, where);
     }
   }
 
@@ -93,14 +96,27 @@ class AnimationChecker {
     }
     std::uint64_t factor = sampler.interpolation == "CUBICSPLINE" ? 3 : 1;
     if (is_weights) factor *= check_morph_target(node, under(where, "target"));
-    if (factor != 0 && output.count != accessor(sampler.input).count * factor) {
-      report_.invalid(sampler_where, "times and values differ in count",
-                      std::to_string(output.count) + " values where " +
-                          std::to_string(accessor(sampler.input).count * factor) + " are needed; export again");
-    }
+    if (factor != 0) check_count(sampler, factor, sampler_where);
     if (!is_weights && !node.matrix.empty()) {
       report_.mend(under(where, "target"), "animated-matrix", "an animated node has no matrix; it is decomposed");
     }
+  }
+
+  // Whole numbers stand for themselves, as KHR_animation_pointer has it.
+  void check_number(const tinygltf::AnimationChannel& channel, const std::string& where) {
+    const tinygltf::AnimationSampler& sampler = animation_.samplers[static_cast<std::size_t>(channel.sampler)];
+    const std::string sampler_where = under(where, "sampler");
+    if (accessor(sampler.output).shape != Shape::scalar) {
+      report_.invalid(sampler_where, "wrong output accessor", "a number needs scalars; export again");
+    }
+    check_count(sampler, sampler.interpolation == "CUBICSPLINE" ? 3 : 1, sampler_where);
+  }
+
+  void check_count(const tinygltf::AnimationSampler& sampler, std::uint64_t values_a_key, const std::string& where) {
+    const std::uint64_t count = accessor(sampler.output).count, needed = accessor(sampler.input).count * values_a_key;
+    if (count == needed) return;
+    report_.invalid(where, "times and values differ in count",
+                    std::to_string(count) + " values where " + std::to_string(needed) + " are needed; export again");
   }
 
   // How many weights a key has.
@@ -114,6 +130,7 @@ class AnimationChecker {
 
   const Document& document_;
   const tinygltf::Animation& animation_;
+  std::size_t index_;
   std::string where_;
   std::vector<bool>& times_checked_;  // by accessor: samplers share them by the hundred
   Report& report_;

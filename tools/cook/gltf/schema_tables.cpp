@@ -64,7 +64,12 @@ constexpr Property kAccessor[] = {index_of("bufferView", "bufferViews"),
                                   object("sparse", kSparseSchema)};
 constexpr Schema kAccessorSchema{kAccessor};
 
-constexpr Property kTarget[] = {index_of("node", "nodes"), text("path", true)};
+constexpr Property kAnimationPointer[] = {text("pointer", true)};
+constexpr Schema kAnimationPointerSchema{kAnimationPointer};
+constexpr Property kTargetExtensions[] = {object("KHR_animation_pointer", kAnimationPointerSchema)};
+constexpr Schema kTargetExtensionsSchema{kTargetExtensions, true};
+constexpr Property kTarget[] = {index_of("node", "nodes"), text("path", true),
+                                object("extensions", kTargetExtensionsSchema)};
 constexpr Schema kTargetSchema{kTarget};
 constexpr Property kChannel[] = {count_of("sampler", 0, true), object("target", kTargetSchema, true)};
 constexpr Schema kChannelSchema{kChannel};
