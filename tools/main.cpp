@@ -70,6 +70,13 @@ void add_cook(CLI::App& app) {
   command->add_option("--clip-codec", a.clip_codec, "segments: compressed within --clip-error; raw: without loss")
       ->check(CLI::IsMember({"segments", "raw"}))
       ->capture_default_str();
+  command
+      ->add_option("--additive", a.additive,
+                   "make clips additive, as changes from a reference: first (their first frame, the default), rest, or "
+                   "another clip's first frame; CLIP may have * and ?; repeatable")
+      ->type_name("CLIP[=REFERENCE]")
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
                     "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
   command->callback([&a] { run_cook(a); });

@@ -50,6 +50,8 @@ Clip File::clip(std::uint32_t index) const {
   c.name = text(header.name);
   c.skeleton = header.skeleton;
   c.duration_s = header.duration_s;
+  c.additive = header.additive != 0;
+  c.reference = at_if<SoaTransform>(header.reference_groups != 0, base, l.reference);
   c.tracks = {at<Track>(base, l.tracks), header.track_count};
   c.channels = {at<Channel>(base, l.channels), header.channel_count};
   c.times_s = at<float>(base, l.times);

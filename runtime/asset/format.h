@@ -55,7 +55,8 @@ struct ClipHeader {
   std::uint32_t time_count;
   std::uint32_t value_count;
   std::uint32_t channel_count;
-  std::uint32_t reserved;  // 0
+  std::uint16_t additive;          // 1: additive, else 0
+  std::uint16_t reference_groups;  // of four joints; 0: the rest pose is the reference
 };
 static_assert(sizeof(ClipHeader) == 32);
 
@@ -166,7 +167,7 @@ constexpr SkeletonLayout layout(const SkeletonHeader& h) {
 }
 
 struct ClipLayout {
-  std::uint64_t tracks, channels, times, values, bytes;
+  std::uint64_t reference, tracks, channels, times, values, bytes;
 };
 constexpr std::uint32_t segment_count(const CodedHeader& h) {
   return (h.frame_count - 2) / h.segment_intervals + 1;
@@ -189,7 +190,8 @@ constexpr CodedLayout layout(const CodedHeader& h, std::uint64_t start, std::uin
 
 constexpr ClipLayout layout(const ClipHeader& h) {
   ClipLayout l{};
-  l.tracks = sizeof(ClipHeader);
+  l.reference = sizeof(ClipHeader);
+  l.tracks = l.reference + std::uint64_t{h.reference_groups} * sizeof(SoaTransform);
   l.channels = l.tracks + std::uint64_t{h.track_count} * sizeof(Track);
   l.times = l.channels + std::uint64_t{h.channel_count} * sizeof(Channel);
   l.values = l.times + std::uint64_t{h.time_count} * 4;

@@ -212,8 +212,13 @@ bool Checker::clip_header(const File::Section& s) {
   const std::uint64_t raw_bytes = layout(*h).bytes;
   if (s.codec == format::kCodecRaw ? raw_bytes != s.bytes : raw_bytes > s.bytes)
     return fail(h, "section size differs from its counts");
-  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
+  const auto* joints = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  if (h->additive > 1) return fail(&h->additive, "additive is 0 or 1");
+  const bool has_reference = h->reference_groups != 0;
+  if (has_reference && (h->additive == 0 || h->reference_groups != soa_count(joints->joint_count)))
+    return fail(&h->reference_groups, "a reference is an additive clip's and has all joints");
+  if (!finite(at<float>(s, sizeof *h), std::uint64_t{h->reference_groups} * sizeof(SoaTransform))) return false;
   if (!name(h->name) || !finite(&h->duration_s, 4)) return false;
   return h->duration_s >= 0 || fail(&h->duration_s, "a duration is not negative");
 }

@@ -4,6 +4,7 @@
 
 #include "asset/format.h"
 #include "core/check.h"
+#include "marrow/blend.h"
 #include "math/slerp.h"
 #include "pose/sample_coded.h"
 
@@ -135,10 +136,8 @@ class MomentFinder {
   std::uint32_t first_ = 0, count_ = 0;
 };
 
-}  // namespace
-
-Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
-              const SampleOptions& options) {
+Status sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+                   const SampleOptions& options) {
   MARROW_REQUIRE(out.size >= skeleton.soa_size());
   MARROW_REQUIRE(time_s == time_s);
   for (const Track& track : clip.tracks) MARROW_REQUIRE(track.joint < skeleton.joint_count);
@@ -154,6 +153,25 @@ Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<Soa
   for (const Track& track : clip.tracks)
     if (wanted(options, track.joint)) sample_track(clip, track, moment.in(track.first_time, track.key_count), out.data);
   return Status::ok;
+}
+
+}  // namespace
+
+Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+              const SampleOptions& options) {
+  MARROW_REQUIRE(!clip.additive);
+  return sample_pose(skeleton, clip, time_s, out, options);
+}
+
+Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> out) {
+  MARROW_REQUIRE(clip.additive);
+  MARROW_REQUIRE(clip.reference == nullptr || clip.joint_count == skeleton.joint_count);
+  // The pose stands where its change will; make_additive reads every group before it writes it.
+  const Span<SoaTransform> pose{reinterpret_cast<SoaTransform*>(out.data), out.size};
+  const Status sampled = sample_pose(skeleton, clip, time_s, pose, {});
+  if (sampled != Status::ok) return sampled;
+  const SoaTransform* const reference = clip.reference != nullptr ? clip.reference : skeleton.rest;
+  return make_additive(skeleton, pose, {reference, skeleton.soa_size()}, out);
 }
 
 Status sample_channels(const Clip& clip, float time_s, Span<float> out) {

@@ -1,5 +1,7 @@
 // What `marrow cook --report` holds.
+#include <cstring>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -74,6 +76,63 @@ TEST(Report, Channels) {
   const Ran text = run_marrow({"info", folder / "f.mrw"});
   for (const auto& name : names)
     EXPECT_NE(text.out.find("channel \"" + name.get<std::string>() + "\""), std::string::npos) << text.out;
+}
+
+// `--additive` is in the report and in `marrow info`; ordinary clips stay as they are.
+TEST(Report, AdditiveClips) {
+  const TemporaryFolder folder;
+  const Ran cooked = run_marrow({"cook", tiny_gltf(), "--additive", "wa*=point", "-o", folder / "t.mrw", "--json"});
+  ASSERT_EQ(cooked.code, 0) << cooked.err;
+  const nlohmann::json report = nlohmann::json::parse(cooked.out);
+  EXPECT_EQ(report.at("clips").at(0).at("additive"), "point");
+  EXPECT_TRUE(report.at("clips").at(1).at("additive").is_null());
+  const nlohmann::json info = nlohmann::json::parse(run_marrow({"info", folder / "t.mrw", "--json"}).out);
+  EXPECT_EQ(info.at("clips").at(0).at("additive"), true);
+  EXPECT_EQ(info.at("clips").at(0).at("reference"), "own");
+  EXPECT_EQ(info.at("clips").at(1).at("additive"), false);
+  EXPECT_NE(run_marrow({"info", folder / "t.mrw"}).out.find(", additive over a reference of its own"),
+            std::string::npos);
+}
+
+// Laid on its reference, which is what `marrow pose` shows of it, an additive clip is the clip that it was made from.
+TEST(Report, AnAdditiveClipOnItsReferenceIsTheClip) {
+  const TemporaryFolder folder;
+  int compared = 0;
+  for (const std::string reference : {"", "=rest", "=point", "=first"}) {
+    std::vector<std::string> cook = {"cook", tiny_gltf(), "--keep-vertex-order", "-o", folder / "a.mrw"};
+    ASSERT_EQ(run_marrow(cook).code, 0);
+    cook.back() = folder / "b.mrw";
+    cook.insert(cook.end(), {"--additive", "wave" + reference, "--additive", "point=rest"});
+    ASSERT_EQ(run_marrow(cook).code, 0);
+    std::string bytes[2];
+    for (const int i : {0, 1}) {
+      const std::string name = i == 0 ? "a" : "b";
+      ASSERT_EQ(run_marrow({"pose", folder / (name + ".mrw"), "--clip", "wave", "--time", "0.4", "-o",
+                            folder / (name + ".bin")})
+                    .code,
+                0);
+      bytes[i] = read_text(folder / (name + ".bin"));
+    }
+    ASSERT_EQ(bytes[0].size(), bytes[1].size());
+    for (std::size_t at = 0; at < bytes[0].size(); at += 4, ++compared) {
+      float a = 0, b = 0;
+      std::memcpy(&a, &bytes[0][at], 4);
+      std::memcpy(&b, &bytes[1][at], 4);
+      ASSERT_NEAR(a, b, 1e-5f) << reference;
+    }
+  }
+  EXPECT_GT(compared, 4 * 3 * 24);
+}
+
+TEST(Report, AdditiveMistakes) {
+  const TemporaryFolder folder;
+  int refused = 0;
+  for (const char* rule : {"none", "wave=none", "=rest", "wave=", "w?"}) {
+    const Ran ran = run_marrow({"cook", tiny_gltf(), "--additive", rule, "-o", folder / "t.mrw"});
+    refused += ran.code == 1 && ran.complaints().size() == 1 && ran.err.find("--additive: ") != std::string::npos;
+  }
+  EXPECT_EQ(refused, 5);
+  EXPECT_TRUE(folder.listing().empty());
 }
 
 TEST(Report, OnStdoutIsTheSame) {

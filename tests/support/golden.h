@@ -25,7 +25,7 @@ inline AlignedBlock golden_coded_copy() {
   return AlignedBlock(embedded::dance_v1, static_cast<std::size_t>(embedded::dance_v1_size));
 }
 
-// A file whose clip has channels.
+// A file whose clip has channels and is additive.
 inline AlignedBlock golden_channels_copy() {
   return AlignedBlock(embedded::face_v1, static_cast<std::size_t>(embedded::face_v1_size));
 }

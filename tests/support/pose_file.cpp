@@ -34,6 +34,14 @@ std::uint64_t hash_geometry(std::uint64_t state, const Geometry& g) {
   return state;
 }
 
+// An additive clip is laid on the rest pose; neither kind is taken for the other.
+void sample_either(const Skeleton& skeleton, const Clip& clip, float time_s, std::vector<SoaTransform>& local) {
+  std::vector<AdditiveTransform> change(local.size());
+  require(sample(skeleton, clip, time_s, local) == (clip.additive ? Status::bad_argument : Status::ok));
+  require(sample_additive(skeleton, clip, time_s, change) == (clip.additive ? Status::ok : Status::bad_argument));
+  if (clip.additive) require(add(skeleton, {change, 1.0f, {}}, local) == Status::ok);
+}
+
 std::uint64_t hash_channels(std::uint64_t state, const File& file, const Clip& clip) {
   std::vector<float> values(clip.channels.size);
   for (const Channel& channel : clip.channels) {
@@ -67,7 +75,7 @@ PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, st
   const Skeleton skeleton = file.skeleton(mesh.skeleton);
   std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
   if (clip_index < file.clip_count() && file.clip(clip_index).skeleton == mesh.skeleton)
-    require(sample(skeleton, file.clip(clip_index), time_s, local) == Status::ok);
+    sample_either(skeleton, file.clip(clip_index), time_s, local);
   std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
   require(local_to_model(skeleton, local, model) == Status::ok);
   require(build_palette(mesh, model, palette) == Status::ok);

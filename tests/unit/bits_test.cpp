@@ -228,12 +228,12 @@ TEST(Bits, GoldenFile) {
   EXPECT_EQ(test::exercise(file), 0x5A700D014A140EBDu);
 }
 
-TEST(Bits, Channels) {
+TEST(Bits, ChannelsAndAdditiveClips) {
   test::AlignedBlock block = test::golden_channels_copy();
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
   ASSERT_EQ(file.clip(0).channels.size, 7u);
-  EXPECT_EQ(test::exercise(file), 0xB60D64037148EB40u);
+  EXPECT_EQ(test::exercise(file), 0xAED295EA0DD6AAA3u);
 }
 
 TEST(Bits, CodedClip) {

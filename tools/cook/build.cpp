@@ -65,13 +65,18 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
                          "no mesh in the scene has triangles to cook");
   out.skeleton = build_skeleton(scene);
   for (const RawClip& clip : scene.clips) out.clips.push_back(build_clip(clip, out.skeleton));
+  const std::vector<AdditiveReference> references = additive_references(out, options.additive);
   if (!options.raw_clips) {
     const Rig rig(out.skeleton);
     const Promise promise = make_promise(rig, options);
     tools::for_each_in_parallel(out.clips.size(),
                                 [&](std::size_t i) { compress_clip(out.clips[i], out.skeleton, rig, promise); });
   }
-  for (std::size_t i = 0; i < out.clips.size(); ++i) add_channels(scene.clips[i], options.raw_clips, out.clips[i]);
+  for (std::size_t i = 0; i < out.clips.size(); ++i) {
+    add_channels(scene.clips[i], options.raw_clips, out.clips[i]);
+    out.clips[i].additive = references[i].name;
+    out.clips[i].reference = references[i].pose;
+  }
   build_meshes(scene, options, out);
   return out;
 }

@@ -2,14 +2,24 @@
 // blocks.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cook/built.h"
 #include "cook/raw.h"
 
 namespace marrow::cook {
 
+// Which clips become additive, and over what.
+struct AdditiveRule {
+  std::string clips;                // a name; * stands for any characters, ? for one
+  std::string reference = "first";  // their own first frame; "rest": the rest pose; else a clip whose first frame it is
+};
+
 struct CookOptions {
-  bool raw_clips = false;    // keep clips' keys as they are
-  double clip_error = 1e-4;  // metres on the shell; or, if clip_error_is_share, of the skeleton's diagonal
+  std::vector<AdditiveRule> additive;  // the last that fits a clip counts
+  bool raw_clips = false;              // keep clips' keys as they are
+  double clip_error = 1e-4;            // metres on the shell; or, if clip_error_is_share, of the skeleton's diagonal
   bool clip_error_is_share = false;
   bool keep_vertex_order = false;  // remember where every vertex of the source went
 };
@@ -23,6 +33,13 @@ BuiltSkeleton build_skeleton(RawScene& scene);
 BuiltClip build_clip(const RawClip& clip, const BuiltSkeleton& skeleton);
 // Behind the tracks, which must be final. all_keys: keep those too that others make superfluous.
 void add_channels(const RawClip& raw, bool all_keys, BuiltClip& clip);
+// For each clip its reference, or none; of clips not yet compressed. Throws tools::Failure (usage) if a rule fits no
+// clip or its reference is none.
+struct AdditiveReference {
+  std::string name;                // as AdditiveRule's; empty: an ordinary clip
+  std::vector<SoaTransform> pose;  // empty: the rest pose
+};
+std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules);
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
 
 // node-to-parent matrix of one node, and rows of an affine matrix.

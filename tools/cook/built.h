@@ -58,6 +58,8 @@ struct BuiltClip {
   std::vector<float> values;
   BuiltCoded coded;
   ClipError error;
+  std::string additive;                 // over what, in --additive's words; empty: an ordinary clip
+  std::vector<SoaTransform> reference;  // empty: the rest pose
 };
 
 struct BuiltGeometry {

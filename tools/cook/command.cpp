@@ -40,12 +40,25 @@ void read_clip_error(const std::string& text, cook::CookOptions& options) {
   options.clip_error_is_share = unit == "%";
 }
 
+// "CLIP" or "CLIP=REFERENCE", divided at the last "=".
+cook::AdditiveRule read_additive(const std::string& text) {
+  const std::size_t divide = text.rfind('=');
+  cook::AdditiveRule rule;
+  rule.clips = text.substr(0, divide);
+  if (divide != std::string::npos) rule.reference = text.substr(divide + 1);
+  if (rule.clips.empty() || rule.reference.empty())
+    throw Failure(Exit::usage, "--additive", "", "\"" + text + "\" names no clip or no reference",
+                  "give CLIP or CLIP=REFERENCE, as in aim=rest");
+  return rule;
+}
+
 }  // namespace
 
 void run_cook(const CookArguments& a) {
   cook::CookOptions options = a.options;
   options.raw_clips = a.clip_codec == "raw";
   read_clip_error(a.clip_error, options);
+  for (const std::string& text : a.additive) options.additive.push_back(read_additive(text));
   const cook::CookResult result = cook::cook_file(a.in, options);
   for (const auto& w : result.report["warnings"])
     fmt::print(stderr, "{}: {}: warning: {}: {}\n", a.in, w["pointer"].get<std::string>(), w["rule"].get<std::string>(),

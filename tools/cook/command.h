@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cook/build.h"
 
@@ -11,6 +12,7 @@ struct CookArguments {
   std::string in, out, report;
   bool json = false;
   std::string clip_error = "0.1mm", clip_codec = "segments";
+  std::vector<std::string> additive;
   cook::CookOptions options;  // but for what the texts say
 };
 

@@ -64,6 +64,7 @@ ordered_json make_report(const RawScene& scene, const BuiltScene& built, const W
          {"codec", clip.coded.header.frame_count > 0 ? "segments" : "raw"},
          {"raw_bytes", std::uint64_t{clip.most_keys} * joints * 40},
          {"bytes", written.clip_bytes[i]},
+         {"additive", clip.additive.empty() ? ordered_json() : ordered_json(clip.additive)},
          {"channels", clip.channel_names},
          {"max_error_m", clip.error.error_m},
          {"max_error_joint", built.skeleton.joint_names.empty() ? "" : built.skeleton.joint_names[clip.error.joint]},

@@ -72,7 +72,10 @@ Section write_clip(const BuiltClip& c, Names& names) {
   Section out;
   out.add(format::ClipHeader{names.add(c.name), 0, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
                              static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
-                             static_cast<std::uint32_t>(c.channels.size()), 0});
+                             static_cast<std::uint32_t>(c.channels.size()),
+                             static_cast<std::uint16_t>(c.additive.empty() ? 0 : 1),
+                             static_cast<std::uint16_t>(c.reference.size())});
+  out.add_all(c.reference);
   out.add_all(c.tracks);
   for (std::size_t i = 0; i < c.channels.size(); ++i) {
     Channel channel = c.channels[i];

@@ -73,6 +73,8 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
                           {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
                           {"codec", coded.frame_count > 0 ? "segments" : "raw"},
                           {"frames", coded.frame_count},
+                          {"additive", c.additive},
+                          {"reference", c.reference != nullptr ? "own" : "rest"},
                           {"channels", channels}});
   }
   return r;
@@ -87,8 +89,11 @@ void print(const ordered_json& r) {
                s["roots"].get<int>());
   for (std::size_t i = 0; i < r["clips"].size(); ++i) {
     const auto& c = r["clips"][i];
-    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks, {}\n", i, text(c["name"]), c["duration_s"].get<double>(),
-               c["tracks"].get<int>(), text(c["codec"]));
+    const char* const kind = !c["additive"].get<bool>()       ? ""
+                             : text(c["reference"]) == "rest" ? ", additive over the rest pose"
+                                                              : ", additive over a reference of its own";
+    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks, {}{}\n", i, text(c["name"]), c["duration_s"].get<double>(),
+               c["tracks"].get<int>(), text(c["codec"]), kind);
     for (const auto& channel : c["channels"]) fmt::print("  channel \"{}\"\n", text(channel));
   }
   for (std::size_t i = 0; i < r["meshes"].size(); ++i) {

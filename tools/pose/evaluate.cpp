@@ -6,6 +6,19 @@
 
 namespace marrow::tools {
 
+namespace {
+
+// The pose of a clip; of an additive one its changes, laid on their reference.
+void sample_either(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out) {
+  if (!clip.additive) return check(sample(skeleton, clip, time_s, out));
+  std::vector<AdditiveTransform> change(skeleton.soa_size());
+  check(sample_additive(skeleton, clip, time_s, change));
+  std::copy_n(clip.reference != nullptr ? clip.reference : skeleton.rest, skeleton.soa_size(), out.data);
+  check(add(skeleton, {change, 1.0f, {}}, out));
+}
+
+}  // namespace
+
 void check(Status status) {
   if (status != Status::ok) throw Failure(Exit::internal, "marrow", "", to_string(status), "please report this");
 }
@@ -36,7 +49,7 @@ void Character::pose(std::optional<std::uint32_t> clip_index, float time_s) {
     const Skeleton skeleton = file_.skeleton(i);
     const Clip clip = clip_index ? file_.clip(*clip_index) : Clip{};
     if (clip_index && clip.skeleton == i) {
-      check(sample(skeleton, clip, time_s, local_[i]));
+      sample_either(skeleton, clip, time_s, local_[i]);
     } else {
       std::copy_n(skeleton.rest, skeleton.soa_size(), local_[i].begin());
     }

@@ -43,12 +43,6 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
 Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
 
-// The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
-// translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
-struct AdditiveTransform {
-  SoaTransform change;
-};
-
 struct AdditiveLayer {
   Span<const AdditiveTransform> change;  // at least skeleton.soa_size()
   float weight = 1.0f;                   // 0 … 1
@@ -56,8 +50,8 @@ struct AdditiveLayer {
 };
 
 // out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
-// scales (1 where the reference is 0). Done once a clip's frame or at load; rotations must be unit quaternions.
-// Errors: bad_argument if a span is too short.
+// scales (1 where the reference is 0). Rotations must be unit quaternions. Clips cooked as additive hold their
+// reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
 Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Span<const SoaTransform> reference,
                      Span<AdditiveTransform> out);
 

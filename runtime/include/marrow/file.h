@@ -79,9 +79,11 @@ struct CodedTracks {
 // An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
 struct Clip {
   const char* name = "";
-  std::uint32_t skeleton = 0;     // which skeleton of the file
-  std::uint32_t joint_count = 0;  // of that skeleton
-  float duration_s = 0;           // time of the last key; ≥ 0
+  std::uint32_t skeleton = 0;               // which skeleton of the file
+  std::uint32_t joint_count = 0;            // of that skeleton
+  float duration_s = 0;                     // time of the last key; ≥ 0
+  bool additive = false;                    // for sample_additive(), not for sample()
+  const SoaTransform* reference = nullptr;  // additive: the pose that changes are taken from; null: the rest pose
   CodedTracks coded;
   Span<const Track> tracks;
   Span<const Channel> channels;

@@ -15,6 +15,13 @@ struct alignas(16) SoaTransform {
 };
 static_assert(sizeof(SoaTransform) == 160);
 
+// The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
+// translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
+struct AdditiveTransform {
+  SoaTransform change;
+};
+static_assert(sizeof(AdditiveTransform) == sizeof(SoaTransform));
+
 // An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
 struct alignas(16) Affine {
   float rows[3][4];

@@ -20,17 +20,27 @@ struct SampleOptions {
 // tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
 //
 // out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
-// Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints, or
-// time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus float rounding.
-// Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s is. Stateless;
-// thread-safe on different outputs.
+// Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints or
+// is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
+// float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
+// is. Stateless; thread-safe on different outputs.
 Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
               const SampleOptions& options = {});
+
+// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
+// that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
+// within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest
+// pose in them.
+//
+// out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
+// additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
+Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> out);
 
 // Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
 //
 // out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
-// drive have no channel, and keep what the game gives them. Errors: bad_argument if `out` is too short or time_s is not
+// drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
+// changes. Errors: bad_argument if `out` is too short or time_s is not
 // a number. Cost: a binary search a distinct key-time list and a few operations a channel.
 Status sample_channels(const Clip& clip, float time_s, Span<float> out);
 

@@ -13,7 +13,7 @@ namespace {
 
 using test::AlignedBlock;
 
-// Clips raw and coded, and channels.
+// Clips raw, coded, and additive with channels.
 class Hostile : public ::testing::TestWithParam<AlignedBlock (*)()> {};
 INSTANTIATE_TEST_SUITE_P(Golden, Hostile,
                          ::testing::Values(&test::golden_copy, &test::golden_coded_copy, &test::golden_channels_copy));

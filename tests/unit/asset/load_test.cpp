@@ -159,7 +159,8 @@ TEST_F(Load, Clips) {
   refuse(base + 12, h.track_count + 1, "a track more");
   refuse(base + 20, std::uint32_t{0x40000000}, "too many values");
   refuse(base + 24, std::uint32_t{1}, "channels that are not there");
-  refuse(base + 28, std::uint32_t{1}, "reserved");
+  refuse(base + 28, std::uint16_t{2}, "additive is 0 or 1");
+  refuse(base + 30, std::uint16_t{1}, "a reference of an ordinary clip");
   const std::size_t track = base + l.tracks;
   refuse(track, std::uint16_t{3}, "a joint outside the skeleton");
   refuse(track + 2, std::uint8_t{3}, "a path");
@@ -173,7 +174,7 @@ TEST_F(Load, Clips) {
   refuse(base + l.times + 4, 0.0f, "times that stand still");
   refuse(base + l.times, kNaN, "a time that is not a number");
   refuse(base + l.values + 4, kInfinity, "a value that is not finite");
-  EXPECT_EQ(refused_, 20);
+  EXPECT_EQ(refused_, 21);
 }
 
 class LoadChannels : public Load {
@@ -205,7 +206,14 @@ TEST_F(LoadChannels, EveryRule) {
   refuse(base + 8, 1.25f, "a duration before the last key of a channel");
   refuse(base + l.values + 4 * (h.value_count - std::size_t{1}), kInfinity, "a value that is not finite");
   refuse(base + l.times + 4 * (h.time_count - std::size_t{1}), 0.0f, "times that stand still");
-  EXPECT_EQ(refused_, 2 + 2 * 13 + 3);
+  ASSERT_EQ(h.additive, 1);
+  ASSERT_EQ(h.reference_groups, 1);
+  refuse(base + 28, std::uint16_t{0}, "an ordinary clip with a reference");
+  refuse(base + 30, std::uint16_t{0}, "a reference that is there");
+  refuse(base + 30, std::uint16_t{2}, "a reference of too many joints");
+  refuse(base + 30, std::uint16_t{0xFFFF}, "a reference of far too many joints");
+  refuse(base + l.reference + 8, kNaN, "a reference that is not a number");
+  EXPECT_EQ(refused_, 2 + 2 * 13 + 3 + 5);
 }
 
 class LoadCoded : public Load {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "marrow/blend.h"
+#include "marrow/sample.h"
 #include "support/poses.h"
 
 namespace marrow {
@@ -88,6 +89,70 @@ TEST(Additive, TheWholeChangeOnTheReferenceIsThePose) {
   ASSERT_EQ(add(p.skeleton, {change, 1, {}}, p.out), Status::ok);
   for (std::size_t j = 0; j < 21; ++j)
     test::expect_joint(test::joint_of(p.out.data(), j), test::joint_of(p.pose[0].data(), j), 2e-6);
+}
+
+// A clip that holds a pose still, marked as the cooker marks it.
+struct AdditiveClip {
+  AdditiveClip(const Poses& p, const std::vector<SoaTransform>& pose, const std::vector<SoaTransform>* reference) {
+    for (std::uint16_t j = 0; j < p.skeleton.joint_count; ++j) {
+      const test::TestJoint joint = test::joint_of(pose.data(), j);
+      const auto add = [&](Path path, const auto& v) {
+        keys.add(j, path, Interpolation::step, {0}, {v.begin(), v.end()});
+      };
+      add(Path::translation, floats(joint.translation));
+      add(Path::rotation, floats(joint.rotation));
+      add(Path::scale, floats(joint.scale));
+    }
+    clip = keys.view();
+    clip.joint_count = p.skeleton.joint_count;
+    clip.additive = true;
+    clip.reference = reference != nullptr ? reference->data() : nullptr;
+  }
+  template <class Vector>
+  static std::vector<float> floats(const Vector& v) {
+    std::vector<float> out;
+    for (const double x : v) out.push_back(static_cast<float>(x));
+    return out;
+  }
+  test::TestClip keys;
+  Clip clip;
+};
+
+TEST(Additive, ClipsGiveChangesFromTheirReference) {
+  int cases = 0;
+  for (const bool own : {false, true}) {
+    Poses p(35, 21, 3);
+    const AdditiveClip a(p, p.pose[1], own ? &p.pose[2] : nullptr);
+    std::vector<AdditiveTransform> change(p.groups());
+    ASSERT_EQ(sample_additive(p.skeleton, a.clip, 0.5f, change), Status::ok);
+    p.out = p.pose[0];
+    ASSERT_EQ(add(p.skeleton, {change, 1, {}}, p.out), Status::ok);
+    for (std::size_t j = 0; j < 21; ++j, ++cases) {
+      const test::TestJoint reference = test::joint_of(own ? p.pose[2].data() : p.skeleton.rest, j);
+      const test::TestJoint want =
+          added(test::joint_of(p.pose[0].data(), j), test::joint_of(p.pose[1].data(), j), reference, 1);
+      test::expect_joint(test::joint_of(p.out.data(), j), want, 1e-5);
+    }
+  }
+  EXPECT_EQ(cases, 42);
+}
+
+TEST(Additive, ClipsOfOneKindAreNotTakenForTheOther) {
+  Poses p(36, 21, 2);
+  AdditiveClip a(p, p.pose[0], &p.pose[1]);
+  p.out = p.pose[1];
+  EXPECT_EQ(sample(p.skeleton, a.clip, 0.5f, p.out), Status::bad_argument);
+  EXPECT_TRUE(p.same(p.out, p.pose[1]));
+  std::vector<AdditiveTransform> change(p.groups());
+  EXPECT_EQ(sample_additive(p.skeleton, a.clip, 0.5f, {change.data(), change.size() - 1}), Status::bad_argument);
+  EXPECT_EQ(sample_additive(p.skeleton, a.clip, std::nanf(""), change), Status::bad_argument);
+  Clip of_others = a.clip;
+  of_others.joint_count = 17;
+  EXPECT_EQ(sample_additive(p.skeleton, of_others, 0.5f, change), Status::bad_argument);
+  a.clip.additive = false;
+  EXPECT_EQ(sample_additive(p.skeleton, a.clip, 0.5f, change), Status::bad_argument);
+  EXPECT_EQ(change[0].change.rotation[3][0], 0) << "nothing was written";
+  EXPECT_EQ(sample(p.skeleton, a.clip, 0.5f, p.out), Status::ok);
 }
 
 TEST(Additive, AScaleOfZeroDividesNothing) {

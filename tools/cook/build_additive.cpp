@@ -1,0 +1,72 @@
+// Which clips become additive, and the poses that their changes are taken from.
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+#include "common/failure.h"
+#include "cook/build.h"
+#include "cook/clip/pack.h"
+#include "marrow/sample.h"
+
+namespace marrow::cook {
+namespace {
+
+bool fits(std::string_view pattern, std::string_view name) {
+  std::size_t p = 0, n = 0, star = std::string_view::npos, from = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      from = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {  // the last star takes one more
+      p = star + 1;
+      n = ++from;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+[[noreturn]] void no_such_clip(const std::string& name) {
+  throw tools::Failure(tools::Exit::usage, "--additive", "", "no clip is called \"" + name + "\"",
+                       "give CLIP or CLIP=REFERENCE with names as `marrow info` lists them");
+}
+
+std::vector<SoaTransform> first_frame(const BuiltScene& scene, const BuiltClip& clip) {
+  const Skeleton skeleton = view(scene.skeleton);
+  std::vector<SoaTransform> pose(skeleton.soa_size());
+  if (sample(skeleton, view(clip, skeleton), 0.0f, pose) != Status::ok)
+    throw tools::Failure(tools::Exit::internal, "--additive", "", "no pose of \"" + clip.name + "\"",
+                         "please report this");
+  return pose;
+}
+
+std::vector<SoaTransform> reference_pose(const BuiltScene& scene, const BuiltClip& clip, const std::string& reference) {
+  if (reference == "rest") return {};
+  const auto other = std::ranges::find(scene.clips, reference, &BuiltClip::name);
+  if (reference != "first" && other == scene.clips.end()) no_such_clip(reference);
+  std::vector<SoaTransform> pose = first_frame(scene, reference == "first" ? clip : *other);
+  if (std::memcmp(pose.data(), scene.skeleton.rest.data(), pose.size() * sizeof(SoaTransform)) == 0) pose.clear();
+  return pose;
+}
+
+}  // namespace
+
+std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules) {
+  std::vector<AdditiveReference> out(scene.clips.size());
+  for (const AdditiveRule& rule : rules) {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < scene.clips.size(); ++i) {
+      if (rule.clips != scene.clips[i].name && !fits(rule.clips, scene.clips[i].name)) continue;
+      out[i] = {rule.reference, reference_pose(scene, scene.clips[i], rule.reference)};
+      ++found;
+    }
+    if (found == 0) no_such_clip(rule.clips);
+  }
+  return out;
+}
+
+}  // namespace marrow::cook
