@@ -63,5 +63,68 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
   EXPECT_EQ(failures, 0);
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__aarch64__) || defined(__arm__)
+constexpr int kCrowdFrames = 100;  // thinned under sanitizers, and where the processor may be emulated
+#else
+constexpr int kCrowdFrames = 10'000;
+#endif
+
+// A hundred characters with a playing clip each: everything that a frame of a game does.
+struct Crowd {
+  Crowd() : c(test::make_character(22, 4, 4, false)), skeleton(c.skeleton.view()), clip(c.clip.view()) {
+    mesh = c.mesh.view();
+    additive = clip;
+    additive.additive = true;
+    channels = {{0, 0, c.clip.tracks[0].key_count, c.clip.tracks[0].first_time, 0, Interpolation::linear, {}}};
+    clip.channels = channels;
+    for (std::size_t i = 0; i < 100; ++i) {
+      players.emplace_back();
+      players.back().mode = static_cast<PlayMode>(1 + i % 2);
+      players.back().speed = 0.5f + 0.01f * static_cast<float>(i);
+    }
+  }
+  int frame() {
+    int failures = 0;
+    for (Playback& player : players) {
+      failures += advance(player, clip.duration_s, 1.0f / 60) != Status::ok;
+      const float time_s = clip_time(player);
+      failures += sample(skeleton, clip, time_s, first) != Status::ok;
+      failures += sample(skeleton, clip, 0.5f * time_s, second) != Status::ok;
+      failures += sample_additive(skeleton, additive, time_s, change) != Status::ok;
+      failures += sample_channels(clip, time_s, numbers) != Status::ok;
+      const BlendLayer layers[] = {{first, 0.75f, {}}, {second, 0.25f, {}}};
+      failures += blend(skeleton, {layers, 2}, blended) != Status::ok;
+      failures += add(skeleton, {change, 0.5f, {}}, blended) != Status::ok;
+      failures += local_to_model(skeleton, blended, model) != Status::ok;
+      failures += build_palette(mesh, model, palette) != Status::ok;
+      failures += skin_ssd(mesh, palette, {positions, {}, {}}) != Status::ok;
+      turns += player.turns;
+    }
+    return failures;
+  }
+  test::TestCharacter c;
+  Skeleton skeleton;
+  Clip clip, additive;
+  Mesh mesh;
+  std::vector<Channel> channels;
+  std::vector<Playback> players;
+  std::vector<SoaTransform> first = c.skeleton.rest, second = first, blended = first;
+  std::vector<AdditiveTransform> change = std::vector<AdditiveTransform>(first.size());
+  std::vector<Affine> model = std::vector<Affine>(skeleton.joint_count);
+  std::vector<Affine> palette = std::vector<Affine>(c.mesh.joints.size());
+  std::vector<float> positions = std::vector<float>(c.mesh.slot_count * 3), numbers = {0};
+  std::int64_t turns = 0;
+};
+
+TEST(Allocation, TenThousandFramesOfAHundredCharactersAllocateNothing) {
+  Crowd crowd;
+  int failures = 0;
+  const std::size_t before = test::allocation_count();
+  for (int frame = 0; frame < kCrowdFrames; ++frame) failures += crowd.frame();
+  EXPECT_EQ(test::allocation_count() - before, 0u);
+  EXPECT_EQ(failures, 0);
+  EXPECT_GT(crowd.turns, 0) << "clips were looped and turned";
+}
+
 }  // namespace
 }  // namespace marrow
