@@ -44,6 +44,11 @@ void check_scene(const marrow::cook::RawScene& scene) {
     }
   }
   for (const auto& clip : scene.clips) {
+    for (const auto& scalar : clip.scalars) {
+      const std::size_t per_key = scalar.interpolation == marrow::cook::RawInterpolation::cubic_spline ? 3 : 1;
+      require(!scalar.times_s.empty() && scalar.values.size() == scalar.times_s.size() * per_key);
+      for (std::size_t i = 1; i < scalar.times_s.size(); ++i) require(scalar.times_s[i - 1] < scalar.times_s[i]);
+    }
     for (const auto& channel : clip.channels) {
       const std::size_t per_key = channel.interpolation == marrow::cook::RawInterpolation::cubic_spline ? 3 : 1;
       require(node_exists(channel.node) && !channel.times_s.empty());
