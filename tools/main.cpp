@@ -64,9 +64,10 @@ void add_cook(CLI::App& app) {
   command
       ->add_option(
           "--clip-error", a.clip_error,
-          "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm, 0.0001m or 0.05% of the skeleton")
-      ->type_name("E")
-      ->capture_default_str();
+          "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm (the default), 0.0001m or 0.05% of the "
+          "skeleton; with JOINT= for some joints only, JOINT may have * and ?; repeatable, the last that fits counts")
+      ->type_name("[JOINT=]E")
+      ->take_all();
   command->add_option("--clip-codec", a.clip_codec, "segments: compressed within --clip-error; raw: without loss")
       ->check(CLI::IsMember({"segments", "raw"}))
       ->capture_default_str();

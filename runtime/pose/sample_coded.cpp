@@ -186,9 +186,11 @@ inline void rotate_rest(Cursor& cursor, std::uint32_t tracks, const Blend& blend
   const f32x4 chord_squared = dot3(dx, dy, dz, dx, dy, dz) * (a.factor * b.factor);
   f32x4 wa = slerp_weight(blend.a, chord_squared), wb = slerp_weight(blend.b, chord_squared);
   if (any(splat(kSlerpSeriesLimit) < chord_squared)) {
-    const auto [exact_a, exact_b] = slerp_weights(chord_squared, blend.u);
+    // Beyond half a turn, -b is as good as b, and nearer.
+    const mask4 far = splat(2.0f) < chord_squared;
+    const auto [exact_a, exact_b] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
     wa = exact_a;
-    wb = exact_b;
+    wb = select(far, splat(0.0f) - exact_b, exact_b);
   }
   const f32x4 fa = wa * a.factor, fb = wb * b.factor;
   const f32x4 x = fa * a.x + fb * b.x, y = fa * a.y + fb * b.y, z = fa * a.z + fb * b.z, w = (fa + fb) - (wa + wb);

@@ -151,6 +151,39 @@ TEST_P(Clips, InPartsAreTheSame) {
   EXPECT_EQ(compared, 5 * built.clips.size() * skeleton.joint_count);
 }
 
+TEST(ClipPromise, IsOverriddenByJoint) {
+  const std::string path = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf";
+  cook::RawScene raw = cook::read_gltf(path);
+  constexpr double kLoose = 1e-3, kStrict = 2e-5;
+  cook::CookOptions options;
+  options.clip_error.push_back({"", kLoose, false});
+  options.clip_error.push_back({"j*3", kStrict, false});
+  const cook::BuiltScene built = cook::build_scene(raw, options);
+  const Reference reference(path);
+  const Skeleton skeleton = cook::view(built.skeleton);
+  const Clip clip = cook::view(built.clips.at(0), skeleton);
+  ASSERT_GT(clip.coded.frame_count, 1u);
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<Affine> scene(skeleton.joint_count);
+  double worst_there = 0, worst = 0;
+  for (std::uint32_t e = 0; e <= 4 * (clip.coded.frame_count - 1); ++e) {
+    const float time_s = clip.coded.start_s + static_cast<float>(e) / 4 / clip.coded.frames_per_s;
+    ASSERT_EQ(sample(skeleton, clip, time_s, local), Status::ok);
+    ASSERT_EQ(local_to_model(skeleton, local, scene), Status::ok);
+    const std::vector<Map> want = reference.nodes_at(0, static_cast<double>(time_s));
+    for (std::size_t j = 0; j < skeleton.joint_count; ++j) {
+      const Map& source = want[static_cast<std::size_t>(built.skeleton.node_of_joint[j])];
+      const double error = shell_distance(source, scene[j], kShell);
+      worst = std::max(worst, error);
+      if (built.skeleton.joint_names[j] == "joint3") worst_there = std::max(worst_there, error);
+    }
+  }
+  EXPECT_GT(worst_there, 0);
+  EXPECT_LE(worst_there, kStrict * (1 + kFloatSlack));
+  EXPECT_LE(worst, kLoose * (1 + kFloatSlack));
+  EXPECT_GT(worst, 5 * kStrict) << "the others are not held to it";
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, Clips, ::testing::ValuesIn(models()), [](const auto& model) {
   std::string name = std::filesystem::path(model.param).stem().string();
   for (char& c : name)

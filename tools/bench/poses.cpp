@@ -118,12 +118,15 @@ class BuildPalette : public Workload {
   FullPalette palette_;
 };
 
-// A character's frame: two clips, half of each, to a palette.
+// A character's frame: two clips, each into a pose of its own that it keeps, half of each, to a palette.
 class Frame : public Workload {
  public:
   Frame(const ClipOfModel& a, const ClipOfModel& b)
       : skeleton_(a.skeleton), clips_{a.clip, b.clip}, joints_(skeleton_.joint_count), palette_(skeleton_) {
-    for (auto& pose : poses_) pose.resize(skeleton_.soa_size());
+    for (int c = 0; c < 2; ++c) {
+      poses_[c].resize(skeleton_.soa_size());
+      check(sample(skeleton_, clips_[c], 0, poses_[c]));
+    }
     blended_.resize(skeleton_.soa_size());
   }
   std::uint32_t items() const override { return skeleton_.joint_count; }
@@ -135,7 +138,7 @@ class Frame : public Workload {
       for (int c = 0; c < 2; ++c) {
         times_s_[c] += 1.0f / 60;
         if (times_s_[c] >= clips_[c].duration_s) times_s_[c] -= clips_[c].duration_s;
-        check(sample(skeleton_, clips_[c], times_s_[c], poses_[c]));
+        check(sample(skeleton_, clips_[c], times_s_[c], poses_[c], {.prefilled = true}));
       }
       check(blend(skeleton_, {layers, 2}, blended_));
       check(local_to_model(skeleton_, blended_, joints_));

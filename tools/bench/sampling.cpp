@@ -25,17 +25,22 @@ struct Order {
   const char* name;
   std::size_t players;  // in turn, each at its own moment and into its own pose
   float step_s;         // 0: random moments
+  bool prefilled;       // what does not move is in the pose already
 };
 constexpr Order kOrders[] = {
-    {"forward", 1, kFrame_s}, {"random", 1, 0}, {"backward", 1, -kFrame_s}, {"crowd", 512, kFrame_s}};
+    {"forward", 1, kFrame_s, false}, {"random", 1, 0, false},          {"backward", 1, -kFrame_s, false},
+    {"crowd", 512, kFrame_s, false}, {"prefilled", 1, kFrame_s, true},
+};
 
 class Sampling : public Workload {
  public:
   Sampling(const ClipOfModel& source, const Order& order)
       : source_(source), step_s_(order.step_s), players_(order.players), times_s_(kMoments) {
+    options_.prefilled = order.prefilled;
     for (std::size_t i = 0; i < players_.size(); ++i) {
       players_[i].time_s = source.clip.duration_s * static_cast<float>(i) / static_cast<float>(players_.size());
       players_[i].pose.resize(source.skeleton.soa_size());
+      check(sample(source.skeleton, source.clip, 0, players_[i].pose));
     }
     Noise noise;
     for (float& time_s : times_s_) time_s = noise.next() * source.clip.duration_s;
@@ -48,7 +53,7 @@ class Sampling : public Workload {
       last_ = last_ + 1 < players_.size() ? last_ + 1 : 0;
       Player& player = players_[last_];
       advance(player.time_s);
-      check(sample(source_.skeleton, source_.clip, player.time_s, player.pose));
+      check(sample(source_.skeleton, source_.clip, player.time_s, player.pose, options_));
     }
   }
 
@@ -70,6 +75,7 @@ class Sampling : public Workload {
 
   ClipOfModel source_;
   float step_s_;
+  SampleOptions options_;
   std::vector<Player> players_;
   std::vector<float> times_s_;  // random order
   std::size_t last_ = 0, moment_ = 0;

@@ -4,6 +4,7 @@
 
 #include "common/failure.h"
 #include "common/parallel.h"
+#include "common/pattern.h"
 #include "cook/clip/compress.h"
 
 namespace marrow::cook {
@@ -43,13 +44,24 @@ bool has_triangles(const RawScene& scene) {
 }
 
 // A unit that is clearly not the metre makes skeletons of 20 m or 20 cm; then what a person of 2 m would get is scaled.
-Promise make_promise(const Rig& rig, const CookOptions& options) {
+Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, const CookOptions& options) {
   constexpr double kPerson = 2.0;
   Promise promise;
   const double size = rig.diagonal_m > 0 ? rig.diagonal_m : kPerson;  // one joint has no extent
   const double scale = size < 0.2 || size > 20 ? size / kPerson : 1.0;
   promise.shell *= scale;
-  promise.error = options.clip_error_is_share ? options.clip_error * size : options.clip_error * scale;
+  promise.error.resize(rig.size());
+  for (const ClipErrorRule& rule : options.clip_error) {
+    std::size_t found = 0;
+    for (std::size_t j = 0; j < rig.size(); ++j) {
+      if (!rule.joints.empty() && !tools::fits(rule.joints, skeleton.joint_names[j])) continue;
+      promise.error[j] = rule.error * (rule.is_share ? size : scale);
+      ++found;
+    }
+    if (found == 0)
+      throw tools::Failure(tools::Exit::usage, "--clip-error", "", "no joint is called \"" + rule.joints + "\"",
+                           "give JOINT=E with names as `marrow info --json` lists them");
+  }
   return promise;
 }
 
@@ -68,7 +80,7 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   const std::vector<AdditiveReference> references = additive_references(out, options.additive);
   if (!options.raw_clips) {
     const Rig rig(out.skeleton);
-    const Promise promise = make_promise(rig, options);
+    const Promise promise = make_promise(out.skeleton, rig, options);
     tools::for_each_in_parallel(out.clips.size(),
                                 [&](std::size_t i) { compress_clip(out.clips[i], out.skeleton, rig, promise); });
   }

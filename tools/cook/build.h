@@ -16,12 +16,18 @@ struct AdditiveRule {
   std::string reference = "first";  // their own first frame; "rest": the rest pose; else a clip whose first frame it is
 };
 
+// How far clips may stray at some joints.
+struct ClipErrorRule {
+  std::string joints;   // a name with wildcards as above; empty: all
+  double error = 1e-4;  // metres on the shell; or, if is_share, of the skeleton's diagonal
+  bool is_share = false;
+};
+
 struct CookOptions {
-  std::vector<AdditiveRule> additive;  // the last that fits a clip counts
-  bool raw_clips = false;              // keep clips' keys as they are
-  double clip_error = 1e-4;            // metres on the shell; or, if clip_error_is_share, of the skeleton's diagonal
-  bool clip_error_is_share = false;
-  bool keep_vertex_order = false;  // remember where every vertex of the source went
+  std::vector<AdditiveRule> additive;            // the last that fits a clip counts
+  bool raw_clips = false;                        // keep clips' keys as they are
+  std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
+  bool keep_vertex_order = false;                // remember where every vertex of the source went
 };
 
 // Adds to scene.warnings what it mends or leaves out. Throws tools::Failure (invalid: nothing to cook; unsupported: a

@@ -1,34 +1,15 @@
 // Which clips become additive, and the poses that their changes are taken from.
 #include <algorithm>
 #include <cstring>
-#include <string_view>
 
 #include "common/failure.h"
+#include "common/pattern.h"
 #include "cook/build.h"
 #include "cook/clip/pack.h"
 #include "marrow/sample.h"
 
 namespace marrow::cook {
 namespace {
-
-bool fits(std::string_view pattern, std::string_view name) {
-  std::size_t p = 0, n = 0, star = std::string_view::npos, from = 0;
-  while (n < name.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      from = n;
-    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-      ++p;
-      ++n;
-    } else if (star != std::string_view::npos) {  // the last star takes one more
-      p = star + 1;
-      n = ++from;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', p) == std::string_view::npos;
-}
 
 [[noreturn]] void no_such_clip(const std::string& name) {
   throw tools::Failure(tools::Exit::usage, "--additive", "", "no clip is called \"" + name + "\"",
@@ -60,7 +41,7 @@ std::vector<AdditiveReference> additive_references(const BuiltScene& scene, cons
   for (const AdditiveRule& rule : rules) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < scene.clips.size(); ++i) {
-      if (rule.clips != scene.clips[i].name && !fits(rule.clips, scene.clips[i].name)) continue;
+      if (rule.clips != scene.clips[i].name && !tools::fits(rule.clips, scene.clips[i].name)) continue;
       out[i] = {rule.reference, reference_pose(scene, scene.clips[i], rule.reference)};
       ++found;
     }

@@ -43,6 +43,7 @@ struct BuiltCoded {
 // How far a clip strays from its source, where and when.
 struct ClipError {
   double error_m = 0;
+  double share = 0;  // of what is promised for the joint; the largest of any
   std::size_t joint = 0;
   double time_s = 0;
 };

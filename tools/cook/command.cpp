@@ -26,18 +26,22 @@ void summarise(const CookArguments& a, const nlohmann::ordered_json& r) {
              r["meshes"].size(), vertices, triangles, r["clips"].size());
 }
 
-// "0.1mm", "0.0001m", or "0.05%" of the skeleton's diagonal.
-void read_clip_error(const std::string& text, cook::CookOptions& options) {
+// "0.1mm", "0.0001m", or "0.05%" of the skeleton's diagonal; in front "JOINT=", or for all joints.
+cook::ClipErrorRule read_clip_error(const std::string& text) {
+  const std::size_t divide = text.rfind('=');
+  cook::ClipErrorRule rule;
+  if (divide != std::string::npos) rule.joints = text.substr(0, divide);
   double value = 0;
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const auto [stop, error] = std::from_chars(text.data() + (divide == std::string::npos ? 0 : divide + 1), end, value);
   const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
   const double scale = unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
-  if (error != std::errc() || !(value * scale > 0) || !std::isfinite(value))
+  if (error != std::errc() || !(value * scale > 0) || !std::isfinite(value) || divide == 0)
     throw Failure(Exit::usage, "--clip-error", "", "\"" + text + "\" is not an error",
-                  "give a length or a share of the skeleton, as in 0.1mm, 0.0001m or 0.05%");
-  options.clip_error = value * scale;
-  options.clip_error_is_share = unit == "%";
+                  "give a length or a share of the skeleton, as in 0.1mm, 0.0001m, 0.05% or hand*=0.02mm");
+  rule.error = value * scale;
+  rule.is_share = unit == "%";
+  return rule;
 }
 
 // "CLIP" or "CLIP=REFERENCE", divided at the last "=".
@@ -57,7 +61,7 @@ cook::AdditiveRule read_additive(const std::string& text) {
 void run_cook(const CookArguments& a) {
   cook::CookOptions options = a.options;
   options.raw_clips = a.clip_codec == "raw";
-  read_clip_error(a.clip_error, options);
+  for (const std::string& text : a.clip_error) options.clip_error.push_back(read_clip_error(text));
   for (const std::string& text : a.additive) options.additive.push_back(read_additive(text));
   const cook::CookResult result = cook::cook_file(a.in, options);
   for (const auto& w : result.report["warnings"])

@@ -11,7 +11,8 @@ namespace marrow::tools {
 struct CookArguments {
   std::string in, out, report;
   bool json = false;
-  std::string clip_error = "0.1mm", clip_codec = "segments";
+  std::vector<std::string> clip_error;
+  std::string clip_codec = "segments";
   std::vector<std::string> additive;
   cook::CookOptions options;  // but for what the texts say
 };

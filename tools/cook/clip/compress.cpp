@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kGridSlack = 1e-3;  // of a frame
 constexpr std::size_t kMostIntervals = 20000;
+constexpr double kMostRefined = 8;                              // frames between two keys of the shortest distance
 constexpr std::size_t kMostTransforms = 1'000'000;              // a joint and moment: 80 MB; larger clips stay raw
 constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
 constexpr double kStillShare = 0.05;                            // of the promise, below which a movement does not count
@@ -47,19 +48,22 @@ std::set<float> key_times(const BuiltClip& clip) {
   return times;
 }
 
-// The steps that every key falls on; nullopt if there are none.
+// The coarsest steps that every key falls on; nullopt if there are none.
 std::optional<Grid> find_grid(const std::set<float>& times) {
   const double start = static_cast<double>(*times.begin()), length = static_cast<double>(*times.rbegin()) - start;
   double least = length;
   for (auto a = times.begin(), b = std::next(a); b != times.end(); ++a, ++b)
     least = std::min(least, static_cast<double>(*b) - static_cast<double>(*a));
-  const double intervals = std::round(length / least);
-  if (!(intervals <= static_cast<double>(kMostIntervals))) return std::nullopt;
-  for (const float t : times) {
-    const double at = (static_cast<double>(t) - start) / length * intervals;
-    if (std::fabs(at - std::round(at)) > kGridSlack) return std::nullopt;
-  }
-  return Grid{*times.begin(), *times.rbegin(), static_cast<std::size_t>(intervals)};
+  const double fewest = std::round(length / least);
+  const auto on_grid = [&](double intervals) {
+    return std::all_of(times.begin(), times.end(), [&](float t) {
+      const double at = (static_cast<double>(t) - start) / length * intervals;
+      return std::fabs(at - std::round(at)) <= kGridSlack;
+    });
+  };
+  for (double n = fewest; n <= std::min(kMostRefined * fewest, static_cast<double>(kMostIntervals)); ++n)
+    if (on_grid(n)) return Grid{*times.begin(), *times.rbegin(), static_cast<std::size_t>(n)};
+  return std::nullopt;
 }
 
 bool has_cubic(const BuiltClip& clip) {
@@ -125,7 +129,6 @@ class Compressor {
   }
 
   std::optional<BuiltClip> compress(const Promise& promise, double share) const;
-  bool empty() const { return moving_.empty() && constant_.empty(); }
 
  private:
   double time_of(std::size_t moment) const {
@@ -155,8 +158,10 @@ class Compressor {
 // Whether a sub-track never leaves `at` by more than a small share of the promise: exporters write every track, and
 // most of them are rounding.
 bool Compressor::stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const {
-  const double most = kStillShare * promise.error /
-                      (path == Path::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
+  double least = promise.error[joint];
+  for (const std::size_t below : rig_.subtrees[joint]) least = std::min(least, promise.error[below]);
+  const double most =
+      kStillShare * least / (path == Path::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
   return std::all_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
     if (path == Path::translation) return glm::length(t.translation - at.translation) <= most;
     if (path == Path::scale) return glm::length(t.scale - at.scale) <= most;
@@ -214,7 +219,7 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
   std::vector<World> source(rig_.size()), decoded(rig_.size());
   ClipError worst;
   for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) {
-    if (sample(skeleton, clip, static_cast<float>(time_of(e)), local) != Status::ok) return {INFINITY, 0, 0};
+    if (sample(skeleton, clip, static_cast<float>(time_of(e)), local) != Status::ok) return {INFINITY, INFINITY, 0, 0};
     BuiltSkeleton posed;
     posed.rest = local;
     posed.parents = skeleton_.parents;
@@ -225,7 +230,8 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
       source[j] = rig_.place(j, root ? nullptr : &source[up], source_[j][e]);
       decoded[j] = rig_.place(j, root ? nullptr : &decoded[up], transforms[j]);
       const double error = shell_error(source[j], decoded[j], promise.shell);
-      if (!(error <= worst.error_m)) worst = {error, j, time_of(e)};
+      const double share = error / promise.error[j];
+      if (!(share <= worst.share)) worst = {error, share, j, time_of(e)};
     }
   }
   return worst;
@@ -252,12 +258,16 @@ std::optional<BuiltCoded> Compressor::code(const Promise& promise, std::size_t l
 
 std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
   std::optional<BuiltClip> best;
+  if (moving_.empty() && constant_.empty()) best = keep_jumping(clip_);
+  Promise stricter = promise;
+  for (double& error : stricter.error) error *= share;
   std::size_t last_count = 0;
   for (const std::size_t length : kSegmentIntervals) {
+    if (best && best->coded.header.frame_count == 0) break;  // nothing to code
     const std::size_t count = (intervals_ + length - 1) / length;
     if (count == last_count) continue;
     last_count = count;
-    std::optional<BuiltCoded> coded = code({share * promise.error, promise.shell}, length);
+    std::optional<BuiltCoded> coded = code(stricter, length);
     if (!coded) break;  // a finer grid may help, other segments will not
     if (best && coded->payload.size() >= best->coded.payload.size()) continue;
     best = keep_jumping(clip_);
@@ -280,11 +290,10 @@ void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& ri
   for (const Grid& grid : grids(clip)) {
     if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) return;
     const Compressor compressor(clip, skeleton, rig, grid, promise);
-    if (compressor.empty()) return;
     for (const double share : kShares) {
       std::optional<BuiltClip> made = compressor.compress(promise, share);
       if (!made) break;
-      if (made->error.error_m > promise.error) continue;
+      if (!(made->error.share <= 1)) continue;
       if (bytes_of(*made) < bytes_of(clip)) clip = std::move(*made);
       return;
     }

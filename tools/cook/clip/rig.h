@@ -38,7 +38,7 @@ struct Rig {
 
 // What is promised about a clip: how far points on a shell round each joint may stray, in scene units.
 struct Promise {
-  double error = 1e-4;
+  std::vector<double> error;  // a joint
   double shell = 0.03;
 };
 

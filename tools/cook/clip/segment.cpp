@@ -69,21 +69,34 @@ Segment::Segment(const Rig& rig, const Promise& promise, const std::vector<Track
   find_reach();
 }
 
-// Rotations relative to the rest pose, each in the hemisphere of the one before; the others as differences.
+// The parameters of each rotation in the hemisphere of the one before, so that they are continuous, but for spins that
+// would go far beyond half a turn and start anew on the other side: the decoder takes the shorter arc.
+class Unwrapper {
+ public:
+  explicit Unwrapper(const glm::dquat& first) : last_(first) {}
+  glm::dvec3 next(glm::dquat q) {
+    constexpr double kMost = 2.41;  // tan(270° / 4)
+    if (glm::dot(last_, q) < 0) q = -q;
+    if (glm::length(to_rodrigues(q)) > kMost) q = -q;
+    last_ = q;
+    return to_rodrigues(q);
+  }
+
+ private:
+  glm::dquat last_;
+};
+
+// Rotations relative to the rest pose; the others as differences.
 void Segment::find_targets() {
   for (const TrackId& id : ids_) {
     const Transform& rest = rig_.rest[id.joint];
     std::vector<glm::dvec3> frames;
-    glm::dquat last(1, 0, 0, 0);
+    Unwrapper unwrapper({1, 0, 0, 0});
     for (std::size_t e = 0; e < moment_count(); e += kMoments) {
       const Transform& t = source_[id.joint][e];
       if (id.path == Path::translation) frames.push_back(t.translation - rest.translation);
       if (id.path == Path::scale) frames.push_back(t.scale - rest.scale);
-      if (id.path != Path::rotation) continue;
-      glm::dquat q = glm::conjugate(rest.rotation) * t.rotation;
-      if (glm::dot(last, q) < 0) q = -q;
-      last = q;
-      frames.push_back(to_rodrigues(q));
+      if (id.path == Path::rotation) frames.push_back(unwrapper.next(glm::conjugate(rest.rotation) * t.rotation));
     }
     targets_.push_back(std::move(frames));
   }
@@ -92,9 +105,11 @@ void Segment::find_targets() {
 void Segment::find_reach() {
   reach_.assign(rig_.size(), promise_.shell);
   scale_above_.assign(rig_.size(), 1);
+  least_ = promise_.error;
   for (std::size_t j = 0; j < rig_.size(); ++j) {
     const std::size_t parent = static_cast<std::size_t>(rig_.parents[j]);
     scale_above_[j] = rig_.parents[j] == kNone ? largest_axis(rig_.above[j]) : largest_axis(source_world_[parent][0]);
+    for (const std::size_t below : rig_.subtrees[j]) least_[j] = std::min(least_[j], promise_.error[below]);
     for (const std::size_t below : rig_.subtrees[j])
       for (std::size_t e = 0; e < moment_count(); e += kMoments)
         reach_[j] = std::max(reach_[j],
@@ -143,8 +158,8 @@ Segment::Trial Segment::attempt(std::size_t track, const CodedTrack& candidate) 
     for (std::size_t e = 0; e < moment_count(); ++e) {
       trial_world_[j][e] = rig_.place(j, up == nullptr ? nullptr : &(*up)[e], local[e]);
       const double error = shell_error(source_world_[j][e], trial_world_[j][e], promise_.shell);
-      if (!(error <= promise_.error)) return trial;
-      energy += eighth_power(error / promise_.error);
+      if (!(error <= promise_.error[j])) return trial;
+      energy += eighth_power(error / promise_.error[j]);
     }
     trial_energy_[j] = energy;
     trial.energy += energy - energy_[j];
@@ -164,10 +179,11 @@ void Segment::commit(std::size_t track, CodedTrack candidate) {
   coded_[track] = std::move(candidate);
 }
 
-// Steps in proportion to 1 / reach, so that each track alone strays by about `budget`.
-bool Segment::start(double budget) {
+// Steps in proportion to 1 / reach, so that each track alone strays by about `share` of the promise.
+bool Segment::start(double share) {
   for (std::size_t t = 0; t < ids_.size(); ++t) {
     const TrackId& id = ids_[t];
+    const double budget = share * least_[id.joint];
     const double step =
         id.path == Path::translation ? budget / scale_above_[id.joint] : budget / (2 * reach_[id.joint]);
     // As fine as wanted, or as the format's widths allow.
@@ -185,8 +201,8 @@ bool Segment::start(double budget) {
       const World* parent = rig_.parents[j] == kNone ? nullptr : &world_[static_cast<std::size_t>(rig_.parents[j])][e];
       world_[j][e] = rig_.place(j, parent, local_[j][e]);
       const double error = shell_error(source_world_[j][e], world_[j][e], promise_.shell);
-      if (!(error <= promise_.error)) return false;
-      energy_[j] += eighth_power(error / promise_.error);
+      if (!(error <= promise_.error[j])) return false;
+      energy_[j] += eighth_power(error / promise_.error[j]);
     }
   }
   return true;
@@ -249,7 +265,7 @@ std::vector<glm::dvec3> Segment::compensated(std::size_t track) const {
   const int parent = rig_.parents[id.joint];
   if (parent == kNone || id.path == Path::scale) return {};
   std::vector<glm::dvec3> out;
-  glm::dquat last = from_rodrigues(targets_[track][0]);
+  Unwrapper unwrapper(from_rodrigues(targets_[track][0]));
   for (std::size_t e = 0; e < moment_count(); e += kMoments) {
     const World& above = world_[static_cast<std::size_t>(parent)][e];
     const World& wanted = source_world_[id.joint][e];
@@ -260,10 +276,7 @@ std::vector<glm::dvec3> Segment::compensated(std::size_t track) const {
     }
     const std::optional<glm::dquat> turned = rotation_of(inverse * wanted.linear);
     if (!turned) return {};
-    glm::dquat q = glm::conjugate(rest.rotation) * *turned;
-    if (glm::dot(last, q) < 0) q = -q;
-    last = q;
-    out.push_back(to_rodrigues(q));
+    out.push_back(unwrapper.next(glm::conjugate(rest.rotation) * *turned));
   }
   return out;
 }
@@ -283,11 +296,11 @@ void Segment::compensate() {
 }
 
 bool Segment::search() {
-  double budget = kFirstShare * promise_.error;
+  double share = kFirstShare;
   int shrinks = 0;
-  while (!start(budget)) {
+  while (!start(share)) {
     if (++shrinks > kMostShrinks) return false;
-    budget *= 0.8;
+    share *= 0.8;
   }
   coarsen();
   std::vector<CodedTrack> best = coded_;

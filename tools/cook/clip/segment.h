@@ -40,7 +40,7 @@ class Segment {
   std::size_t moment_count() const { return source_.empty() ? 0 : source_[0].size(); }
   void find_targets();
   void find_reach();
-  bool start(double budget);
+  bool start(double share);
   Trial attempt(std::size_t track, const CodedTrack& candidate);
   void commit(std::size_t track, CodedTrack candidate);
   void decode_local(std::size_t joint, std::size_t track, const CodedTrack& candidate,
@@ -59,6 +59,7 @@ class Segment {
   std::vector<std::vector<glm::dvec3>> targets_;  // a track and frame: what is rounded
   std::vector<double> reach_;                     // a joint: metres to the farthest shell below it
   std::vector<double> scale_above_;               // a joint: scene units a unit of its translation
+  std::vector<double> least_;                     // a joint: the strictest promise for it and those below it
 
   std::vector<CodedTrack> coded_;
   std::vector<std::vector<Transform>> local_;  // as decoded, a joint and moment
