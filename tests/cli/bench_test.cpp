@@ -141,7 +141,7 @@ TEST(Bench, WithoutModelsTheSampleStandsInAndItIsSaid) {
 
   const Ran left_out = run_marrow({"bench", "--only", "sample/*/*_walk*", "--iterations", "1", "--json"});
   EXPECT_EQ(left_out.code, 0);
-  EXPECT_EQ(nlohmann::json::parse(left_out.out).size(), 4u);
+  EXPECT_EQ(nlohmann::json::parse(left_out.out).size(), 5u);
   EXPECT_NE(left_out.err.find("no pab.glb in"), std::string::npos) << left_out.err;
   EXPECT_EQ(run_marrow({"bench", "--only", "skin/ssd/p/1/1000", "--iterations", "1"}).err, "") << "needs no model";
 
