@@ -64,6 +64,8 @@ TEST(BadCalls, Sample) {
   EXPECT_EQ(sample(f.skeleton, f.clip, 0.5f, shorter(f.local)), Status::bad_argument);
   EXPECT_EQ(sample(f.skeleton, f.clip, 0.5f, {}), Status::bad_argument);
   EXPECT_EQ(sample(f.skeleton, f.clip, std::nanf(""), f.local), Status::bad_argument);
+  for (const float time_s : {INFINITY, -INFINITY, 1e30f, -1e30f})
+    EXPECT_EQ(sample(f.skeleton, f.clip, time_s, f.local), Status::ok) << "clamped";
   const test::TestSkeleton smaller({{}, {0}, {1}});
   EXPECT_EQ(sample(smaller.view(), f.clip, 0.5f, f.local), Status::bad_argument);
 }
