@@ -51,6 +51,14 @@ inline mask4 operator<(f32x4 a, f32x4 b) {
 inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
   return {vbslq_f32(m.v, yes.v, no.v)};
 }
+// All bits of a lane, or none.
+inline mask4 load_mask(const std::uint32_t* p) {
+  return {vld1q_u32(p)};
+}
+// The lanes in m; `to` is a multiple of 16 bytes.
+inline void store(float* to, mask4 m, f32x4 a) {
+  vst1q_f32(to, vbslq_f32(m.v, a.v, vld1q_f32(to)));
+}
 inline bool any(mask4 m) {
   return vmaxvq_u32(m.v) != 0;
 }
@@ -129,36 +137,18 @@ template <int Bits>
 inline i32x4 shift_left(i32x4 a) {
   return {vshlq_n_s32(a.v, Bits)};
 }
+inline i32x4 load_aligned(const std::uint32_t* p) {
+  return {vreinterpretq_s32_u32(vld1q_u32(p))};
+}
+// To a multiple of 16 bytes, for a look at single bytes.
+inline void store(std::byte* p, i32x4 a) {
+  vst1q_u8(reinterpret_cast<std::uint8_t*>(p), vreinterpretq_u8_s32(a.v));
+}
 inline f32x4 to_float(i32x4 a) {
   return {vcvtq_f32_s32(a.v)};
 }
 inline f32x4 bits_as_float(i32x4 a) {
   return {vreinterpretq_f32_s32(a.v)};
-}
-// One word from each place, whatever its alignment.
-inline i32x4 gather_words(const std::byte* const (&p)[4]) {
-  const auto word = [](const std::byte* at) { return reinterpret_cast<const std::int32_t*>(at); };
-  int32x4_t v = vld1q_dup_s32(word(p[0]));
-  v = vld1q_lane_s32(word(p[1]), v, 1);
-  v = vld1q_lane_s32(word(p[2]), v, 2);
-  return {vld1q_lane_s32(word(p[3]), v, 3)};
-}
-// Four int16 from each place, times 65536; component by component, one lane a place.
-inline void gather_int16(const std::byte* const (&p)[4], i32x4 (&out)[4]) {
-  const auto widened = [](const std::byte* at) {
-    return vshll_n_s16(vreinterpret_s16_u8(vld1_u8(reinterpret_cast<const std::uint8_t*>(at))), 16);
-  };
-  const int32x4_t a = widened(p[0]), b = widened(p[1]), c = widened(p[2]), d = widened(p[3]);
-  const int32x4x2_t ab = vtrnq_s32(a, b), cd = vtrnq_s32(c, d);
-  out[0] = {vcombine_s32(vget_low_s32(ab.val[0]), vget_low_s32(cd.val[0]))};
-  out[1] = {vcombine_s32(vget_low_s32(ab.val[1]), vget_low_s32(cd.val[1]))};
-  out[2] = {vcombine_s32(vget_high_s32(ab.val[0]), vget_high_s32(cd.val[0]))};
-  out[3] = {vcombine_s32(vget_high_s32(ab.val[1]), vget_high_s32(cd.val[1]))};
-}
-// Four times four int16 one after the other, times 65536; component by component.
-inline void load_int16(const std::byte* p, i32x4 (&out)[4]) {
-  const int16x4x4_t v = vld4_s16(reinterpret_cast<const std::int16_t*>(p));
-  for (int i = 0; i < 4; ++i) out[i] = {vshll_n_s16(v.val[i], 16)};
 }
 // Sixty-four bits from each of two places, whatever their alignment.
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
@@ -168,9 +158,6 @@ inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
 inline u64x2 load_aligned(const std::uint64_t* p) {
   return {vld1q_u64(p)};
 }
-inline void store(u64x2& to, u64x2 a) {
-  to = a;
-}
 inline u64x2 operator&(u64x2 a, u64x2 b) {
   return {vandq_u64(a.v, b.v)};
 }
@@ -179,15 +166,23 @@ constexpr std::uint64_t shift_count(std::uint64_t n) {
   return ~n + 1;  // NEON shifts left
 }
 // Both words by as many bits.
-inline u64x2 shift_right(u64x2 a, u64x2 n) {
-  return {vshlq_u64(a.v, vreinterpretq_s64_u64(n.v))};
+inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
+  return {vshlq_u64(a.v, vreinterpretq_s64_u64(vld1q_u64(n)))};
 }
-// The low halves of four pairs: of their first words, and of their second.
-inline void low_words(const u64x2 (&p)[4], i32x4& first, i32x4& second) {
-  const auto words = [](u64x2 a) { return vreinterpretq_s32_u64(a.v); };
-  const int32x4_t ab = vuzp1q_s32(words(p[0]), words(p[1])), cd = vuzp1q_s32(words(p[2]), words(p[3]));
-  first = {vuzp1q_s32(ab, cd)};
-  second = {vuzp2q_s32(ab, cd)};
+inline i32x4 words(u64x2 a) {
+  return {vreinterpretq_s32_u64(a.v)};
+}
+// Four words, whatever their alignment.
+inline i32x4 load_words(const std::byte* p) {
+  return {vreinterpretq_s32_u8(vld1q_u8(reinterpret_cast<const std::uint8_t*>(p)))};
+}
+// The first and third words of a and of b.
+inline i32x4 even(i32x4 a, i32x4 b) {
+  return {vuzp1q_s32(a.v, b.v)};
+}
+// The second and fourth.
+inline i32x4 odd(i32x4 a, i32x4 b) {
+  return {vuzp2q_s32(a.v, b.v)};
 }
 
 }  // namespace marrow

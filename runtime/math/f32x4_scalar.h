@@ -56,6 +56,14 @@ inline mask4 operator<(f32x4 a, f32x4 b) {
 inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
   return each_lane([&](int i) { return m.v[i] ? yes.v[i] : no.v[i]; });
 }
+// All bits of a lane, or none.
+inline mask4 load_mask(const std::uint32_t* p) {
+  return {{p[0] != 0, p[1] != 0, p[2] != 0, p[3] != 0}};
+}
+// The lanes in m; `to` is a multiple of 16 bytes.
+inline void store(float* to, mask4 m, f32x4 a) {
+  for (int i = 0; i < 4; ++i) to[i] = m.v[i] ? a.v[i] : to[i];
+}
 inline bool any(mask4 m) {
   return m.v[0] || m.v[1] || m.v[2] || m.v[3];
 }
@@ -140,29 +148,20 @@ template <int Bits>
 inline i32x4 shift_left(i32x4 a) {
   return each_int([&](int i) { return static_cast<std::int32_t>(static_cast<std::uint32_t>(a.v[i]) << Bits); });
 }
+inline i32x4 load_aligned(const std::uint32_t* p) {
+  i32x4 out;
+  std::memcpy(out.v, p, 16);
+  return out;
+}
+// To a multiple of 16 bytes, for a look at single bytes.
+inline void store(std::byte* p, i32x4 a) {
+  std::memcpy(p, a.v, 16);
+}
 inline f32x4 to_float(i32x4 a) {
   return each_lane([&](int i) { return static_cast<float>(a.v[i]); });
 }
 inline f32x4 bits_as_float(i32x4 a) {
   return each_lane([&](int i) { return std::bit_cast<float>(a.v[i]); });
-}
-// One word from each place, whatever its alignment.
-inline i32x4 gather_words(const std::byte* const (&p)[4]) {
-  i32x4 out;
-  for (int i = 0; i < 4; ++i) std::memcpy(out.v + i, p[i], 4);
-  return out;
-}
-// Four int16 from each place, times 65536; component by component, one lane a place.
-inline void gather_int16(const std::byte* const (&p)[4], i32x4 (&out)[4]) {
-  for (int lane = 0; lane < 4; ++lane) {
-    std::int16_t from[4];
-    std::memcpy(from, p[lane], 8);
-    for (int i = 0; i < 4; ++i) out[i].v[lane] = from[i] * 65536;
-  }
-}
-// Four times four int16 one after the other, times 65536; component by component.
-inline void load_int16(const std::byte* p, i32x4 (&out)[4]) {
-  gather_int16({p, p + 8, p + 16, p + 24}, out);
 }
 // Sixty-four bits from each of two places, whatever their alignment.
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
@@ -174,9 +173,6 @@ inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
 inline u64x2 load_aligned(const std::uint64_t* p) {
   return {{p[0], p[1]}};
 }
-inline void store(u64x2& to, u64x2 a) {
-  to = a;
-}
 inline u64x2 operator&(u64x2 a, u64x2 b) {
   return {{a.v[0] & b.v[0], a.v[1] & b.v[1]}};
 }
@@ -185,15 +181,25 @@ constexpr std::uint64_t shift_count(std::uint64_t n) {
   return n;
 }
 // Both words by as many bits.
-inline u64x2 shift_right(u64x2 a, u64x2 n) {
-  return {{a.v[0] >> n.v[0], a.v[1] >> n.v[0]}};
+inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
+  return {{a.v[0] >> n[0], a.v[1] >> n[0]}};
 }
-// The low halves of four pairs: of their first words, and of their second.
-inline void low_words(const u64x2 (&p)[4], i32x4& first, i32x4& second) {
-  for (int i = 0; i < 4; ++i) {
-    first.v[i] = static_cast<std::int32_t>(p[i].v[0] & 0xFFFFFFFFu);
-    second.v[i] = static_cast<std::int32_t>(p[i].v[1] & 0xFFFFFFFFu);
-  }
+inline i32x4 words(u64x2 a) {
+  return std::bit_cast<i32x4>(a);
+}
+// Four words, whatever their alignment.
+inline i32x4 load_words(const std::byte* p) {
+  i32x4 out;
+  std::memcpy(out.v, p, 16);
+  return out;
+}
+// The first and third words of a and of b.
+inline i32x4 even(i32x4 a, i32x4 b) {
+  return {{a.v[0], a.v[2], b.v[0], b.v[2]}};
+}
+// The second and fourth.
+inline i32x4 odd(i32x4 a, i32x4 b) {
+  return {{a.v[1], a.v[3], b.v[1], b.v[3]}};
 }
 
 }  // namespace marrow

@@ -53,6 +53,15 @@ inline mask4 operator<(f32x4 a, f32x4 b) {
 inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
   return {_mm_or_ps(_mm_and_ps(m.v, yes.v), _mm_andnot_ps(m.v, no.v))};
 }
+// All bits of a lane, or none.
+inline mask4 load_mask(const std::uint32_t* p) {
+  return {_mm_load_ps(reinterpret_cast<const float*>(p))};
+}
+// The lanes in m; `to` is a multiple of 16 bytes.
+inline void store(float* to, mask4 m, f32x4 a) {
+  const __m128 change = _mm_and_ps(_mm_xor_ps(a.v, _mm_load_ps(to)), m.v);
+  _mm_store_ps(to, _mm_xor_ps(change, _mm_load_ps(to)));
+}
 inline bool any(mask4 m) {
   return _mm_movemask_ps(m.v) != 0;
 }
@@ -133,43 +142,24 @@ template <int Bits>
 inline i32x4 shift_left(i32x4 a) {
   return {_mm_slli_epi32(a.v, Bits)};
 }
+inline i32x4 load_aligned(const std::uint32_t* p) {
+  return {_mm_load_si128(reinterpret_cast<const __m128i*>(p))};
+}
+// To a multiple of 16 bytes, for a look at single bytes.
+inline void store(std::byte* p, i32x4 a) {
+  __m128i* const to = reinterpret_cast<__m128i*>(p);
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__AVX__)
+  // GCC would rather shuffle each byte out of the register than load it.
+  asm("movdqa %1, %0" : "=m"(*to) : "x"(a.v));
+#else
+  _mm_store_si128(to, a.v);
+#endif
+}
 inline f32x4 to_float(i32x4 a) {
   return {_mm_cvtepi32_ps(a.v)};
 }
 inline f32x4 bits_as_float(i32x4 a) {
   return {_mm_castsi128_ps(a.v)};
-}
-// One word from each place, whatever its alignment.
-inline i32x4 gather_words(const std::byte* const (&p)[4]) {
-  const auto word = [](const std::byte* at) {
-    std::int32_t w;
-    std::memcpy(&w, at, 4);
-    return _mm_cvtsi32_si128(w);
-  };
-  return {_mm_unpacklo_epi64(_mm_unpacklo_epi32(word(p[0]), word(p[1])), _mm_unpacklo_epi32(word(p[2]), word(p[3])))};
-}
-// Four int16 from each place, times 65536; component by component, one lane a place.
-inline void gather_int16(const std::byte* const (&p)[4], i32x4 (&out)[4]) {
-  const auto half = [](const std::byte* at) { return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(at)); };
-  const auto pair = [half](const std::byte* a, const std::byte* b) { return _mm_unpacklo_epi16(half(a), half(b)); };
-  const __m128i ab = pair(p[0], p[1]), cd = pair(p[2], p[3]);  // x0 x1 y0 y1 …
-  const __m128i xy = _mm_unpacklo_epi32(ab, cd), zw = _mm_unpackhi_epi32(ab, cd);
-  const __m128i zero = _mm_setzero_si128();
-  out[0] = {_mm_unpacklo_epi16(zero, xy)};
-  out[1] = {_mm_unpackhi_epi16(zero, xy)};
-  out[2] = {_mm_unpacklo_epi16(zero, zw)};
-  out[3] = {_mm_unpackhi_epi16(zero, zw)};
-}
-// Four times four int16 one after the other, times 65536; component by component.
-inline void load_int16(const std::byte* p, i32x4 (&out)[4]) {
-  const __m128i ab = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
-  const __m128i cd = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p) + 1);
-  const __m128i ac = _mm_unpacklo_epi16(ab, cd), bd = _mm_unpackhi_epi16(ab, cd);
-  const __m128i xy = _mm_unpacklo_epi16(ac, bd), zw = _mm_unpackhi_epi16(ac, bd), zero = _mm_setzero_si128();
-  out[0] = {_mm_unpacklo_epi16(zero, xy)};
-  out[1] = {_mm_unpackhi_epi16(zero, xy)};
-  out[2] = {_mm_unpacklo_epi16(zero, zw)};
-  out[3] = {_mm_unpackhi_epi16(zero, zw)};
 }
 // Sixty-four bits from each of two places, whatever their alignment.
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
@@ -179,9 +169,6 @@ inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
 inline u64x2 load_aligned(const std::uint64_t* p) {
   return {_mm_load_si128(reinterpret_cast<const __m128i*>(p))};
 }
-inline void store(u64x2& to, u64x2 a) {
-  _mm_store_si128(&to.v, a.v);
-}
 inline u64x2 operator&(u64x2 a, u64x2 b) {
   return {_mm_and_si128(a.v, b.v)};
 }
@@ -190,17 +177,32 @@ constexpr std::uint64_t shift_count(std::uint64_t n) {
   return n;
 }
 // Both words by as many bits.
-inline u64x2 shift_right(u64x2 a, u64x2 n) {
-  return {_mm_srl_epi64(a.v, n.v)};
+inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
+  const __m128i* const count = reinterpret_cast<const __m128i*>(n);
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__AVX__)
+  // GCC cannot fold this load, and sends it through a general register.
+  asm("psrlq %1, %0" : "+x"(a.v) : "m"(*count));
+  return a;
+#else
+  return {_mm_srl_epi64(a.v, _mm_load_si128(count))};
+#endif
 }
-// The low halves of four pairs: of their first words, and of their second.
-inline void low_words(const u64x2 (&p)[4], i32x4& first, i32x4& second) {
-  const auto even = [](__m128 a, __m128 b) { return _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)); };
-  const auto odd = [](__m128 a, __m128 b) { return _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)); };
-  const __m128 ab = even(_mm_castsi128_ps(p[0].v), _mm_castsi128_ps(p[1].v));
-  const __m128 cd = even(_mm_castsi128_ps(p[2].v), _mm_castsi128_ps(p[3].v));
-  first = {_mm_castps_si128(even(ab, cd))};
-  second = {_mm_castps_si128(odd(ab, cd))};
+inline i32x4 words(u64x2 a) {
+  return {a.v};
+}
+// Four words, whatever their alignment.
+inline i32x4 load_words(const std::byte* p) {
+  return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))};
+}
+// The first and third words of a and of b.
+inline i32x4 even(i32x4 a, i32x4 b) {
+  const __m128 v = _mm_shuffle_ps(_mm_castsi128_ps(a.v), _mm_castsi128_ps(b.v), _MM_SHUFFLE(2, 0, 2, 0));
+  return {_mm_castps_si128(v)};
+}
+// The second and fourth.
+inline i32x4 odd(i32x4 a, i32x4 b) {
+  const __m128 v = _mm_shuffle_ps(_mm_castsi128_ps(a.v), _mm_castsi128_ps(b.v), _MM_SHUFFLE(3, 1, 3, 1));
+  return {_mm_castps_si128(v)};
 }
 
 }  // namespace marrow

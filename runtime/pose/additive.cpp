@@ -13,6 +13,31 @@ f32x4 ratio(f32x4 a, f32x4 b) {
   return select(zero < b, a / safe, select(b < zero, a / safe, one));
 }
 
+// Masked: lanes whose factor is 0 keep their bits.
+template <bool Masked>
+void add_layer(const AdditiveLayer& layer, std::size_t groups, SoaTransform* pose) {
+  const f32x4 one = splat(1.0f), weight = splat(layer.weight);
+  for (std::size_t g = 0; g < groups; ++g) {
+    const f32x4 w = Masked ? factors(layer.mask, g) * weight : weight;
+    const mask4 touched = splat(0.0f) < w;
+    if (Masked && !any(touched)) continue;
+    const auto put = [touched](float* to, f32x4 value) { Masked ? store(to, touched, value) : store(to, value); };
+    const SoaTransform& by = layer.change.data[g].change;
+    SoaTransform& p = pose[g];
+    const Quaternions whole = load_rotations(by);
+    const Quaternions part = {whole.x * w, whole.y * w, whole.z * w, (one - w) + whole.w * w};
+    const Quaternions after = normalised(part * load_rotations(p));
+    put(p.rotation[0], after.x);
+    put(p.rotation[1], after.y);
+    put(p.rotation[2], after.z);
+    put(p.rotation[3], after.w);
+    for (int i = 0; i < 3; ++i) {
+      put(p.translation[i], load_aligned(p.translation[i]) + load_aligned(by.translation[i]) * w);
+      put(p.scale[i], load_aligned(p.scale[i]) * (one + (load_aligned(by.scale[i]) - one) * w));
+    }
+  }
+}
+
 }  // namespace
 
 Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Span<const SoaTransform> reference,
@@ -45,24 +70,8 @@ Status add(const Skeleton& skeleton, const AdditiveLayer& layer, Span<SoaTransfo
   MARROW_REQUIRE(layer.change.size >= groups);
   MARROW_REQUIRE(within(layer.weight, 0.0f, 1.0f));
   MARROW_REQUIRE(long_enough(layer.mask, groups));
-  const f32x4 zero = splat(0.0f), one = splat(1.0f), weight = splat(layer.weight);
-  for (std::size_t g = 0; g < groups; ++g) {
-    const f32x4 w = factors(layer.mask, g) * weight;
-    const mask4 touched = zero < w;
-    if (!any(touched)) continue;
-    const SoaTransform& by = layer.change[g].change;
-    SoaTransform& p = pose[g];
-    const Quaternions before = load_rotations(p), whole = load_rotations(by);
-    const Quaternions part = {whole.x * w, whole.y * w, whole.z * w, (one - w) + whole.w * w};
-    const Quaternions after = normalised(part * before);
-    store_rotations(p, {select(touched, after.x, before.x), select(touched, after.y, before.y),
-                        select(touched, after.z, before.z), select(touched, after.w, before.w)});
-    for (int i = 0; i < 3; ++i) {
-      const f32x4 t = load_aligned(p.translation[i]), s = load_aligned(p.scale[i]);
-      store(p.translation[i], select(touched, t + load_aligned(by.translation[i]) * w, t));
-      store(p.scale[i], select(touched, s * (one + (load_aligned(by.scale[i]) - one) * w), s));
-    }
-  }
+  if (layer.weight == 0.0f) return Status::ok;
+  layer.mask.empty() ? add_layer<false>(layer, groups, pose.data) : add_layer<true>(layer, groups, pose.data);
   return Status::ok;
 }
 

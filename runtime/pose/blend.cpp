@@ -123,37 +123,40 @@ struct MaskedLayer {
   f32x4 weight;
 };
 
-// Two layers, the usual case with masks, from group `first` on until a joint's weights fall short of the threshold.
-// Returns that group, or `groups`. Nothing is called in here, so that all constants stay in registers.
-std::size_t blend_two(const MaskedLayer& a, const MaskedLayer& b, float threshold, std::size_t first,
-                      std::size_t groups, SoaTransform* out) {
-  const f32x4 weight_a = a.weight, weight_b = b.weight, least = splat(threshold);
-  const float *mask_a = a.mask + first * a.step, *mask_b = b.mask + first * b.step;
-  const std::size_t step_a = a.step, step_b = b.step;
-  const SoaTransform *from = a.pose, *to = b.pose;
-  for (std::size_t g = first; g < groups; ++g, mask_a += step_a, mask_b += step_b) {
-    const f32x4 wa = clamp_to_unit(load(mask_a)) * weight_a, wb = clamp_to_unit(load(mask_b)) * weight_b;
-    const f32x4 total = wa + wb;
-    if (any(total < least)) return g;
-    f32x4 rotation[4];
-    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(from[g].rotation[i]) * wa;
-    add_rotation(rotation, to[g], wb);
+// Two layers, the usual case with masks; both weights are more than 0. Nothing is called in the loop, so that constants
+// stay in registers.
+void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float threshold, std::size_t groups,
+               SoaTransform* out) {
+  const f32x4 least = splat(threshold);
+  for (std::size_t g = 0; g < groups; ++g, a.mask += a.step, b.mask += b.step) {
+    const SoaTransform &x = a.pose[g], &y = b.pose[g], &r = rest[g];
+    const f32x4 wx = clamp_to_unit(load(a.mask)) * a.weight, wy = clamp_to_unit(load(b.mask)) * b.weight;
+    f32x4 rotation[4], total = wx + wy;
+    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(x.rotation[i]) * wx;
+    add_rotation(rotation, y, wy);
+    const mask4 short_of = total < least;
+    if (any(short_of)) {
+      const f32x4 missing = select(short_of, least - total, splat(0.0f));
+      add_rotation(rotation, r, missing);
+      store_rotation(rotation, out[g]);
+      total = total + missing;
+      const f32x4 u = wx / total, v = wy / total;
+      const auto mix = [u, v](const float* base, const float* first, const float* second, float* mixed) {
+        const f32x4 from = load_aligned(base);
+        store(mixed, from + (load_aligned(first) - from) * u + (load_aligned(second) - from) * v);
+      };
+      for (int i = 0; i < 3; ++i) mix(r.translation[i], x.translation[i], y.translation[i], out[g].translation[i]);
+      for (int i = 0; i < 3; ++i) mix(r.scale[i], x.scale[i], y.scale[i], out[g].scale[i]);
+      continue;
+    }
     store_rotation(rotation, out[g]);
-    const f32x4 u = wb / total;
-    const auto mix = [u](const float* x, const float* y, float* mixed) {
-      store(mixed, load_aligned(x) + (load_aligned(y) - load_aligned(x)) * u);
+    const f32x4 u = wy / total;
+    const auto mix = [u](const float* first, const float* second, float* mixed) {
+      store(mixed, load_aligned(first) + (load_aligned(second) - load_aligned(first)) * u);
     };
-    for (int i = 0; i < 3; ++i) mix(from[g].translation[i], to[g].translation[i], out[g].translation[i]);
-    for (int i = 0; i < 3; ++i) mix(from[g].scale[i], to[g].scale[i], out[g].scale[i]);
+    for (int i = 0; i < 3; ++i) mix(x.translation[i], y.translation[i], out[g].translation[i]);
+    for (int i = 0; i < 3; ++i) mix(x.scale[i], y.scale[i], out[g].scale[i]);
   }
-  return groups;
-}
-
-void blend_two_masked(Span<const BlendLayer> layers, const SoaTransform* rest, float threshold, std::size_t groups,
-                      SoaTransform* out) {
-  const MaskedLayer a(layers[0]), b(layers[1]);
-  for (std::size_t g = 0; (g = blend_two(a, b, threshold, g, groups, out)) < groups; ++g)
-    blend_group(layers, rest[g], threshold, g, out[g]);
 }
 
 void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
@@ -191,7 +194,7 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
     masked |= !layer.mask.empty();
   }
   if (masked && layers.size == 2 && layers[0].weight > 0.0f && layers[1].weight > 0.0f) {
-    blend_two_masked(layers, skeleton.rest, threshold, groups, out.data);
+    blend_two(MaskedLayer(layers[0]), MaskedLayer(layers[1]), skeleton.rest, threshold, groups, out.data);
     return Status::ok;
   }
   FewLayers few;

@@ -3,52 +3,66 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "core/opaque.h"
 #include "math/f32x4.h"
 #include "math/slerp.h"
 
 namespace marrow {
 namespace {
 
-// What a width code means, as vectors: no instruction shifts or masks by a number from memory. Looked up by the code
-// times 16, which is where the code stands in a header or how far an entry is from the first.
-struct Widths {
+constexpr std::uint32_t kHeaderBytes = sizeof(format::TrackHeader), kConstantBytes = sizeof(format::Constant);
+
+struct Tables {
+  // What a width code means, as vectors: no instruction shifts or masks by a number from memory. Looked up by the code
+  // times 16, which is where the code stands in a header or how far an entry is from the first.
   alignas(16) std::uint64_t mask[16][2];
   alignas(16) std::uint64_t shift[16][2];
   std::uint64_t bits_times_16[16][2];
+  // By sets of lanes: the set as a vector, and where its lanes' headers and constants stand. A lane that is not in the
+  // set shares another's.
+  alignas(16) std::uint32_t lanes[16][4];
+  std::uint8_t header[16][4], constant[16][4];
+  std::uint8_t header_bytes[16], constant_bytes[16];
+  // Operands from memory.
+  alignas(16) float one[4], two[4], series_limit[4];
+  alignas(16) std::uint32_t codes[4], high[4];
 };
-constexpr Widths make_widths() {
-  Widths w{};
-  for (std::uint32_t code = 0; code < 16; ++code)
+constexpr Tables make_tables() {
+  Tables t{};
+  for (std::uint32_t n = 0; n < 16; ++n) {
     for (int i = 0; i < 2; ++i) {
-      w.shift[code][i] = shift_count(format::component_bits(code));
-      w.bits_times_16[code][i] = 16 * format::component_bits(code);
-      w.mask[code][i] = (std::uint64_t{1} << format::component_bits(code)) - 1;
+      t.shift[n][i] = shift_count(format::component_bits(n));
+      t.bits_times_16[n][i] = 16 * format::component_bits(n);
+      t.mask[n][i] = (std::uint64_t{1} << format::component_bits(n)) - 1;
     }
-  return w;
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      if ((n >> lane & 1u) == 0) continue;
+      t.lanes[n][lane] = ~0u;
+      t.header[n][lane] = t.header_bytes[n];
+      t.constant[n][lane] = t.constant_bytes[n];
+      t.header_bytes[n] = static_cast<std::uint8_t>(t.header_bytes[n] + kHeaderBytes);
+      t.constant_bytes[n] = static_cast<std::uint8_t>(t.constant_bytes[n] + kConstantBytes);
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    t.one[i] = 1.0f;
+    t.two[i] = 2.0f;
+    t.series_limit[i] = kSlerpSeriesLimit;
+    t.codes[i] = 0xF0F0F0F0u;
+    t.high[i] = 0xFFFF0000u;
+  }
+  return t;
 }
-constexpr Widths kWidths = make_widths();
+constexpr Tables kTables = make_tables();
+
+// One address for all tables, and numbers that stay where instructions can take them from.
+inline const Tables& tables() {
+  return *opaque(&kTables);
+}
 
 inline const std::uint64_t* at(const std::uint64_t (&table)[16][2], std::uint64_t code_times_16) {
   return reinterpret_cast<const std::uint64_t*>(reinterpret_cast<const std::byte*>(table) + code_times_16);
 }
-
-// Sets of lanes as vectors: 1 for a lane in the set.
-struct Lanes {
-  alignas(16) float in[16][4];
-};
-constexpr Lanes make_lanes() {
-  Lanes l{};
-  for (std::uint32_t set = 0; set < 16; ++set)
-    for (std::uint32_t lane = 0; lane < 4; ++lane) l.in[set][lane] = static_cast<float>(set >> lane & 1u);
-  return l;
-}
-constexpr Lanes kLanes = make_lanes();
-
-constexpr std::uint8_t kBitCount[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
-
-// Stands in for a lane without a track: every component 0, or the identity.
-constexpr std::byte kNoTrack[16] = {};
-constexpr format::Constant kNoConstant = {{0, 0, 0, 32767}};
 
 // Two neighbouring frames of four sub-tracks, one lane each: (a or b + least) · step.
 struct Unpacked {
@@ -64,97 +78,123 @@ inline f32x4 step_sizes(i32x4 codes) {
 // Stands at a track's header and at its integers in two neighbouring frames.
 struct Cursor {
   const std::byte* header;
-  const std::byte *a, *b;          // records of the frames
-  std::uint64_t bit_times_16 = 0;  // into both
+  std::size_t frame_bytes;
+  const std::byte* record;         // in the first frame
+  std::uint64_t bit_times_16 = 0;  // from there
 
   Cursor(const std::byte* segment, std::uint32_t track_count, std::uint32_t frame) {
-    std::uint32_t frame_bytes;
-    std::memcpy(&frame_bytes, segment, 4);
+    std::uint32_t bytes;
+    std::memcpy(&bytes, segment, 4);
     header = segment + 4;
-    a = header + std::size_t{track_count} * sizeof(format::TrackHeader) + std::size_t{frame_bytes} * frame;
-    b = a + frame_bytes;
-  }
-};
-
-// Widths of x, y, z times 16.
-struct Codes {
-  std::uint64_t x, y, z;
-  explicit Codes(const std::byte* header) {
-    std::uint32_t word;
-    std::memcpy(&word, header, 4);
-    x = word & 0xF0u;
-    y = word >> 4 & 0xF0u;
-    z = word >> 8 & 0xF0u;
-  }
-  std::uint64_t bits_times_16() const {
-    return *at(kWidths.bits_times_16, x) + *at(kWidths.bits_times_16, y) + *at(kWidths.bits_times_16, z);
+    frame_bytes = bytes;
+    record = header + std::size_t{track_count} * kHeaderBytes + frame_bytes * frame;
   }
 };
 
 // Passes over as many tracks as there are bits in `lanes`.
 void skip(Cursor& cursor, std::uint32_t lanes) {
+  const auto& bits = kTables.bits_times_16;
   for (; lanes != 0; lanes &= lanes - 1) {
-    cursor.bit_times_16 += Codes(cursor.header).bits_times_16();
-    cursor.header += sizeof(format::TrackHeader);
+    std::uint32_t codes;
+    std::memcpy(&codes, cursor.header, 4);
+    cursor.bit_times_16 += *at(bits, codes & 0xF0u) + *at(bits, codes >> 4 & 0xF0u) + *at(bits, codes >> 8 & 0xF0u);
+    cursor.header += kHeaderBytes;
   }
 }
 
-// The next tracks, one for each lane in `lanes`.
-__attribute__((always_inline)) inline void unpack(Cursor& cursor, std::uint32_t lanes, Unpacked& out) {
-  u64x2 x[4], y[4], z[4];  // both frames' integers
-  const std::byte* headers[4];
-  const std::byte* header = cursor.header;
-  const std::byte *const a = cursor.a, *const b = cursor.b;
-  std::uint64_t bit = cursor.bit_times_16;
-  for (std::uint32_t lane = 0; lane < 4; ++lane) {
-    if ((lanes >> lane & 1u) == 0) {
-      headers[lane] = kNoTrack;
-      const u64x2 zero = load_aligned(kWidths.mask[0]);
-      store(x[lane], zero);
-      store(y[lane], zero);
-      store(z[lane], zero);
-      continue;
-    }
-    const Codes codes(header);
-    u64x2 w = shift_right(load_pair(a + bit / 128, b + bit / 128), load_aligned(at(kWidths.shift, bit % 128)));
-    bit += codes.bits_times_16();
-    store(x[lane], w & load_aligned(at(kWidths.mask, codes.x)));
-    w = shift_right(w, load_aligned(at(kWidths.shift, codes.x)));
-    store(y[lane], w & load_aligned(at(kWidths.mask, codes.y)));
-    w = shift_right(w, load_aligned(at(kWidths.shift, codes.y)));
-    store(z[lane], w & load_aligned(at(kWidths.mask, codes.z)));
-    headers[lane] = header;
-    header += sizeof(format::TrackHeader);
-  }
-  cursor.header = header;
-  cursor.bit_times_16 = bit;
-  const i32x4 words = gather_words(headers);
+// The numbers of four lanes, four int16 each, times 65536; ab and cd hold two lanes each.
+inline void widen(const Tables& t, i32x4 ab, i32x4 cd, i32x4 (&out)[4]) {
+  const i32x4 xy = even(ab, cd), zw = odd(ab, cd);
+  const i32x4 high = load_aligned(t.high);
+  out[0] = shift_left<16>(xy);
+  out[1] = xy & high;
+  out[2] = shift_left<16>(zw);
+  out[3] = zw & high;
+}
+
+// The first bytes of four headers, each code with its upper neighbour out of the way: times 16.
+struct Codes {
+  alignas(16) std::byte upper[16];  // x in byte 0, z in byte 1 of each word
+  alignas(16) std::byte lower[16];  // y in byte 1
+};
+
+// Both frames' integers of a track.
+struct Fields {
+  u64x2 x, y, z;
+};
+
+// The next track's; moves `record` to the byte where its bits begin, and `bit_times_16` from there behind them.
+inline void next_fields(const std::byte*& record, std::uint64_t& bit_times_16, std::size_t frame_bytes, const Tables& t,
+                        const Codes& codes, std::uint32_t lane, Fields& out) {
+  const auto x = static_cast<std::uint64_t>(codes.upper[4 * lane]),
+             y = static_cast<std::uint64_t>(codes.lower[4 * lane + 1]),
+             z = static_cast<std::uint64_t>(codes.upper[4 * lane + 1]);
+  record += bit_times_16 / 128;
+  bit_times_16 %= 128;
+  const u64x2 w = shift_right(load_pair(record, record + frame_bytes), at(t.shift, bit_times_16));
+  // In this order each sum takes an operand from memory.
+  bit_times_16 = opaque(bit_times_16 + *at(t.bits_times_16, x));
+  bit_times_16 = opaque(bit_times_16 + *at(t.bits_times_16, y));
+  bit_times_16 += *at(t.bits_times_16, z);
+  const u64x2 v = shift_right(w, at(t.shift, x));
+  out.x = w & load_aligned(at(t.mask, x));
+  out.y = v & load_aligned(at(t.mask, y));
+  out.z = shift_right(v, at(t.shift, y)) & load_aligned(at(t.mask, z));
+}
+
+// Two lanes' fields side by side: of the first frame and of the second, in turn.
+struct TwoLanes {
+  i32x4 c[3];
+};
+
+// The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in both frames.
+__attribute__((always_inline)) inline void unpack(Cursor& cursor, const Tables& t, std::uint32_t lanes, Unpacked& out) {
+  const std::uint8_t(&offsets)[4] = t.header[lanes];
+  const std::byte *const h0 = cursor.header + offsets[0], *const h1 = cursor.header + offsets[1],
+                         *const h2 = cursor.header + offsets[2], *const h3 = cursor.header + offsets[3];
+  cursor.header += t.header_bytes[lanes];
+  const auto load_two = [](const std::byte* a, const std::byte* b) { return words(load_pair(a, b)); };
+  const i32x4 heads = even(load_two(h0, h1), load_two(h2, h3));
+  Codes codes;
+  store(codes.upper, heads & load_aligned(t.codes));
+  store(codes.lower, shift_left<4>(heads) & load_aligned(t.codes));
   // 2^(shift - 16): the shift of the minima, put where a float has its exponent.
-  const f32x4 power = bits_as_float(shift_left<23>(words & splat_int(15)) + splat_int((127 - 16) << 23));
+  const f32x4 power = bits_as_float(shift_left<23>(heads & splat_int(15)) + splat_int((127 - 16) << 23));
   i32x4 least[4];
-  gather_int16({headers[0] + 3, headers[1] + 3, headers[2] + 3, headers[3] + 3}, least);
-  const auto finish = [&](const u64x2(&fields)[4], int c) {
-    i32x4 first, second;
-    low_words(fields, first, second);
-    out.a[c] = to_float(first);
-    out.b[c] = to_float(second);
-    out.least[c] = to_float(least[c]) * power;
+  widen(t, load_two(h0 + 3, h1 + 3), load_two(h2 + 3, h3 + 3), least);
+  for (int c = 0; c < 3; ++c) out.least[c] = to_float(least[c]) * power;
+  out.step = step_sizes(heads & splat_int(0xFF0000));
+
+  const std::byte* record = cursor.record;
+  std::uint64_t bit = cursor.bit_times_16;
+  const std::size_t frame_bytes = cursor.frame_bytes;
+  const auto two = [&](std::uint32_t first) {
+    const u64x2 zero = load_aligned(kTables.mask[0]);
+    Fields f = {zero, zero, zero}, g = f;
+    if ((lanes >> first & 1u) != 0) [[likely]]
+      next_fields(record, bit, frame_bytes, t, codes, first, f);
+    if ((lanes >> (first + 1) & 1u) != 0) [[likely]]
+      next_fields(record, bit, frame_bytes, t, codes, first + 1, g);
+    return TwoLanes{{even(words(f.x), words(g.x)), even(words(f.y), words(g.y)), even(words(f.z), words(g.z))}};
   };
-  finish(x, 0);
-  finish(y, 1);
-  finish(z, 2);
-  out.step = step_sizes(words & splat_int(0xFF0000));
+  const TwoLanes ab = two(0), cd = two(2);
+  cursor.record = record;
+  cursor.bit_times_16 = bit;
+  for (int c = 0; c < 3; ++c) {
+    out.a[c] = to_float(even(ab.c[c], cd.c[c]));
+    out.b[c] = to_float(odd(ab.c[c], cd.c[c]));
+  }
 }
 
 // Writes the lanes in `lanes` of N components.
 template <std::size_t N>
-inline void store_lanes(const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
+inline void store_lanes(const Tables& t, const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
   if (lanes == 15) {
     for (std::size_t i = 0; i < N; ++i) store(to[i], value[i]);
     return;
   }
-  const mask4 mask = splat(0.0f) < load_aligned(kLanes.in[lanes]);
-  for (std::size_t i = 0; i < N; ++i) store(to[i], select(mask, value[i], load_aligned(to[i])));
+  const mask4 mask = load_mask(t.lanes[lanes]);
+  for (std::size_t i = 0; i < N; ++i) store(to[i], mask, value[i]);
 }
 
 // The quaternion of modified Rodrigues parameters m is (factor · m, factor - 1) with factor = 2 / (1 + m²).
@@ -162,10 +202,10 @@ struct Rodrigues {
   f32x4 x, y, z, factor;
 };
 
-inline Rodrigues rodrigues(const f32x4 (&n)[3], const Unpacked& four) {
+inline Rodrigues rodrigues(const Tables& t, const f32x4 (&n)[3], const Unpacked& four) {
   const f32x4 x = (n[0] + four.least[0]) * four.step, y = (n[1] + four.least[1]) * four.step,
               z = (n[2] + four.least[2]) * four.step;
-  return {x, y, z, splat(2.0f) / (splat(1.0f) + dot3(x, y, z, x, y, z))};
+  return {x, y, z, load_aligned(t.two) / (dot3(x, y, z, x, y, z) + load_aligned(t.one))};
 }
 
 // The blend of two frames, the same for every joint.
@@ -175,89 +215,128 @@ struct Blend {
   explicit Blend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
 };
 
-// The next tracks, of rotations.
-inline void rotate_rest(Cursor& cursor, std::uint32_t tracks, const Blend& blend, const float (&rest)[4][4],
-                        std::uint32_t wanted, float (&rotation)[4][4]) {
-  Unpacked four;
-  unpack(cursor, tracks, four);
-  const Rodrigues a = rodrigues(four.a, four), b = rodrigues(four.b, four);
+// Rotations, into the lanes in `lanes`.
+inline void rotate_rest(const Tables& t, const Unpacked& four, const Blend& blend, const float (&rest)[4][4],
+                        std::uint32_t lanes, float (&rotation)[4][4]) {
+  const Rodrigues a = rodrigues(t, four.a, four), b = rodrigues(t, four.b, four);
   // The squared chord between the quaternions, without a difference of large numbers.
   const f32x4 dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
   const f32x4 chord_squared = dot3(dx, dy, dz, dx, dy, dz) * (a.factor * b.factor);
-  f32x4 wa = slerp_weight(blend.a, chord_squared), wb = slerp_weight(blend.b, chord_squared);
-  if (any(splat(kSlerpSeriesLimit) < chord_squared)) {
+  f32x4 wa, wb;
+  if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
     // Beyond half a turn, -b is as good as b, and nearer.
     const mask4 far = splat(2.0f) < chord_squared;
     const auto [exact_a, exact_b] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
     wa = exact_a;
     wb = select(far, splat(0.0f) - exact_b, exact_b);
+  } else {
+    wa = slerp_weight(blend.a, chord_squared);
+    wb = slerp_weight(blend.b, chord_squared);
   }
   const f32x4 fa = wa * a.factor, fb = wb * b.factor;
   const f32x4 x = fa * a.x + fb * b.x, y = fa * a.y + fb * b.y, z = fa * a.z + fb * b.z, w = (fa + fb) - (wa + wb);
   const f32x4 rx = load_aligned(rest[0]), ry = load_aligned(rest[1]), rz = load_aligned(rest[2]),
               rw = load_aligned(rest[3]);
-  store_lanes({rw * x + rx * w + (ry * z - rz * y), rw * y + ry * w + (rz * x - rx * z),
+  store_lanes(t,
+              {rw * x + rx * w + (ry * z - rz * y), rw * y + ry * w + (rz * x - rx * z),
                rw * z + rz * w + (rx * y - ry * x), rw * w - dot3(rx, ry, rz, x, y, z)},
-              tracks & wanted, rotation);
+              lanes, rotation);
 }
 
-// The next tracks, of translations or scales.
-void add_to_rest(Cursor& cursor, std::uint32_t tracks, f32x4 u, const float (&rest)[3][4], std::uint32_t wanted,
-                 float (&vector)[3][4]) {
-  if ((tracks & wanted) == 0) return skip(cursor, tracks);
-  Unpacked four;
-  unpack(cursor, tracks, four);
+// Translations or scales.
+inline void add_to_rest(const Tables& t, const Unpacked& four, f32x4 u, const float (&rest)[3][4], std::uint32_t lanes,
+                        float (&vector)[3][4]) {
   f32x4 out[3];
   for (int c = 0; c < 3; ++c)
     out[c] = load_aligned(rest[c]) + (four.a[c] + (four.b[c] - four.a[c]) * u + four.least[c]) * four.step;
-  store_lanes(out, tracks & wanted, vector);
+  store_lanes(t, out, lanes, vector);
 }
 
-// The numbers of the next constants times 65536, one for each lane in `lanes`.
-inline const std::byte* gather_constants(const std::byte* next, std::uint32_t lanes, i32x4 (&v)[4]) {
-  constexpr std::size_t kSize = sizeof(format::Constant);
-  if (lanes == 15) {
-    load_int16(next, v);
-    return next + 4 * kSize;
+// What moves in a group: the next tracks. One loop for all kinds, since they are unpacked alike.
+inline void set_moving(const Tables& t, Cursor& cursor, std::uint32_t moving, const Blend& blend,
+                       const SoaTransform& rest, std::uint32_t wanted, SoaTransform& out) {
+  for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
+    const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
+    if (tracks == 0) continue;
+    if (lanes == 0) {
+      skip(cursor, tracks);
+      continue;
+    }
+    Unpacked four;
+    unpack(cursor, t, tracks, four);
+    if (kind == 0) {
+      rotate_rest(t, four, blend, rest.rotation, lanes, out.rotation);
+    } else {
+      const bool scales = kind == 2;
+      add_to_rest(t, four, blend.u, scales ? rest.scale : rest.translation, lanes,
+                  scales ? out.scale : out.translation);
+    }
   }
-  const std::byte* from[4];
-  for (std::uint32_t lane = 0; lane < 4; ++lane) {
-    const bool present = (lanes >> lane & 1u) != 0;
-    from[lane] = present ? next : reinterpret_cast<const std::byte*>(&kNoConstant);
-    next += present ? kSize : 0;
-  }
-  gather_int16(from, v);
-  return next;
 }
 
-inline const std::byte* set_rotation(const std::byte* next, std::uint32_t constant, std::uint32_t lanes,
-                                     float (&rotation)[4][4]) {
+// Of the next constants, one for each lane in `lanes`, those of the lanes `first` and `first` + 1.
+inline i32x4 two_constants(const Tables& t, const std::byte* next, std::uint32_t lanes, std::uint32_t first) {
+  const std::uint8_t(&offset)[4] = t.constant[lanes];
+  return words(load_pair(next + offset[first], next + offset[first + 1]));
+}
+
+// From constants of two lanes each: quaternions times any factor.
+inline void set_rotations(const Tables& t, i32x4 ab, i32x4 cd, std::uint32_t lanes, float (&rotation)[4][4]) {
   i32x4 v[4];
-  next = gather_constants(next, constant, v);
+  widen(t, ab, cd, v);
   const f32x4 x = to_float(v[0]), y = to_float(v[1]), z = to_float(v[2]), w = to_float(v[3]);
-  const f32x4 inverse = splat(1.0f) / sqrt(dot3(x, y, z, x, y, z) + w * w);
-  store_lanes({x * inverse, y * inverse, z * inverse, w * inverse}, lanes, rotation);
-  return next;
+  const f32x4 inverse = load_aligned(t.one) / sqrt(dot3(x, y, z, x, y, z) + w * w);
+  store_lanes(t, {x * inverse, y * inverse, z * inverse, w * inverse}, lanes, rotation);
 }
 
-const std::byte* set_vector(const std::byte* next, std::uint32_t constant, const float (&rest)[3][4],
-                            std::uint32_t lanes, float (&vector)[3][4]) {
+// Differences from the rest pose, and their steps.
+inline void set_vectors(const Tables& t, i32x4 ab, i32x4 cd, const float (&rest)[3][4], std::uint32_t lanes,
+                        float (&vector)[3][4]) {
   i32x4 v[4];
-  next = gather_constants(next, constant, v);
+  widen(t, ab, cd, v);
   const f32x4 step = splat(1.0f / 65536) * step_sizes(v[3]);
-  store_lanes({load_aligned(rest[0]) + to_float(v[0]) * step, load_aligned(rest[1]) + to_float(v[1]) * step,
+  store_lanes(t,
+              {load_aligned(rest[0]) + to_float(v[0]) * step, load_aligned(rest[1]) + to_float(v[1]) * step,
                load_aligned(rest[2]) + to_float(v[2]) * step},
               lanes, vector);
-  return next;
 }
 
-inline const std::byte* set_constants(const std::byte* next, std::uint32_t constant, const SoaTransform& rest,
-                                      std::uint32_t wanted, SoaTransform& out) {
-  const std::uint32_t r = constant & 15u, t = constant >> 4 & 15u, s = constant >> 8;
-  if (r != 0) next = set_rotation(next, r, r & wanted, out.rotation);
-  if (t != 0) next = set_vector(next, t, rest.translation, t & wanted, out.translation);
-  if (s != 0) next = set_vector(next, s, rest.scale, s & wanted, out.scale);
-  return next;
+// What does not move: the rest pose, over it the constants. All: every joint is asked for.
+template <bool All>
+void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out) {
+  const Tables& t = tables();
+  const std::byte* next = coded.constants;
+  const GroupMasks* masks = coded.masks;
+  const SoaTransform* rest = skeleton.rest;
+  SoaTransform* const end = out + skeleton.soa_size();
+  for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
+    const std::uint32_t constant = masks->constant, wanted = All ? 15u : wanted_lanes(options, g);
+    // Lanes that move will be written over.
+    const bool rotations_follow = All && (~(masks->moving | constant) & 15u) == 0;
+    if (rotations_follow) {
+      copy(rest->translation, out->translation);
+      copy(rest->scale, out->scale);
+    } else {
+      copy_lanes(*rest, wanted, *out);
+    }
+    if (const std::uint32_t lanes = constant & 15u; lanes == 15) {
+      set_rotations(t, load_words(next), load_words(next + 2 * kConstantBytes), wanted, out->rotation);
+      next += 4 * kConstantBytes;
+    } else if (lanes != 0) {
+      set_rotations(t, two_constants(t, next, lanes, 0), two_constants(t, next, lanes, 2),
+                    rotations_follow ? 15 : lanes & wanted, out->rotation);
+      next += t.constant_bytes[lanes];
+    }
+    if ((constant & 0xFF0u) == 0) continue;
+    for (std::uint32_t shift = 4; shift <= 8; shift += 4) {
+      const std::uint32_t lanes = constant >> shift & 15u;
+      if (lanes == 0) continue;
+      set_vectors(t, two_constants(t, next, lanes, 0), two_constants(t, next, lanes, 2),
+                  shift == 4 ? rest->translation : rest->scale, lanes & wanted,
+                  shift == 4 ? out->translation : out->scale);
+      next += t.constant_bytes[lanes];
+    }
+  }
 }
 
 // A frame, the last but one at most, and how far it is on the way to the next.
@@ -279,33 +358,21 @@ Place find(const CodedTracks& coded, float time_s) {
 
 void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time_s, const SampleOptions& options,
                   SoaTransform* out) {
+  if (!options.prefilled)
+    options.joints.empty() ? set_still<true>(skeleton, coded, options, out)
+                           : set_still<false>(skeleton, coded, options, out);
   const Place place = find(coded, time_s);
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   Cursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
                 place.frame - segment * coded.segment_intervals);
-  const std::byte* constants = coded.constants;
   const Blend blend(place.between);
-  const bool all = options.joints.empty(), still = !options.prefilled;
+  const Tables& t = tables();
   const GroupMasks* masks = coded.masks;
   const SoaTransform* rest = skeleton.rest;
   SoaTransform* const end = out + skeleton.soa_size();
   for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
-    const std::uint32_t wanted = all ? 15u : wanted_lanes(options, g);
     const std::uint32_t moving = masks->moving;
-    if (still) {
-      copy_lanes(*rest, wanted, *out);
-      if (masks->constant != 0) constants = set_constants(constants, masks->constant, *rest, wanted, *out);
-    }
-    if (moving == 0) continue;
-    const std::uint32_t rotations = moving & 15u;
-    if ((rotations & wanted) != 0) {
-      rotate_rest(cursor, rotations, blend, rest->rotation, wanted, out->rotation);
-    } else {
-      skip(cursor, rotations);
-    }
-    if ((moving & 0xFF0u) == 0) continue;
-    add_to_rest(cursor, moving >> 4 & 15u, blend.u, rest->translation, wanted, out->translation);
-    add_to_rest(cursor, moving >> 8, blend.u, rest->scale, wanted, out->scale);
+    if (moving != 0) set_moving(t, cursor, moving, blend, *rest, wanted_lanes(options, g), *out);
   }
 }
 

@@ -11,16 +11,19 @@ inline std::uint32_t wanted_lanes(const SampleOptions& options, std::size_t grou
   return options.joints.empty() ? 15u : options.joints[group / 8] >> (4 * (group % 8)) & 15u;
 }
 
+template <std::size_t N>
+inline void copy(const float (&from)[N][4], float (&to)[N][4]) {
+  f32x4 v[N];
+  for (std::size_t i = 0; i < N; ++i) v[i] = load_aligned(from[i]);
+  for (std::size_t i = 0; i < N; ++i) store(to[i], v[i]);
+}
+
 // Faster than a call for a few hundred bytes.
 inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
   if (lanes == 15) {
-    f32x4 t[3], r[4], s[3];
-    for (int i = 0; i < 3; ++i) t[i] = load_aligned(from.translation[i]);
-    for (int i = 0; i < 4; ++i) r[i] = load_aligned(from.rotation[i]);
-    for (int i = 0; i < 3; ++i) s[i] = load_aligned(from.scale[i]);
-    for (int i = 0; i < 3; ++i) store(to.translation[i], t[i]);
-    for (int i = 0; i < 4; ++i) store(to.rotation[i], r[i]);
-    for (int i = 0; i < 3; ++i) store(to.scale[i], s[i]);
+    copy(from.translation, to.translation);
+    copy(from.rotation, to.rotation);
+    copy(from.scale, to.scale);
     return;
   }
   for (std::uint32_t lane = 0; lane < 4; ++lane) {

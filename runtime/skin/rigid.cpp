@@ -1,5 +1,5 @@
 // Every vertex follows one joint, four vertices at a time.
-#include "skin/deform.h"
+#include "skin/joint_set.h"
 
 namespace marrow {
 namespace {
@@ -42,18 +42,27 @@ struct Rigid {
   static void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
                   Cursor& cursor) {
     Cursor at = cursor;
+    if (influences == 1) {  // one matrix for the whole run
+      JointSet joints;
+      load_joint_set(set, 1, palette, joints);
+      const f32x4 mirror = has_tangents(D) ? determinant(joints.last) : splat(1.0f);
+      for (; blocks > 0; --blocks) write_block<D>(joints.last, mirror, 1, at);
+    }
     for (; blocks > 0; --blocks) {
       const FourJoints joints = largest(set, influences, at.stream + 12, palette);
       const Blend m = {load_rows(joints, 0), load_rows(joints, 1), load_rows(joints, 2)};
-      store_xyz(at.out_positions, dot3(m.a, at.stream) + m.a.t, dot3(m.b, at.stream) + m.b.t,
-                dot3(m.c, at.stream) + m.c.t);
-      at.stream += 4 * (influences + 2);
-      at.out_positions += 12;
-      f32x4 mirror = splat(1.0f);
-      if constexpr (D == Directions::blended_tangents) mirror = determinant(m);
-      write_directions<D>(m, mirror, at);
+      write_block<D>(m, D == Directions::blended_tangents ? determinant(m) : splat(1.0f), influences, at);
     }
     cursor = at;
+  }
+
+  template <Directions D>
+  static void write_block(const Blend& m, f32x4 mirror, std::uint32_t influences, Cursor& at) {
+    store_xyz(at.out_positions, dot3(m.a, at.stream) + m.a.t, dot3(m.b, at.stream) + m.b.t,
+              dot3(m.c, at.stream) + m.c.t);
+    at.stream += 4 * (influences + 2);
+    at.out_positions += 12;
+    write_directions<D>(m, mirror, at);
   }
 };
 

@@ -1,7 +1,9 @@
 // The SIMD layer against plain scalar loops, bit for bit, over ranges and corners of float.
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -163,6 +165,38 @@ TEST(F32x4, Shuffles) {
   expect_lanes(r1, {a[1], b[1], c[1], d[1]}, "transpose");
   expect_lanes(r2, {a[2], b[2], c[2], d[2]}, "transpose");
   expect_lanes(r3, {a[3], b[3], c[3], d[3]}, "transpose");
+}
+
+TEST(F32x4, StoresTheLanesOfAMaskOnly) {
+  int cases = 0;
+  for (std::uint32_t set = 0; set < 16; ++set, ++cases) {
+    alignas(16) std::uint32_t bits[4];
+    alignas(16) float to[4] = {10, 20, 30, 40};
+    for (std::uint32_t lane = 0; lane < 4; ++lane) bits[lane] = (set >> lane & 1u) != 0 ? ~0u : 0u;
+    const float from[4] = {1, -2, 3, -4};
+    store(to, load_mask(bits), load(from));
+    for (std::uint32_t lane = 0; lane < 4; ++lane)
+      EXPECT_EQ(to[lane], (set >> lane & 1u) != 0 ? from[lane] : 10.0f * static_cast<float>(lane + 1)) << set;
+  }
+  EXPECT_EQ(cases, 16);
+}
+
+TEST(F32x4, WordsForUnpacking) {
+  std::byte bytes[33];  // read from an odd address
+  for (std::size_t i = 0; i < sizeof(bytes); ++i) bytes[i] = static_cast<std::byte>(i);
+  const auto expect_words = [](i32x4 v, std::array<std::uint32_t, 4> want) {
+    alignas(16) std::byte got[16];
+    store(got, v);
+    EXPECT_EQ(std::memcmp(got, want.data(), 16), 0) << want[0];
+  };
+  const i32x4 a = load_words(bytes + 1), b = load_words(bytes + 17);
+  expect_words(a, {0x04030201u, 0x08070605u, 0x0C0B0A09u, 0x100F0E0Du});
+  expect_words(even(a, b), {0x04030201u, 0x0C0B0A09u, 0x14131211u, 0x1C1B1A19u});
+  expect_words(odd(a, b), {0x08070605u, 0x100F0E0Du, 0x18171615u, 0x201F1E1Du});
+  expect_words(words(load_pair(bytes + 21, bytes + 2)), {0x18171615u, 0x1C1B1A19u, 0x05040302u, 0x09080706u});
+  alignas(16) const std::uint64_t five[2] = {shift_count(5), shift_count(5)};
+  expect_words(words(shift_right(load_pair(bytes + 21, bytes + 2), five)),
+               {0xC8C0B8B0u, 0x00E0D8D0u, 0x30282018u, 0x00484038u});
 }
 
 TEST(F32x4, StoreXyzInterleavesAndWritesNoMore) {
