@@ -32,6 +32,19 @@ inline void store_rotation(const f32x4 (&sum)[4], SoaTransform& out) {
   for (int i = 0; i < 4; ++i) store(out.rotation[i], sum[i] * inverse);
 }
 
+// In a loop of its own: a processor does not look far enough ahead to hide this chain of operations behind the sum's.
+__attribute__((noinline)) void normalise_rotations(std::size_t groups, SoaTransform* out) {
+  const f32x4 one = splat(1.0f);
+#pragma GCC unroll 4
+  for (std::size_t g = 0; g < groups; ++g) {
+    SoaTransform& t = out[g];
+    const f32x4 q[4] = {load_aligned(t.rotation[0]), load_aligned(t.rotation[1]), load_aligned(t.rotation[2]),
+                        load_aligned(t.rotation[3])};
+    const f32x4 inverse = one / sqrt(dot4(q, q));
+    for (int i = 0; i < 4; ++i) store(t.rotation[i], q[i] * inverse);
+  }
+}
+
 // sum += w x
 inline void accumulate(Sum& sum, const SoaTransform& x, f32x4 w) {
   add_rotation(sum.rotation, x, w);
@@ -95,7 +108,7 @@ void blend_even(const FewLayers& layers, std::size_t groups, SoaTransform* out) 
     f32x4 rotation[4];
     for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(pose[0][g].rotation[i]);
     for (std::size_t l = 1; l < N; ++l) add_rotation(rotation, pose[l][g], weight[l]);
-    store_rotation(rotation, out[g]);
+    for (int i = 0; i < 4; ++i) store(out[g].rotation[i], rotation[i]);
     const float* x[N];
     for (int i = 0; i < 3; ++i) {
       for (std::size_t l = 0; l < N; ++l) x[l] = pose[l][g].translation[i];
@@ -106,6 +119,7 @@ void blend_even(const FewLayers& layers, std::size_t groups, SoaTransform* out) 
       store_mean(x, weight, share, out[g].scale[i]);
     }
   }
+  normalise_rotations(groups, out);
 }
 
 // A layer with a mask, or with ones that stand in for it.
