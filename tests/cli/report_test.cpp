@@ -53,8 +53,11 @@ TEST(Report, HoldsEveryField) {
   ASSERT_EQ(r.at("clips").size(), 2u);
   EXPECT_EQ(r["clips"][0].at("name"), "wave");
   EXPECT_EQ(r["clips"][0].at("duration_s"), 1.25);
-  for (const auto& clip : r["clips"])
+  for (const auto& clip : r["clips"]) {
     for (const char* field : {"raw_bytes", "bytes", "max_error_m"}) EXPECT_TRUE(clip.at(field).is_number()) << field;
+    EXPECT_NEAR(clip.at("ratio").get<double>() * clip.at("raw_bytes").get<double>(), clip.at("bytes").get<double>(),
+                0.01);
+  }
   ASSERT_EQ(r.at("warnings").size(), 1u);
   EXPECT_EQ(r["warnings"][0].at("pointer"), "/meshes/1/primitives/0");
   EXPECT_EQ(r["warnings"][0].at("rule"), "normals-generated");

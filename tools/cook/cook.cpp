@@ -58,12 +58,15 @@ ordered_json make_report(const RawScene& scene, const BuiltScene& built, const W
   r["clips"] = ordered_json::array();
   for (std::size_t i = 0; i < built.clips.size(); ++i) {
     const BuiltClip& clip = built.clips[i];
+    const std::uint64_t raw_bytes = std::uint64_t{clip.most_keys} * joints * 40, bytes = written.clip_bytes[i];
     r["clips"].push_back(
         {{"name", clip.name},
          {"duration_s", clip.duration_s},
          {"codec", clip.coded.header.frame_count > 0 ? "segments" : "raw"},
-         {"raw_bytes", std::uint64_t{clip.most_keys} * joints * 40},
-         {"bytes", written.clip_bytes[i]},
+         {"raw_bytes", raw_bytes},
+         {"bytes", bytes},
+         {"ratio",
+          raw_bytes > 0 ? ordered_json(static_cast<double>(bytes) / static_cast<double>(raw_bytes)) : ordered_json()},
          {"additive", clip.additive.empty() ? ordered_json() : ordered_json(clip.additive)},
          {"channels", clip.channel_names},
          {"max_error_m", clip.error.error_m},
