@@ -9,8 +9,9 @@ namespace {
 // ratio of two scales; 1 where there is nothing to divide by.
 f32x4 ratio(f32x4 a, f32x4 b) {
   const f32x4 zero = splat(0.0f), one = splat(1.0f);
-  const f32x4 safe = select(zero < b, b, select(b < zero, b, one));
-  return select(zero < b, a / safe, select(b < zero, a / safe, one));
+  const f32x4 magnitude = select(b < zero, zero - b, b);
+  const mask4 divides = zero < magnitude;
+  return select(divides, a / select(divides, b, one), one);
 }
 
 // Masked: lanes whose factor is 0 keep their bits.

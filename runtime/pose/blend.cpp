@@ -33,7 +33,7 @@ inline void store_rotation(const f32x4 (&sum)[4], SoaTransform& out) {
 }
 
 // In a loop of its own: a processor does not look far enough ahead to hide this chain of operations behind the sum's.
-__attribute__((noinline)) void normalise_rotations(std::size_t groups, SoaTransform* out) {
+[[gnu::noinline]] void normalise_rotations(std::size_t groups, SoaTransform* out) {
   const f32x4 one = splat(1.0f);
 #pragma GCC unroll 4
   for (std::size_t g = 0; g < groups; ++g) {

@@ -148,7 +148,7 @@ struct TwoLanes {
 };
 
 // The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in both frames.
-__attribute__((always_inline)) inline void unpack(Cursor& cursor, const Tables& t, std::uint32_t lanes, Unpacked& out) {
+[[gnu::always_inline]] inline void unpack(Cursor& cursor, const Tables& t, std::uint32_t lanes, Unpacked& out) {
   const std::uint8_t(&offsets)[4] = t.header[lanes];
   const std::byte *const h0 = cursor.header + offsets[0], *const h1 = cursor.header + offsets[1],
                          *const h2 = cursor.header + offsets[2], *const h3 = cursor.header + offsets[3];
