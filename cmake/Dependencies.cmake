@@ -7,9 +7,8 @@ FetchContent_Declare(CLI11 GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git 
   FIND_PACKAGE_ARGS NAMES CLI11)
 FetchContent_Declare(fmt GIT_REPOSITORY https://github.com/fmtlib/fmt.git GIT_TAG 9.1.0 FIND_PACKAGE_ARGS NAMES fmt)
 FetchContent_Declare(glm GIT_REPOSITORY https://github.com/g-truc/glm.git GIT_TAG 0.9.9.8 FIND_PACKAGE_ARGS NAMES glm)
-FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco.git GIT_TAG 1.5.6 FIND_PACKAGE_ARGS NAMES draco)
 FetchContent_Declare(TinyGLTF GIT_REPOSITORY https://github.com/syoyo/tinygltf.git GIT_TAG v2.8.1
   FIND_PACKAGE_ARGS)
-FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm draco TinyGLTF)
+FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm TinyGLTF)
 find_package(PNG REQUIRED)
 find_package(Threads REQUIRED)

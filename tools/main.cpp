@@ -78,6 +78,27 @@ void add_cook(CLI::App& app) {
       ->type_name("CLIP[=REFERENCE]")
       ->take_all()
       ->allow_extra_args(false);
+  command
+      ->add_option("--mesh-codec", a.mesh_codec,
+                   "draco: the smallest; meshopt: the fastest to unpack; none: not packed, floats as they are")
+      ->check(CLI::IsMember({"draco", "meshopt", "none"}))
+      ->capture_default_str();
+  command
+      ->add_option("--position-error", a.position_error,
+                   "how far quantisation may move vertices: 0.1mm, 0.0001m or 0.01% of the mesh's longest side; the "
+                   "default is 14 bits on the longest side, 0.0053%")
+      ->type_name("E");
+  command
+      ->add_option("--normal-error", a.options.precision.normal_error_deg,
+                   "how far it may turn normals and tangents, in degrees")
+      ->check(CLI::Range(0.002, 45.0))
+      ->capture_default_str();
+  command->add_option("--uv-error", a.options.precision.uv_error, "how far it may move UVs, in widths of the texture")
+      ->check(CLI::Range(1e-7, 1.0))
+      ->capture_default_str();
+  command->add_option("--weight-error", a.options.precision.weight_error, "how far it may change weights")
+      ->check(CLI::Range(2e-5, 0.5))
+      ->capture_default_str();
   command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
                     "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
   command->callback([&a] { run_cook(a); });

@@ -61,6 +61,7 @@ class Checker {
   bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
   template <class Index>
   bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
+  bool source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots);
   bool mesh(const File::Section& s);
 
   const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
@@ -318,8 +319,14 @@ bool Checker::geometry(const File::Section& s) {
           ? below(at<std::uint16_t>(s, l.indices), h->index_count, slots, "an index outside the vertices")
           : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
   return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
-         below(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots, "a slot outside the vertices") &&
+         source_slots(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots) &&
          finite(h->box_min, 24) && finite(at<float>(s, l.skin), l.colours - l.skin);
+}
+
+bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots) {
+  for (std::uint64_t i = 0; i < count; ++i)
+    if (first[i] >= slots && first[i] != kNoSlot) return fail(first + i, "a slot outside the vertices");
+  return true;
 }
 
 bool Checker::mesh(const File::Section& s) {

@@ -18,6 +18,11 @@ class AlignedBytes {
   std::byte* data() { return reinterpret_cast<std::byte*>(chunks_.data()); }
   const std::byte* data() const { return reinterpret_cast<const std::byte*>(chunks_.data()); }
   std::size_t size() const { return size_; }
+  // Forgets what lies behind; size: at most size().
+  void truncate(std::size_t size) {
+    chunks_.resize((size + 15) / 16);
+    size_ = size;
+  }
 
  private:
   struct alignas(16) Chunk {

@@ -4,6 +4,8 @@
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/unpack_mrw.h"
+#include "marrow/unpack.h"
 
 namespace marrow::tools {
 
@@ -11,6 +13,8 @@ LoadedFile load_mrw(const std::string& path) {
   LoadedFile loaded;
   loaded.bytes = read_file(path);
   if (loaded.bytes.size() == 0) throw Failure(Exit::invalid, path, "@0", "empty file", "cook the source again");
+  const std::span<const std::byte> bytes(loaded.bytes.data(), loaded.bytes.size());
+  if (is_packed({bytes.data(), bytes.size()})) loaded.bytes = unpacked(bytes, path);
   DataError error;
   const Status status = load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file, &error);
   const bool foreign = status == Status::unsupported || status == Status::bad_version;

@@ -23,7 +23,14 @@ struct ClipErrorRule {
   bool is_share = false;
 };
 
+enum class MeshCodec { draco, meshopt, none };
+
 struct CookOptions {
+  MeshCodec mesh_codec = MeshCodec::draco;
+  // How far quantisation may move vertices, in metres or, if is_share, of the mesh's longest side.
+  double position_error = 0;  // 0: as 14 bits on the longest side
+  bool position_error_is_share = false;
+  MeshPrecision precision;
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
@@ -47,6 +54,9 @@ struct AdditiveReference {
 };
 std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules);
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
+// One primitive's vertices: quantised, welded, in an order that GPUs like, encoded, decoded again.
+BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options);
 
 // node-to-parent matrix of one node, and rows of an affine matrix.
 glm::dmat4 local_matrix(const RawNode& node);

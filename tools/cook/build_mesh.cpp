@@ -1,23 +1,17 @@
-// Vertices become blocks: grouped by the joints they depend on, four at a time, one lane a vertex.
+// Which geometries there are, and which joints each mesh binds them to.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include "common/failure.h"
+#include "common/parallel.h"
 #include "cook/build.h"
 #include "cook/normals.h"
 
 namespace marrow::cook {
 namespace {
-
-// A vertex's joints, as palette entries in ascending order, with weights that sum to one.
-struct Binding {
-  std::vector<std::uint16_t> set;
-  std::vector<float> weights;  // one fewer than `set`: the last is what they leave
-};
 
 // What a primitive's vertices are bound to.
 struct Palette {
@@ -28,8 +22,7 @@ struct Palette {
 // A primitive bound to a skin, or to one joint when `skin` is kNone: done once, however many nodes draw it.
 struct Bound {
   Palette palette;  // unused for one joint: each node has its own
-  std::uint32_t geometry = 0;
-  std::uint32_t influences = 0;
+  std::uint32_t task = 0;
 };
 using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
 
@@ -78,9 +71,8 @@ Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSk
     Binding binding;
     for (const auto& [joint, weight] : vertex) {
       binding.set.push_back(entry_of_joint[joint]);
-      binding.weights.push_back(static_cast<float>(weight));
+      binding.weights.push_back(weight);
     }
-    binding.weights.pop_back();
     bindings.push_back(std::move(binding));
   }
   if (dropped > 0)
@@ -98,138 +90,74 @@ Palette bind_to_node(int node, const BuiltSkeleton& skeleton) {
   return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}};
 }
 
-// Where each vertex goes: grouped by joint set (fewest influences first), within a group by first use, so that vertices
-// of neighbouring triangles stay neighbours.
-struct Arrangement {
-  std::vector<std::uint32_t> slot_of_vertex;
-  std::vector<std::uint32_t> vertex_of_slot;  // padding repeats the run's last vertex
-  std::vector<Run> runs;
-  std::vector<std::uint16_t> sets;
+// One grid for all primitives of a mesh, so that where they touch they still do.
+MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
+  if (options.mesh_codec == MeshCodec::none) return {};
+  constexpr double kSteps = (1 << 14) - 1;
+  glm::dvec3 low(0), high(0);
+  bool first = true;
+  for (const RawPrimitive& primitive : mesh.primitives) {
+    for (const glm::vec3& v : primitive.positions) {
+      low = first ? glm::dvec3(v) : glm::min(low, glm::dvec3(v));
+      high = first ? glm::dvec3(v) : glm::max(high, glm::dvec3(v));
+      first = false;
+    }
+  }
+  const glm::dvec3 size = high - low;
+  const double side = std::max({size.x, size.y, size.z});
+  // Half a step along each axis is the farthest.
+  double step = options.position_error * (options.position_error_is_share ? side : 1.0) * 2 / std::sqrt(3.0);
+  if (step <= 0) step = side / kSteps;
+  constexpr double kMostSteps = (1 << packed::kMaxValueBits) - 1;
+  step = std::max(step, side / kMostSteps);
+  return {low, step > 0 ? step : 1.0};
+}
+
+// What build_geometry() is to make, each once.
+struct Task {
+  const RawPrimitive* primitive;
+  std::vector<Binding> bindings;
+  std::size_t joint_count;
+  MeshGrid grid;
 };
 
-Arrangement arrange(const RawPrimitive& primitive, const std::vector<Binding>& bindings) {
-  const std::size_t count = bindings.size();
-  std::vector<std::uint32_t> first_use(count, UINT32_MAX);
-  std::uint32_t uses = 0;
-  for (const std::uint32_t i : primitive.indices) first_use[i] = std::min(first_use[i], uses++);
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const auto& sa = bindings[a].set;
-    const auto& sb = bindings[b].set;
-    if (sa.size() != sb.size()) return sa.size() < sb.size();
-    if (sa != sb) return sa < sb;
-    if (first_use[a] != first_use[b]) return first_use[a] < first_use[b];
-    return a < b;
-  });
-  Arrangement out;
-  out.slot_of_vertex.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& set = bindings[order[i]].set;
-    if (i == 0 || set != bindings[order[i - 1]].set) {
-      while (out.vertex_of_slot.size() % 4 != 0) out.vertex_of_slot.push_back(order[i - 1]);
-      out.runs.push_back({0, static_cast<std::uint32_t>(set.size())});
-      out.sets.insert(out.sets.end(), set.begin(), set.end());
-    }
-    ++out.runs.back().vertex_count;
-    out.slot_of_vertex[order[i]] = static_cast<std::uint32_t>(out.vertex_of_slot.size());
-    out.vertex_of_slot.push_back(order[i]);
-  }
-  while (out.vertex_of_slot.size() % 4 != 0) out.vertex_of_slot.push_back(order.back());
-  return out;
-}
-
-// Appends one component of four vertices.
-template <class Component>
-void push_lanes(std::vector<float>& out, const std::uint32_t* vertices, Component component) {
-  for (int lane = 0; lane < 4; ++lane) out.push_back(component(vertices[lane]));
-}
-
-void write_blocks(const RawPrimitive& p, const std::vector<Binding>& bindings, const Arrangement& a,
-                  BuiltGeometry& out) {
-  std::size_t block = 0;
-  for (const Run& run : a.runs) {
-    for (std::uint32_t i = 0; i < run.vertex_count; i += 4, ++block) {
-      const std::uint32_t* const v = &a.vertex_of_slot[block * 4];
-      for (int c = 0; c < 3; ++c) push_lanes(out.skin, v, [&](std::uint32_t n) { return p.positions[n][c]; });
-      for (std::uint32_t j = 0; j + 1 < run.influences; ++j)
-        push_lanes(out.skin, v, [&](std::uint32_t n) { return bindings[n].weights[j]; });
-      for (int c = 0; c < 3 && !p.normals.empty(); ++c)
-        push_lanes(out.normals, v, [&](std::uint32_t n) { return p.normals[n][c]; });
-      for (int c = 0; c < 4 && !p.tangents.empty(); ++c)
-        push_lanes(out.tangents, v, [&](std::uint32_t n) { return p.tangents[n][c]; });
-    }
-    out.header.influence_blocks += (run.vertex_count + 3) / 4 * run.influences;
-  }
-  for (const std::uint32_t v : a.vertex_of_slot) {
-    if (!p.uvs.empty()) out.uvs.insert(out.uvs.end(), {p.uvs[v].x, p.uvs[v].y});
-    for (int c = 0; c < 4 && !p.colours.empty(); ++c)
-      out.colours.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(p.colours[v][c], 0.0f, 1.0f) * 255.0f)));
-  }
-}
-
-BuiltGeometry build_geometry(const RawPrimitive& p, const std::vector<Binding>& bindings, std::size_t joint_count,
-                             const CookOptions& options) {
-  const Arrangement a = arrange(p, bindings);
-  BuiltGeometry out;
-  write_blocks(p, bindings, a, out);
-  out.runs = a.runs;
-  out.sets = a.sets;
-  for (const std::uint32_t i : p.indices) out.indices.push_back(a.slot_of_vertex[i]);
-  if (options.keep_vertex_order) out.source_slots = a.slot_of_vertex;
-
-  format::GeometryHeader& h = out.header;
-  h.flags = (p.normals.empty() ? 0u : format::kHasNormals) | (p.tangents.empty() ? 0u : format::kHasTangents) |
-            (p.uvs.empty() ? 0u : format::kHasUvs) | (p.colours.empty() ? 0u : format::kHasColours) |
-            (out.source_slots.empty() ? 0u : format::kHasSourceSlots);
-  h.vertex_count = static_cast<std::uint32_t>(p.positions.size());
-  h.block_count = static_cast<std::uint32_t>(a.vertex_of_slot.size() / 4);
-  h.run_count = static_cast<std::uint32_t>(out.runs.size());
-  h.set_count = static_cast<std::uint32_t>(out.sets.size());
-  h.joint_count = static_cast<std::uint32_t>(joint_count);
-  h.index_count = static_cast<std::uint32_t>(out.indices.size());
-  h.source_vertex_count = static_cast<std::uint32_t>(out.source_slots.size());
-  glm::vec3 low = p.positions.front(), high = low;
-  for (const glm::vec3& v : p.positions) {
-    low = glm::min(low, v);
-    high = glm::max(high, v);
-  }
-  for (int c = 0; c < 3; ++c) {
-    h.box_min[c] = low[c];
-    h.box_max[c] = high[c];
-  }
-  return out;
-}
-
-bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
-  return std::memcmp(&a.header, &b.header, sizeof a.header) == 0 && a.skin == b.skin && a.normals == b.normals &&
-         a.tangents == b.tangents && a.uvs == b.uvs && a.colours == b.colours && a.indices == b.indices &&
-         a.sets == b.sets && a.source_slots == b.source_slots &&
-         std::equal(a.runs.begin(), a.runs.end(), b.runs.begin(), b.runs.end(), [](const Run& x, const Run& y) {
-           return x.vertex_count == y.vertex_count && x.influences == y.influences;
-         });
-}
-
-Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const CookOptions& options, BuiltScene& out) {
+Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const BuiltSkeleton& skeleton, Task& task) {
   if (primitive.normals.empty()) {
     generate_normals(primitive);
     warn(scene, primitive.pointer, "normals-generated", "the file has no normals; smooth ones are computed");
   }
   Bound bound;
-  std::vector<Binding> bindings;
   if (skin != kNone) {
-    bound.palette = bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], out.skeleton, bindings);
+    bound.palette =
+        bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], skeleton, task.bindings);
   } else {
-    bindings.assign(primitive.positions.size(), {{0}, {}});
+    task.bindings.assign(primitive.positions.size(), {{0}, {1.0}});
   }
-  const std::size_t joint_count = skin != kNone ? bound.palette.joints.size() : 1;
-  BuiltGeometry geometry = build_geometry(primitive, bindings, joint_count, options);
-  for (const Run& run : geometry.runs) bound.influences = std::max(bound.influences, run.influences);
-  const auto twin = std::find_if(out.geometries.begin(), out.geometries.end(),
-                                 [&](const BuiltGeometry& g) { return same(g, geometry); });
-  bound.geometry = static_cast<std::uint32_t>(twin - out.geometries.begin());
-  if (twin == out.geometries.end()) out.geometries.push_back(std::move(geometry));
+  task.primitive = &primitive;
+  task.joint_count = skin != kNone ? bound.palette.joints.size() : 1;
   return bound;
+}
+
+bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
+  return a.section.size() == b.section.size() &&
+         std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
+}
+
+// On all cores; returns for each task which geometry it has become, of those that differ.
+std::vector<std::uint32_t> build_geometries(const std::vector<Task>& tasks, const CookOptions& options,
+                                            BuiltScene& out) {
+  std::vector<BuiltGeometry> built(tasks.size());
+  tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
+    built[i] = build_geometry(*tasks[i].primitive, tasks[i].bindings, tasks[i].joint_count, tasks[i].grid, options);
+  });
+  std::vector<std::uint32_t> number;
+  for (BuiltGeometry& geometry : built) {
+    const auto twin = std::find_if(out.geometries.begin(), out.geometries.end(),
+                                   [&](const BuiltGeometry& g) { return same(g, geometry); });
+    number.push_back(static_cast<std::uint32_t>(twin - out.geometries.begin()));
+    if (twin == out.geometries.end()) out.geometries.push_back(std::move(geometry));
+  }
+  return number;
 }
 
 BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
@@ -239,8 +167,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.name = scene.meshes[static_cast<std::size_t>(instance.mesh)].name;
   if (mesh.name.empty()) mesh.name = scene.nodes[static_cast<std::size_t>(instance.node)].name;
   mesh.material = primitive.material;
-  mesh.geometry = bound.geometry;
-  mesh.influences = bound.influences;
+  mesh.geometry = bound.task;
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
   mesh.double_sided = primitive.double_sided;
@@ -252,18 +179,28 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
 
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
   BoundPrimitives bound;
+  std::vector<Task> tasks;
   for (const RawInstance& instance : scene.instances) {
-    std::vector<RawPrimitive>& primitives = scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      const bool skinned = instance.skin != kNone && !primitives[i].influences.empty();
+    RawMesh& source = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+      RawPrimitive& primitive = source.primitives[i];
+      const bool skinned = instance.skin != kNone && !primitive.influences.empty();
       const int skin = skinned ? instance.skin : kNone;
       const auto key = std::make_tuple(instance.mesh, i, skin);
       auto found = bound.find(key);
-      if (found == bound.end())
-        found = bound.emplace(key, bind_primitive(scene, primitives[i], skin, options, out)).first;
-      out.meshes.push_back(build_mesh(scene, instance, primitives[i], found->second, skinned, out.skeleton));
+      if (found == bound.end()) {
+        Task task;
+        Bound fresh = bind_primitive(scene, primitive, skin, out.skeleton, task);
+        fresh.task = static_cast<std::uint32_t>(tasks.size());
+        task.grid = mesh_grid(source, options);
+        tasks.push_back(std::move(task));
+        found = bound.emplace(key, std::move(fresh)).first;
+      }
+      out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skinned, out.skeleton));
     }
   }
+  const std::vector<std::uint32_t> geometries = build_geometries(tasks, options, out);
+  for (BuiltMesh& mesh : out.meshes) mesh.geometry = geometries[mesh.geometry];
 }
 
 }  // namespace marrow::cook

@@ -8,6 +8,8 @@
 #include <glm/mat4x4.hpp>
 
 #include "asset/format.h"
+#include "common/aligned_bytes.h"
+#include "cook/mesh/streams.h"
 #include "cook/raw.h"
 #include "marrow/file.h"
 
@@ -65,19 +67,18 @@ struct BuiltClip {
 
 struct BuiltGeometry {
   format::GeometryHeader header{};
-  std::vector<float> skin, normals, tangents, as_residual, uvs;
-  std::vector<std::uint8_t> colours;
-  std::vector<Run> runs;
-  std::vector<std::uint32_t> source_slots;
-  std::vector<std::uint32_t> indices;
-  std::vector<std::uint16_t> sets;
+  std::uint32_t influences = 0;   // the most of any vertex
+  tools::AlignedBytes section;    // GEOM as the runtime will see it
+  std::uint8_t codec = 0;         // packed::Codec of the record; 0: not packed
+  std::vector<std::byte> record;  // what a packed file has instead
+  std::uint64_t scratch_bytes = 0;  // of memory, to unpack the record
+  MeshError error;
 };
 
 struct BuiltMesh {
   std::string name;
   std::string material;
   std::uint32_t geometry = 0;
-  std::uint32_t influences = 0;  // the most of any vertex
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
   float base_colour[4] = {1, 1, 1, 1};

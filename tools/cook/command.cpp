@@ -26,22 +26,44 @@ void summarise(const CookArguments& a, const nlohmann::ordered_json& r) {
              r["meshes"].size(), vertices, triangles, r["clips"].size());
 }
 
-// "0.1mm", "0.0001m", or "0.05%" of the skeleton's diagonal; in front "JOINT=", or for all joints.
+// "0.1mm", "0.0001m", or a share as in "0.05%".
+struct Amount {
+  double value = 0;
+  bool is_share = false;
+};
+
+bool read_amount(std::string_view text, Amount& out) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, out.value);
+  const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
+  const double scale = unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
+  out.is_share = unit == "%";
+  out.value *= scale;
+  return error == std::errc() && out.value > 0 && std::isfinite(out.value);
+}
+
+// An amount; in front "JOINT=", or for all joints.
 cook::ClipErrorRule read_clip_error(const std::string& text) {
   const std::size_t divide = text.rfind('=');
   cook::ClipErrorRule rule;
   if (divide != std::string::npos) rule.joints = text.substr(0, divide);
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + (divide == std::string::npos ? 0 : divide + 1), end, value);
-  const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
-  const double scale = unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
-  if (error != std::errc() || !(value * scale > 0) || !std::isfinite(value) || divide == 0)
+  Amount amount;
+  if (!read_amount(std::string_view(text).substr(divide == std::string::npos ? 0 : divide + 1), amount) || divide == 0)
     throw Failure(Exit::usage, "--clip-error", "", "\"" + text + "\" is not an error",
                   "give a length or a share of the skeleton, as in 0.1mm, 0.0001m, 0.05% or hand*=0.02mm");
-  rule.error = value * scale;
-  rule.is_share = unit == "%";
+  rule.error = amount.value;
+  rule.is_share = amount.is_share;
   return rule;
+}
+
+void read_position_error(const std::string& text, cook::CookOptions& options) {
+  if (text.empty()) return;
+  Amount amount;
+  if (!read_amount(text, amount))
+    throw Failure(Exit::usage, "--position-error", "", "\"" + text + "\" is not an error",
+                  "give a length or a share of the mesh's longest side, as in 0.1mm, 0.0001m or 0.01%");
+  options.position_error = amount.value;
+  options.position_error_is_share = amount.is_share;
 }
 
 // "CLIP" or "CLIP=REFERENCE", divided at the last "=".
@@ -61,6 +83,10 @@ cook::AdditiveRule read_additive(const std::string& text) {
 void run_cook(const CookArguments& a) {
   cook::CookOptions options = a.options;
   options.raw_clips = a.clip_codec == "raw";
+  options.mesh_codec = a.mesh_codec == "draco"     ? cook::MeshCodec::draco
+                       : a.mesh_codec == "meshopt" ? cook::MeshCodec::meshopt
+                                                   : cook::MeshCodec::none;
+  read_position_error(a.position_error, options);
   for (const std::string& text : a.clip_error) options.clip_error.push_back(read_clip_error(text));
   for (const std::string& text : a.additive) options.additive.push_back(read_additive(text));
   const cook::CookResult result = cook::cook_file(a.in, options);

@@ -14,6 +14,8 @@ struct CookArguments {
   std::vector<std::string> clip_error;
   std::string clip_codec = "segments";
   std::vector<std::string> additive;
+  std::string mesh_codec = "draco";
+  std::string position_error;
   cook::CookOptions options;  // but for what the texts say
 };
 

@@ -14,16 +14,15 @@ std::string type_name(std::uint32_t type) {
   return name;
 }
 
-ordered_json report_sections(const std::vector<std::byte>& file) {
+ordered_json report_sections(const WrittenFile& written) {
   ordered_json out = ordered_json::array();
-  format::Header header;
-  std::memcpy(&header, file.data(), sizeof header);
-  for (std::uint32_t i = 0; i < header.section_count; ++i) {
-    File::Section s;
-    std::memcpy(&s, file.data() + sizeof header + i * sizeof s, sizeof s);
-    out.push_back({{"type", type_name(s.type)}, {"bytes", s.bytes}});
-  }
+  for (const WrittenFile::Part& part : written.sections)
+    out.push_back({{"type", type_name(part.type)}, {"bytes", part.bytes}});
   return out;
+}
+
+const char* codec_name(std::uint8_t codec) {
+  return codec == packed::kDraco ? "draco" : codec == packed::kMeshopt ? "meshopt" : "none";
 }
 
 // A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
@@ -32,18 +31,22 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
   std::vector<bool> counted(built.geometries.size(), false);
   for (std::size_t i = 0; i < built.meshes.size(); ++i) {
     const BuiltMesh& mesh = built.meshes[i];
-    const format::GeometryHeader& h = built.geometries[mesh.geometry].header;
+    const BuiltGeometry& geometry = built.geometries[mesh.geometry];
+    const format::GeometryHeader& h = geometry.header;
     std::size_t bytes = written.mesh_bytes[i];
     if (!counted[mesh.geometry]) bytes += written.geometry_bytes[mesh.geometry];
     counted[mesh.geometry] = true;
     out.push_back({{"name", mesh.name},
                    {"vertices", h.vertex_count},
                    {"triangles", h.index_count / 3},
-                   {"influences", mesh.influences},
+                   {"influences", geometry.influences},
                    {"joints", mesh.joints.size()},
-                   {"codec", "none"},
+                   {"codec", codec_name(geometry.codec)},
                    {"bytes", bytes},
-                   {"max_position_error_m", 0.0}});
+                   {"max_position_error_m", geometry.error.position_m},
+                   {"max_normal_error_deg", geometry.error.normal_deg},
+                   {"max_uv_error", geometry.error.uv},
+                   {"max_weight_error", geometry.error.weight}});
   }
   return out;
 }
@@ -51,7 +54,7 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
 ordered_json make_report(const RawScene& scene, const BuiltScene& built, const WrittenFile& written) {
   ordered_json r;
   r["source"] = {{"file", scene.source}, {"bytes", scene.source_bytes}};
-  r["output"] = {{"bytes", written.bytes.size()}, {"sections", report_sections(written.bytes)}};
+  r["output"] = {{"bytes", written.bytes.size()}, {"sections", report_sections(written)}};
   const std::size_t joints = built.skeleton.parents.size();
   r["skeletons"] = ordered_json::array({{{"name", built.skeleton.name}, {"joints", joints}}});
   r["meshes"] = report_meshes(built, written);

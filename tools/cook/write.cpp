@@ -1,10 +1,13 @@
 #include "cook/write.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
+#include "common/unpack_mrw.h"
+#include "cook/mesh/record.h"
 
 namespace marrow::cook {
 namespace {
@@ -88,23 +91,6 @@ Section write_clip(const BuiltClip& c, Names& names) {
   return out;
 }
 
-Section write_geometry(const BuiltGeometry& g) {
-  Section out;
-  out.add(g.header);
-  out.add_all(g.skin);
-  out.add_all(g.normals);
-  out.add_all(g.tangents);
-  out.add_all(g.as_residual);
-  out.add_all(g.uvs);
-  out.add_all(g.colours);
-  out.add_all(g.runs);
-  out.add_all(g.source_slots);
-  const bool wide = layout(g.header).index_bytes == 4;
-  for (const std::uint32_t i : g.indices) wide ? out.add(i) : out.add(static_cast<std::uint16_t>(i));
-  out.add_all(g.sets);
-  return out;
-}
-
 Section write_mesh(const BuiltMesh& m, Names& names) {
   Section out;
   format::MeshHeader h{};
@@ -120,31 +106,73 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   return out;
 }
 
-std::vector<std::byte> assemble(const std::vector<std::pair<format::Kind, Section>>& sections,
-                                const std::string& source) {
-  std::vector<File::Section> table;
-  std::uint64_t end = sizeof(format::Header) + sections.size() * sizeof(File::Section);
-  for (const auto& [kind, section] : sections) {
-    const std::uint64_t offset = format::align16(end);
-    end = offset + section.bytes().size();
-    if (end > UINT32_MAX)
-      throw tools::Failure(tools::Exit::unsupported, source, "", "too-large", "a cooked file holds at most 4 GiB");
-    table.push_back({format::kTypes[kind], static_cast<std::uint32_t>(offset),
-                     static_cast<std::uint32_t>(section.bytes().size()), section.codec});
-  }
-  std::vector<std::byte> bytes(end);
+// A section on its way: what the runtime sees, and what a packed file has instead.
+struct Entry {
+  format::Kind kind;
+  std::uint32_t codec;
+  std::span<const std::byte> section;
+  std::uint32_t record_codec;
+  std::span<const std::byte> record;
+};
+
+std::uint32_t checked_size(std::uint64_t bytes, const std::string& source) {
+  if (bytes > UINT32_MAX)
+    throw tools::Failure(tools::Exit::unsupported, source, "", "too-large", "a cooked file holds at most 4 GiB");
+  return static_cast<std::uint32_t>(bytes);
+}
+
+std::uint32_t file_size(const std::vector<Entry>& entries, const std::string& source) {
+  std::uint64_t end = sizeof(format::Header) + entries.size() * sizeof(File::Section);
+  for (const Entry& e : entries) end = format::align16(end) + e.section.size();
+  return checked_size(end, source);
+}
+
+std::vector<std::byte> write_plain(const std::vector<Entry>& entries, const std::string& source) {
+  std::vector<std::byte> bytes(file_size(entries, source));
   format::Header h{format::kMagic,
                    format::kVersion,
-                   static_cast<std::uint32_t>(end),
-                   static_cast<std::uint32_t>(table.size()),
+                   static_cast<std::uint32_t>(bytes.size()),
+                   static_cast<std::uint32_t>(entries.size()),
                    0,
                    0};
-  std::memcpy(bytes.data() + sizeof h, table.data(), table.size() * sizeof(File::Section));
-  for (std::size_t i = 0; i < sections.size(); ++i)
-    std::memcpy(bytes.data() + table[i].offset, sections[i].second.bytes().data(), table[i].bytes);
+  std::uint64_t end = sizeof h + entries.size() * sizeof(File::Section);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::uint64_t offset = format::align16(end);
+    const File::Section s{format::kTypes[entries[i].kind], static_cast<std::uint32_t>(offset),
+                          static_cast<std::uint32_t>(entries[i].section.size()), entries[i].codec};
+    std::memcpy(bytes.data() + sizeof h + i * sizeof s, &s, sizeof s);
+    std::memcpy(bytes.data() + offset, entries[i].section.data(), s.bytes);
+    end = offset + s.bytes;
+  }
   h.checksum = format::checksum(bytes.data() + sizeof h, bytes.size() - sizeof h);
   std::memcpy(bytes.data(), &h, sizeof h);
   return bytes;
+}
+
+std::vector<std::byte> write_packed(const std::vector<Entry>& entries, std::uint64_t scratch_bytes,
+                                    const std::string& source) {
+  packed::Header h{packed::kMagic, packed::kVersion, 0, file_size(entries, source), 0,
+                   static_cast<std::uint32_t>(entries.size()), 0};
+  h.memory_bytes = checked_size(format::align16(h.file_bytes) + format::align16(scratch_bytes), source);
+  std::vector<std::byte> bytes(sizeof h);
+  for (const Entry& e : entries) {
+    bytes.push_back(static_cast<std::byte>(e.kind));
+    bytes.push_back(static_cast<std::byte>(e.record_codec));
+    add_varint(checked_size(e.record.size(), source), bytes);
+    bytes.insert(bytes.end(), e.record.begin(), e.record.end());
+  }
+  h.packed_bytes = checked_size(bytes.size(), source);
+  h.checksum = format::checksum(bytes.data() + sizeof h, bytes.size() - sizeof h);
+  std::memcpy(bytes.data(), &h, sizeof h);
+  return bytes;
+}
+
+void check(const tools::AlignedBytes& file, const std::string& source) {
+  File loaded;
+  DataError error;
+  if (load({file.data(), file.size()}, loaded, &error) != Status::ok)
+    throw tools::Failure(tools::Exit::internal, source, "@" + std::to_string(error.offset), to_string(error.status),
+                         error.rule);
 }
 
 }  // namespace
@@ -152,31 +180,37 @@ std::vector<std::byte> assemble(const std::vector<std::pair<format::Kind, Sectio
 WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   Names names;
   WrittenFile out;
-  std::vector<std::pair<format::Kind, Section>> sections;
-  sections.emplace_back(format::kSkeletons, write_skeleton(scene.skeleton, names));
-  for (const BuiltClip& clip : scene.clips) {
-    sections.emplace_back(format::kClips, write_clip(clip, names));
-    out.clip_bytes.push_back(sections.back().second.bytes().size());
+  std::vector<Section> sections;  // their bytes stay where they are
+  sections.reserve(scene.clips.size() + scene.meshes.size() + 2);
+  std::vector<Entry> entries;
+  const auto add = [&](format::Kind kind, Section section) {
+    const Section& kept = sections.emplace_back(std::move(section));
+    entries.push_back({kind, kept.codec, kept.bytes(), kept.codec, kept.bytes()});
+    return kept.bytes().size();
+  };
+  std::uint64_t scratch_bytes = 0;
+  bool is_packed = false;
+  add(format::kSkeletons, write_skeleton(scene.skeleton, names));
+  for (const BuiltClip& clip : scene.clips) out.clip_bytes.push_back(add(format::kClips, write_clip(clip, names)));
+  for (const BuiltGeometry& g : scene.geometries) {
+    const std::span<const std::byte> section(g.section.data(), g.section.size());
+    const bool has_record = g.codec != 0;
+    entries.push_back({format::kGeometries, format::kCodecRaw, section, g.codec,
+                       has_record ? std::span<const std::byte>(g.record) : section});
+    out.geometry_bytes.push_back(entries.back().record.size());
+    scratch_bytes = std::max(scratch_bytes, g.scratch_bytes);
+    is_packed = is_packed || has_record;
   }
-  for (const BuiltGeometry& geometry : scene.geometries) {
-    sections.emplace_back(format::kGeometries, write_geometry(geometry));
-    out.geometry_bytes.push_back(sections.back().second.bytes().size());
-  }
-  for (const BuiltMesh& mesh : scene.meshes) {
-    sections.emplace_back(format::kMeshes, write_mesh(mesh, names));
-    out.mesh_bytes.push_back(sections.back().second.bytes().size());
-  }
+  for (const BuiltMesh& mesh : scene.meshes) out.mesh_bytes.push_back(add(format::kMeshes, write_mesh(mesh, names)));
   Section pool;
   pool.add_all(names.pool());
-  sections.emplace_back(format::kNames, std::move(pool));
-  out.bytes = assemble(sections, source);
+  add(format::kNames, std::move(pool));
 
-  const tools::AlignedBytes block{std::span<const std::byte>(out.bytes)};
-  File loaded;
-  DataError error;
-  if (load({block.data(), block.size()}, loaded, &error) != Status::ok)
-    throw tools::Failure(tools::Exit::internal, source, "@" + std::to_string(error.offset), to_string(error.status),
-                         error.rule);
+  out.bytes = is_packed ? write_packed(entries, scratch_bytes, source) : write_plain(entries, source);
+  for (const Entry& e : entries)
+    out.sections.push_back({format::kTypes[e.kind], static_cast<std::uint32_t>((is_packed ? e.record : e.section).size())});
+  check(is_packed ? tools::unpacked(out.bytes, source) : tools::AlignedBytes{std::span<const std::byte>(out.bytes)},
+        source);
   return out;
 }
 

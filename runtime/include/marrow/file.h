@@ -11,6 +11,7 @@ namespace marrow {
 inline constexpr std::uint32_t kMaxJoints = 32767;
 inline constexpr std::uint32_t kMaxInfluences = 8;
 inline constexpr std::uint16_t kNoParent = 0xFFFF;
+inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 
 // The joints that one or more meshes and clips share: a forest in breadth-first order, so a parent comes before its
 // children and the roots come first.
@@ -116,7 +117,7 @@ struct Geometry {
   const float* as_residual = nullptr;      // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
   const float* uvs = nullptr;              // a slot: u v; null if absent
   const std::uint8_t* colours = nullptr;   // a slot: r g b a, linear; null if absent
-  Span<const std::uint32_t> source_slots;  // slot of each vertex of the source, if cooked with --keep-vertex-order
+  Span<const std::uint32_t> source_slots;  // of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it
   float box_min[3] = {};                   // of the bind positions, mesh space
   float box_max[3] = {};
 };

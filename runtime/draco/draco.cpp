@@ -1,0 +1,73 @@
+// Decodes streams that Draco compressed: stream i is the attribute with unique id i, of 32-bit numbers.
+#include "marrow/draco.h"
+
+#include <cstring>
+
+#include <draco/compression/decode.h>
+#include <draco/mesh/mesh.h>
+
+#include "draco/counts.h"
+#include "unpack/streams.h"
+
+namespace marrow {
+namespace {
+
+bool copy_indices(const ::draco::Mesh& mesh, const MeshStreams& out) {
+  if (mesh.num_points() != out.vertex_count || mesh.num_faces() != out.triangle_count) return false;
+  std::uint32_t* index = out.indices;
+  for (::draco::FaceIndex f(0); f < mesh.num_faces(); ++f)
+    for (const ::draco::PointIndex& p : mesh.face(f)) *index++ = p.value();
+  return true;
+}
+
+bool copy_stream(const ::draco::PointAttribute& attribute, const Stream& s, std::uint32_t vertex_count) {
+  const ::draco::DataType type = attribute.data_type();
+  if (type != ::draco::DT_INT32 && type != ::draco::DT_UINT32) return false;
+  if (attribute.num_components() != s.components) return false;
+  const bool mapped = !attribute.is_mapping_identity();
+  if (mapped && attribute.indices_map_size() < vertex_count) return false;
+  const std::size_t bytes = s.components * sizeof(std::int32_t);
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    const ::draco::AttributeValueIndex value = attribute.mapped_index(::draco::PointIndex(v));
+    if (value.value() >= attribute.size()) return false;
+    const std::uint8_t* const from = attribute.GetAddress(value);
+    if (!attribute.IsAddressValid(from + bytes - 1)) return false;
+    std::memcpy(s.values + std::size_t{v} * s.components, from, bytes);
+  }
+  return true;
+}
+
+bool decode_mesh(Span<const std::byte> bytes, const MeshStreams& out) {
+  ::draco::DecoderBuffer buffer;
+  buffer.Init(reinterpret_cast<const char*>(bytes.data), bytes.size);
+  ::draco::Decoder decoder;
+  decoder.SetSkipAttributeTransform(::draco::GeometryAttribute::NORMAL);  // ours are the same on every processor
+  ::draco::Mesh mesh;
+  if (!decoder.DecodeBufferToGeometry(&buffer, &mesh).ok() || !copy_indices(mesh, out)) return false;
+  for (std::uint32_t i = 0; i < out.stream_count; ++i) {
+    const ::draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(i);
+    if (attribute == nullptr || !copy_stream(*attribute, out.streams[i], out.vertex_count)) return false;
+  }
+  return true;
+}
+
+Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
+  if (draco_claims_more(bytes, out.vertex_count, out.triangle_count)) return Status::bad_data;
+#if defined(__cpp_exceptions)
+  try {
+    return decode_mesh(bytes, out) ? Status::ok : Status::bad_data;
+  } catch (...) {  // Draco's containers, asked for more than there is
+    return Status::bad_data;
+  }
+#else
+  return decode_mesh(bytes, out) ? Status::ok : Status::bad_data;
+#endif
+}
+
+}  // namespace
+
+MeshDecoder draco_decoder() {
+  return {packed::kDraco, decode};
+}
+
+}  // namespace marrow

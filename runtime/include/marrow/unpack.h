@@ -1,0 +1,44 @@
+// Before stage 1, for packed files: what a game ships → what load() reads.
+//
+// A packed file holds its meshes compressed. Unpacking it yields a cooked file as `marrow cook --mesh-codec none` would
+// have written it, but for what quantisation took. The codecs are libraries of their own, so that a game links only the
+// one it ships with: marrow/draco.h (smallest), marrow/meshopt.h (fastest).
+#pragma once
+
+#include "marrow/span.h"
+#include "marrow/status.h"
+
+namespace marrow {
+
+struct MeshStreams;
+
+// One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
+struct MeshDecoder {
+  std::uint32_t codec = 0;  // as packed files name it
+  Status (*decode)(Span<const std::byte> bytes, const MeshStreams& out) = nullptr;
+};
+
+struct UnpackSizes {
+  std::uint32_t file_bytes = 0;    // of the unpacked file
+  std::uint32_t memory_bytes = 0;  // what unpack() wants: the file and, behind it, room to work in
+};
+
+// Whether these are the first bytes of a packed file. Anything else is for load() to judge.
+bool is_packed(Span<const std::byte> bytes);
+
+// How much memory unpacking takes. Checks the header and the checksum, no more: sizes are the file's claim, and whoever
+// reads files of strangers should set a limit to them. Errors: bad_magic, bad_version, bad_checksum, truncated.
+Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error = nullptr);
+
+// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load() to
+// check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+//
+// packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
+// bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); bad_argument. On failure
+// `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
+// order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
+// nothing else does.
+Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
+              Span<const std::byte>& file, DataError* error = nullptr);
+
+}  // namespace marrow

@@ -1,0 +1,58 @@
+// Decodes streams that meshoptimizer's codecs compressed.
+#include "marrow/meshopt.h"
+
+#include <meshoptimizer.h>
+
+#include "unpack/reader.h"
+#include "unpack/streams.h"
+
+namespace marrow {
+namespace {
+
+// A stream's numbers lie in as few bytes as its bits fit in, padded to four a vertex; spreads them, back to front, in the
+// array that they have been decoded to.
+template <class Number>
+void spread(const Stream& s, std::uint32_t vertex_count) {
+  const std::size_t stride = (s.components * sizeof(Number) + 3) / 4 * 4;
+  auto* const bytes = reinterpret_cast<const std::byte*>(s.values);
+  for (std::size_t v = vertex_count; v-- > 0;) {
+    for (std::size_t c = s.components; c-- > 0;) {
+      Number number;
+      std::memcpy(&number, bytes + v * stride + c * sizeof number, sizeof number);
+      s.values[v * s.components + c] = static_cast<std::int32_t>(number);
+    }
+  }
+}
+
+Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
+  Reader reader(bytes.data, bytes.size);
+  const auto take = [&] {
+    const Span<const std::byte> part = reader.take_bytes(reader.take_varint());
+    return Span<const unsigned char>(reinterpret_cast<const unsigned char*>(part.data), part.size);
+  };
+  const Span<const unsigned char> indices = take();
+  if (reader.failed() || meshopt_decodeIndexBuffer(out.indices, std::size_t{out.triangle_count} * 3,
+                                                   sizeof(std::uint32_t), indices.data, indices.size) != 0)
+    return Status::bad_data;
+  for (std::uint32_t i = 0; i < out.stream_count; ++i) {
+    const Stream& s = out.streams[i];
+    const std::size_t number_bytes = s.bits <= 8 ? 1 : s.bits <= 16 ? 2 : 4;
+    const std::size_t stride = (s.components * number_bytes + 3) / 4 * 4;
+    const Span<const unsigned char> part = take();
+    if (reader.failed() ||
+        meshopt_decodeVertexBuffer(s.values, out.vertex_count, stride, part.data, part.size) != 0)
+      return Status::bad_data;
+    if (number_bytes == 1) spread<std::uint8_t>(s, out.vertex_count);
+    if (number_bytes == 2) spread<std::uint16_t>(s, out.vertex_count);
+    if (number_bytes == 4) spread<std::int32_t>(s, out.vertex_count);
+  }
+  return reader.left() == 0 ? Status::ok : Status::bad_data;
+}
+
+}  // namespace
+
+MeshDecoder meshopt_decoder() {
+  return {packed::kMeshopt, decode};
+}
+
+}  // namespace marrow

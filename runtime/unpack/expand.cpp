@@ -1,0 +1,209 @@
+#include "unpack/expand.h"
+
+#include <bit>
+
+#include "unpack/arrange.h"
+#include "unpack/octahedron.h"
+
+namespace marrow {
+namespace {
+
+using format::GeometryHeader;
+using format::GeometryLayout;
+
+float value(const Stream& s, std::uint32_t vertex, std::uint32_t component) {
+  const std::int32_t v = s.values[std::size_t{vertex} * s.components + component];
+  if (s.bits == 0) return std::bit_cast<float>(v);
+  return s.origin[component < 3 ? component : 0] + static_cast<float>(v) * s.step;
+}
+
+void direction(const Stream& s, std::uint32_t vertex, float out[3]) {
+  const std::int32_t* const v = s.values + std::size_t{vertex} * s.components;
+  if (s.bits == 0) {
+    for (int i = 0; i < 3; ++i) out[i] = std::bit_cast<float>(v[i]);
+  } else {
+    from_octahedron(v[0], v[1], s.bits, out);
+  }
+}
+
+// Null, or what is wrong with numbers that nobody has checked.
+const char* check(const MeshStreams& mesh) {
+  for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i)
+    if (mesh.indices[i] >= mesh.vertex_count) return "a triangle has no such vertex";
+  for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
+    if (mesh.source_map[i] >= mesh.vertex_count && mesh.source_map[i] != kNoSlot) return "a source vertex has become none";
+  if (const Stream* const joints = mesh.find(StreamKind::joints))
+    for (std::size_t i = 0; i < std::size_t{mesh.vertex_count} * joints->components; ++i)
+      if (joints->values[i] < 0 || static_cast<std::uint32_t>(joints->values[i]) >= mesh.joint_count)
+        return "a palette entry beyond joint_count";
+  const Stream* const weights = mesh.find(StreamKind::weights);
+  if (weights == nullptr || weights->bits == 0) return nullptr;
+  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    std::int64_t left = (std::int64_t{1} << weights->bits) - 1;
+    for (std::uint32_t j = 0; j < weights->components; ++j) {
+      const std::int32_t w = weights->values[std::size_t{v} * weights->components + j];
+      left = w < 0 ? -1 : left - w;
+      if (left < 0) return "weights that sum to more than one";
+    }
+  }
+  return nullptr;
+}
+
+GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a) {
+  GeometryHeader h{};
+  h.flags = mesh.flags;
+  h.vertex_count = mesh.vertex_count;
+  h.block_count = a.block_count;
+  h.influence_blocks = a.influence_blocks;
+  h.run_count = a.run_count;
+  h.set_count = a.set_count;
+  h.joint_count = mesh.joint_count;
+  h.index_count = 3 * mesh.triangle_count;
+  h.source_vertex_count = mesh.source_vertex_count;
+  const Stream& positions = *mesh.find(StreamKind::position);
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    float low = value(positions, 0, c), high = low;
+    for (std::uint32_t v = 1; v < mesh.vertex_count; ++v) {
+      const float x = value(positions, v, c);
+      low = x < low ? x : low;
+      high = x > high ? x : high;
+    }
+    h.box_min[c] = low;
+    h.box_max[c] = high;
+  }
+  return h;
+}
+
+// One pass over the vertices in the order of their slots, block by block.
+class Writer {
+ public:
+  Writer(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base)
+      : mesh_(mesh),
+        a_(a),
+        skin_(at<float>(base, l.skin)),
+        normals_(at<float>(base, l.normals)),
+        tangents_(at<float>(base, l.tangents)),
+        residual_(at<float>(base, l.as_residual)),
+        uvs_(at<float>(base, l.uvs)),
+        colours_(at<std::uint8_t>(base, l.colours)),
+        runs_(at<Run>(base, l.runs)),
+        sets_(at<std::uint16_t>(base, l.sets)) {}
+
+  void write() {
+    for (std::uint32_t first = 0; first < mesh_.vertex_count;) {
+      const std::uint32_t count = run_length(first), influences = influence_count(mesh_, a_.order[first]);
+      *runs_++ = {count, influences};
+      write_set(a_.order[first], influences);
+      for (std::uint32_t i = 0; i < count; i += 4) {
+        std::uint32_t vertices[4];
+        for (std::uint32_t lane = 0; lane < 4; ++lane)
+          vertices[lane] = a_.order[first + (i + lane < count ? i + lane : count - 1)];
+        write_block(vertices, influences);
+      }
+      first += count;
+    }
+  }
+
+ private:
+  template <class T>
+  static T* at(std::byte* base, std::uint64_t offset) {
+    return reinterpret_cast<T*>(base + offset);
+  }
+
+  // A run ends where the next slot begins a block although it need not, or where blocks are not contiguous; both show
+  // as another joint set.
+  std::uint32_t run_length(std::uint32_t first) const {
+    const Stream* const joints = mesh_.find(StreamKind::joints);
+    std::uint32_t end = first + 1;
+    if (joints == nullptr) return mesh_.vertex_count - first;
+    const std::size_t bytes = joints->components * sizeof(std::int32_t);
+    const auto of = [&](std::uint32_t i) { return joints->values + std::size_t{a_.order[i]} * joints->components; };
+    while (end < mesh_.vertex_count && std::memcmp(of(end), of(first), bytes) == 0) ++end;
+    return end - first;
+  }
+
+  void write_set(std::uint32_t vertex, std::uint32_t influences) {
+    const Stream* const joints = mesh_.find(StreamKind::joints);
+    for (std::uint32_t j = 0; j < influences; ++j)
+      *sets_++ = joints == nullptr
+                     ? std::uint16_t{0}
+                     : static_cast<std::uint16_t>(joints->values[std::size_t{vertex} * joints->components + j]);
+  }
+
+  void write_block(const std::uint32_t (&v)[4], std::uint32_t influences) {
+    const Stream& positions = *mesh_.find(StreamKind::position);
+    for (std::uint32_t c = 0; c < 3; ++c)
+      for (const std::uint32_t vertex : v) *skin_++ = value(positions, vertex, c);
+    const Stream* const weights = mesh_.find(StreamKind::weights);
+    for (std::uint32_t j = 0; j + 1 < influences; ++j)
+      for (const std::uint32_t vertex : v) *skin_++ = value(*weights, vertex, j);
+    if (const Stream* const s = mesh_.find(StreamKind::normal)) normals_ = write_directions(*s, v, normals_);
+    if (const Stream* const s = mesh_.find(StreamKind::tangent)) {
+      tangents_ = write_directions(*s, v, tangents_);
+      const Stream& sign = *mesh_.find(StreamKind::tangent_sign);
+      for (const std::uint32_t vertex : v) *tangents_++ = sign.values[vertex] != 0 ? 1.0f : -1.0f;
+    }
+    if (const Stream* const s = mesh_.find(StreamKind::residual))
+      for (std::uint32_t i = 0; i < 4 * influences; ++i)
+        for (const std::uint32_t vertex : v) *residual_++ = value(*s, vertex, i);
+    for (const std::uint32_t vertex : v) write_slot(vertex);
+  }
+
+  float* write_directions(const Stream& s, const std::uint32_t (&v)[4], float* out) const {
+    for (int lane = 0; lane < 4; ++lane) {
+      float unit[3];
+      direction(s, v[lane], unit);
+      for (int c = 0; c < 3; ++c) out[4 * c + lane] = unit[c];
+    }
+    return out + 12;
+  }
+
+  void write_slot(std::uint32_t vertex) {
+    if (const Stream* const s = mesh_.find(StreamKind::uv))
+      for (std::uint32_t c = 0; c < 2; ++c) *uvs_++ = value(*s, vertex, c);
+    if (const Stream* const s = mesh_.find(StreamKind::colour))
+      for (std::uint32_t c = 0; c < 4; ++c)
+        *colours_++ = static_cast<std::uint8_t>(s->values[std::size_t{vertex} * 4 + c]);
+  }
+
+  const MeshStreams& mesh_;
+  const Arrangement& a_;
+  float *skin_, *normals_, *tangents_, *residual_, *uvs_;
+  std::uint8_t* colours_;
+  Run* runs_;
+  std::uint16_t* sets_;
+};
+
+void write_indices(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base) {
+  auto* const narrow = reinterpret_cast<std::uint16_t*>(base + l.indices);
+  auto* const wide = reinterpret_cast<std::uint32_t*>(base + l.indices);
+  for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i) {
+    const std::uint32_t slot = a.slot_of_vertex[mesh.indices[i]];
+    l.index_bytes == 2 ? narrow[i] = static_cast<std::uint16_t>(slot) : wide[i] = slot;
+  }
+}
+
+}  // namespace
+
+std::uint64_t expand_scratch_bytes(const MeshStreams& mesh) {
+  return 3 * ((std::uint64_t{mesh.vertex_count} * 4 + 15) / 16 * 16);
+}
+
+const char* expand_geometry(const MeshStreams& mesh, Arena& scratch, Span<std::byte> out, std::uint32_t& bytes) {
+  if (const char* const rule = check(mesh)) return rule;
+  Arrangement a;
+  if (!arrange(mesh, scratch, a)) return "memory_bytes too small";
+  const GeometryHeader h = make_header(mesh, a);
+  const GeometryLayout l = layout(h);
+  if (l.bytes > out.size) return "file_bytes too small";
+  std::memcpy(out.data, &h, sizeof h);
+  Writer(mesh, a, l, out.data).write();
+  auto* const source_slots = reinterpret_cast<std::uint32_t*>(out.data + l.source_slots);
+  for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
+    source_slots[i] = mesh.source_map[i] == kNoSlot ? kNoSlot : a.slot_of_vertex[mesh.source_map[i]];
+  write_indices(mesh, a, l, out.data);
+  bytes = static_cast<std::uint32_t>(l.bytes);
+  return nullptr;
+}
+
+}  // namespace marrow

@@ -1,0 +1,20 @@
+// A packed geometry: a short header, the numbers that undo quantisation, and what the codec made of the streams.
+#pragma once
+
+#include "marrow/unpack.h"
+#include "unpack/reader.h"
+#include "unpack/streams.h"
+
+namespace marrow {
+
+// Reads what stands in front of the codec's bytes; the arrays are left null. Returns null, or the rule that is broken.
+const char* read_geometry_record(Reader& reader, MeshStreams& out);
+
+// Bytes of scratch memory for the arrays of these streams and for expanding them.
+std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);
+
+// A whole record → a GEOM section at `out`. `status` tells bad data from an unsupported codec or one that failed.
+const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
+                            Span<std::byte> out, std::uint32_t& bytes);
+
+}  // namespace marrow

@@ -1,0 +1,31 @@
+// The packed file (docs/format.md, "Packed files"), as unpack() reads it and the cooker writes it. Little-endian.
+#pragma once
+
+#include <cstdint>
+
+#include "asset/format.h"
+
+namespace marrow::packed {
+
+inline constexpr std::uint32_t kMagic = format::four_characters("MRRP");
+inline constexpr std::uint32_t kVersion = 1;
+
+struct Header {
+  std::uint32_t magic;
+  std::uint32_t version;
+  std::uint32_t packed_bytes;
+  std::uint32_t file_bytes;
+  std::uint32_t memory_bytes;
+  std::uint32_t record_count;
+  std::uint64_t checksum;  // of everything behind the header
+};
+static_assert(sizeof(Header) == 32);
+
+// How a record stands for its section. Below kFirstCodec: the section's own bytes and codec.
+enum Codec : std::uint8_t { kFirstCodec = 16, kDraco = 16, kMeshopt = 17, kCompact = 18 };
+
+inline constexpr std::uint32_t kMaxDirectionBits = 16;
+inline constexpr std::uint32_t kMaxWeightBits = 16;
+inline constexpr std::uint32_t kMaxValueBits = 24;  // exact as floats
+
+}  // namespace marrow::packed

@@ -1,0 +1,52 @@
+// A mesh between its codec and its blocks: whole numbers a vertex, property by property, and triangles.
+#pragma once
+
+#include "marrow/file.h"
+#include "unpack/packed.h"
+
+namespace marrow {
+
+// What stands in a stream. A vertex's joints ascend strictly; the last is repeated where there are fewer than in other
+// vertices. Of its weights the last is what the others leave and not stored; places without a joint hold 0.
+enum class StreamKind : std::uint8_t {
+  position,      // 3
+  normal,        // 2: octahedral, as Draco has them; verbatim: 3
+  tangent,       // 2, as normal; verbatim: 3
+  tangent_sign,  // 1: 0 for -1, 1 for +1
+  uv,            // 2
+  colour,        // 4: 0 … 255
+  joints,        // one an influence
+  weights,       // one an influence but the last; 2^bits - 1 is one
+  residual,      // 4 an influence
+};
+inline constexpr std::uint32_t kStreamKinds = 9;
+
+struct Stream {
+  StreamKind kind = StreamKind::position;
+  std::uint8_t components = 0;
+  std::uint8_t bits = 0;  // 0: the bits of floats, verbatim
+  float origin[3] = {};   // value = origin + number · step
+  float step = 1;
+  std::int32_t* values = nullptr;  // vertex by vertex
+};
+
+struct MeshStreams {
+  std::uint32_t flags = 0;  // format::GeometryFlags
+  std::uint32_t vertex_count = 0;
+  std::uint32_t triangle_count = 0;
+  std::uint32_t joint_count = 0;  // palette entries
+  std::uint32_t influences = 1;   // the most of any vertex
+  std::uint32_t source_vertex_count = 0;
+  std::uint32_t* indices = nullptr;            // 3 a triangle
+  const std::uint32_t* source_map = nullptr;   // the vertex that each of the source has become
+  Stream streams[kStreamKinds];
+  std::uint32_t stream_count = 0;
+
+  const Stream* find(StreamKind kind) const {
+    for (std::uint32_t i = 0; i < stream_count; ++i)
+      if (streams[i].kind == kind) return &streams[i];
+    return nullptr;
+  }
+};
+
+}  // namespace marrow

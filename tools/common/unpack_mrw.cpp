@@ -1,0 +1,30 @@
+#include "common/unpack_mrw.h"
+
+#include "common/failure.h"
+#include "marrow/draco.h"
+#include "marrow/meshopt.h"
+
+namespace marrow::tools {
+
+AlignedBytes unpacked(std::span<const std::byte> packed, const std::string& path) {
+  const Span<const std::byte> bytes(packed.data(), packed.size());
+  const MeshDecoder decoders[] = {draco_decoder(), meshopt_decoder()};
+  UnpackSizes sizes;
+  DataError error;
+  Span<const std::byte> file;
+  AlignedBytes memory;
+  Status status = unpack_sizes(bytes, sizes, &error);
+  if (status == Status::ok) {
+    memory = AlignedBytes(sizes.memory_bytes);
+    status = unpack(bytes, {decoders, 2}, {memory.data(), memory.size()}, file, &error);
+  }
+  if (status != Status::ok) {
+    const bool foreign = status == Status::unsupported || status == Status::bad_version;
+    throw Failure(foreign ? Exit::unsupported : Exit::invalid, path, "@" + std::to_string(error.offset),
+                  to_string(status), error.rule);
+  }
+  memory.truncate(sizes.file_bytes);
+  return memory;
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,74 @@
+// A primitive's vertices on their way to the file: numbers, welded, ordered, encoded, and decoded as the runtime will.
+#include <algorithm>
+
+#include "common/failure.h"
+#include "cook/build.h"
+#include "cook/mesh/encode.h"
+#include "cook/mesh/record.h"
+#include "marrow/draco.h"
+#include "marrow/meshopt.h"
+#include "unpack/expand.h"
+#include "unpack/geometry.h"
+
+namespace marrow::cook {
+namespace {
+
+// The section that these streams become in the runtime.
+tools::AlignedBytes expand(OwnedStreams& streams) {
+  const MeshStreams mesh = streams.view();
+  tools::AlignedBytes scratch(expand_scratch_bytes(mesh));
+  // Each vertex in a block of its own, every stream as floats, is more than there can be.
+  std::uint64_t bound = sizeof(format::GeometryHeader) + 64 + 4 * std::uint64_t{mesh.source_vertex_count} +
+                        12 * std::uint64_t{mesh.triangle_count};
+  bound += std::uint64_t{mesh.vertex_count} * (16 * (3 + mesh.influences + 3 + 4 + 2 + 1) + 8 + 2 * mesh.influences);
+  if (mesh.find(StreamKind::residual) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 64 * mesh.influences;
+  tools::AlignedBytes section(bound);
+  Arena arena(scratch.data(), scratch.size());
+  std::uint32_t bytes = 0;
+  if (const char* const rule = expand_geometry(mesh, arena, {section.data(), section.size()}, bytes))
+    throw tools::Failure(tools::Exit::internal, "", "", "geometry", rule);
+  return tools::AlignedBytes(std::span<const std::byte>(section.data(), bytes));
+}
+
+// What the runtime makes of the record.
+tools::AlignedBytes unpack_record(const BuiltGeometry& g, const MeshDecoder& decoder, std::size_t section_bytes) {
+  tools::AlignedBytes scratch(g.scratch_bytes), section(section_bytes);
+  std::uint32_t bytes = 0;
+  const char* const rule = unpack_geometry({g.record.data(), g.record.size()}, decoder, {scratch.data(), scratch.size()},
+                                           {section.data(), section.size()}, bytes);
+  if (rule != nullptr) throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", rule);
+  return section;
+}
+
+}  // namespace
+
+BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options) {
+  BuiltGeometry out;
+  const bool is_packed = options.mesh_codec != MeshCodec::none;
+  OwnedStreams streams = is_packed ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, out.error)
+                                : verbatim_streams(primitive, bindings, joint_count);
+  weld(streams, options.keep_vertex_order);
+  optimise_order(streams);
+  if (is_packed) {
+    const bool draco = options.mesh_codec == MeshCodec::draco;
+    const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
+    out.codec = draco ? packed::kDraco : packed::kMeshopt;
+    out.record = geometry_record(streams, encoded);
+    out.scratch_bytes = geometry_scratch_bytes(streams.view());
+  }
+  streams.mesh.flags |= streams.source_map.empty() ? 0u : format::kHasSourceSlots;
+  out.section = expand(streams);
+  out.influences = streams.mesh.influences;
+  std::memcpy(&out.header, out.section.data(), sizeof out.header);
+  if (is_packed) {
+    const MeshDecoder decoder =
+        out.codec == packed::kDraco ? draco_decoder() : meshopt_decoder();
+    const tools::AlignedBytes again = unpack_record(out, decoder, out.section.size());
+    if (std::memcmp(again.data(), out.section.data(), out.section.size()) != 0)
+      throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "the record does not unpack to itself");
+  }
+  return out;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,40 @@
+#include "cook/mesh/record.h"
+
+namespace marrow::cook {
+
+std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<std::byte>& encoded) {
+  std::vector<std::byte> out;
+  const bool has_map = !s.source_map.empty();
+  add_varint(s.mesh.flags | (has_map ? format::kHasSourceSlots : 0u), out);
+  add_varint(s.mesh.vertex_count, out);
+  add_varint(static_cast<std::uint32_t>(s.indices.size() / 3), out);
+  add_varint(s.mesh.joint_count, out);
+  add_varint(s.mesh.influences, out);
+  if (has_map) add_varint(static_cast<std::uint32_t>(s.source_map.size()), out);
+  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
+    const Stream& stream = s.mesh.streams[i];
+    switch (stream.kind) {
+      case StreamKind::position:
+      case StreamKind::uv:
+      case StreamKind::residual: {
+        const int axes = stream.kind == StreamKind::position ? 3 : stream.kind == StreamKind::uv ? 2 : 0;
+        add_value(stream.bits, out);
+        for (int c = 0; c < axes; ++c) add_value(stream.origin[c], out);
+        add_value(stream.step, out);
+        break;
+      }
+      case StreamKind::normal:
+      case StreamKind::tangent:
+      case StreamKind::weights:
+        add_value(stream.bits, out);
+        break;
+      default:
+        break;
+    }
+  }
+  for (const std::uint32_t vertex : s.source_map) add_varint(vertex, out);
+  out.insert(out.end(), encoded.begin(), encoded.end());
+  return out;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,66 @@
+// A mesh as the codecs take it, with the memory that its arrays live in.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cook/raw.h"
+#include "unpack/streams.h"
+
+namespace marrow::cook {
+
+// A vertex's joints, as palette entries in ascending order, with weights that sum to one.
+struct Binding {
+  std::vector<std::uint16_t> set;
+  std::vector<double> weights;
+};
+
+class OwnedStreams {
+ public:
+  MeshStreams mesh;  // its arrays are null; see view()
+  std::vector<std::uint32_t> indices, source_map;
+  std::vector<std::int32_t> values[kStreamKinds];  // a stream
+
+  Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits);
+  // With the arrays' addresses, until one of them changes.
+  MeshStreams view();
+  const Stream* find(StreamKind kind) const { return mesh.find(kind); }
+  std::vector<std::int32_t>* values_of(StreamKind kind);
+};
+
+// How finely meshes are quantised.
+struct MeshGrid {
+  glm::dvec3 origin{0};
+  double step = 0;  // metres; 0: not at all, everything is kept as floats
+};
+
+struct MeshPrecision {
+  double normal_error_deg = 0.3;  // no normal or tangent is turned further
+  double uv_error = 1.0 / 8192;   // in widths of the texture
+  double weight_error = 1e-3;
+};
+
+// What quantisation has done at worst.
+struct MeshError {
+  double position_m = 0;
+  double normal_deg = 0;
+  double uv = 0;
+  double weight = 0;
+};
+
+// Every vertex of the source as it is, bits of floats.
+OwnedStreams verbatim_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                              std::size_t joint_count);
+// Rounded to the grid and to as few bits as keep the precision.
+OwnedStreams quantised_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                               std::size_t joint_count, const MeshGrid& grid, const MeshPrecision& precision,
+                               MeshError& error);
+
+// Merges vertices that agree in everything, drops triangles that have no area in any pose and vertices without a
+// triangle. keep_map: fill in source_map; what is dropped gets kNoSlot.
+void weld(OwnedStreams& streams, bool keep_map);
+
+// Orders triangles for the GPU's vertex cache and for little overdraw.
+void optimise_order(OwnedStreams& streams);
+
+}  // namespace marrow::cook
