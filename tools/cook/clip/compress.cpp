@@ -22,13 +22,17 @@ constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that 
 constexpr double kStillShare = 0.05;                            // of the promise, below which a movement does not count
 constexpr double kShares[] = {0.97, 0.9, 0.75};                 // of the promise, that the search may use up
 
-// A STEP track that changes cannot be blended between frames.
+// A STEP track that changes cannot be blended between frames. Exporters write STEP for what is constant but for the
+// rounding of floats.
 bool jumps(const BuiltClip& clip, const Track& track) {
+  constexpr float kRounding = 1e-6f;
   if (track.interpolation != Interpolation::step) return false;
   const std::size_t width = format::floats_per_key(track.path, track.interpolation);
   const float* const first = clip.values.data() + track.first_value;
+  float largest = track.path == Path::translation ? 0.0f : 1.0f;
+  for (std::size_t i = 0; i < width; ++i) largest = std::max(largest, std::fabs(first[i]));
   for (std::size_t i = width; i < track.key_count * width; ++i)
-    if (first[i] != first[i % width]) return true;
+    if (!(std::fabs(first[i] - first[i % width]) <= kRounding * largest)) return true;
   return false;
 }
 
