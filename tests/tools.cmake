@@ -2,7 +2,7 @@
 set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/cook/gltf_geometry_test.cpp
   unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
-  unit/cook/clips_test.cpp)
+  unit/cook/clips_test.cpp unit/cook/codec_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
 set_source_files_properties(${gltf_tests} PROPERTIES COMPILE_OPTIONS -O0)
 marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
@@ -23,7 +23,7 @@ target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVA
 marrow_warnings(marrow_reference)
 
 marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/cooked.cpp)
+  road/channels_test.cpp road/codec_test.cpp road/cooked.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")

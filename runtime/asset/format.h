@@ -18,6 +18,7 @@ inline constexpr std::uint32_t four_characters(const char (&s)[5]) {
 }
 
 inline constexpr std::uint32_t kMagic = four_characters("MRRW");
+inline constexpr std::uint32_t kPackedMagic = four_characters("MRRP");  // for unpack(), see unpack/packed.h
 inline constexpr std::uint32_t kVersion = 1;
 inline constexpr std::uint32_t kCodecRaw = 0;
 inline constexpr std::uint32_t kCodecSegments = 1;  // clips only

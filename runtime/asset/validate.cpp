@@ -367,6 +367,7 @@ DataError check_container(Span<const std::byte> block) {
   if (block.size < sizeof(format::Header)) return {Status::truncated, 0, "32 bytes of header"};
   format::Header h;
   std::memcpy(&h, block.data, sizeof h);
+  if (h.magic == format::kPackedMagic) return {Status::unsupported, 0, "a packed file: unpack() it first (marrow/unpack.h)"};
   if (h.magic != format::kMagic) return {Status::bad_magic, 0, "begins with MRRW"};
   if (h.version != format::kVersion) return {Status::bad_version, 4, "format version 1; cook the source again"};
   if (h.file_bytes > block.size) return {Status::truncated, 8, "the file ends before its stated size"};

@@ -67,8 +67,11 @@ const char* read_geometry_record(Reader& reader, MeshStreams& out) {
   if (has(format::kHasUvs)) sane = sane && read_values(reader, 2, add(out, StreamKind::uv, 2, 0));
   if (has(format::kHasColours)) add(out, StreamKind::colour, 4, 8);
   if (out.joint_count > 1) add(out, StreamKind::joints, out.influences, 15);
-  if (out.influences > 1)
-    sane = sane && read_bits(reader, 1, packed::kMaxWeightBits, add(out, StreamKind::weights, out.influences - 1, 0));
+  if (out.influences > 1) {
+    Stream& weights = add(out, StreamKind::weights, out.influences - 1, 0);
+    sane = sane && read_bits(reader, 1, packed::kMaxWeightBits, weights);
+    if (sane) weights.step = weight_step(weights.bits);
+  }
   if (has(format::kHasAsResidual)) sane = sane && read_values(reader, 0, add(out, StreamKind::residual, 4 * out.influences, 0));
   if (out.influences > out.joint_count) return "more influences than joints";
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";

@@ -7,7 +7,7 @@
 
 namespace marrow::packed {
 
-inline constexpr std::uint32_t kMagic = format::four_characters("MRRP");
+inline constexpr std::uint32_t kMagic = format::kPackedMagic;
 inline constexpr std::uint32_t kVersion = 1;
 
 struct Header {

@@ -30,6 +30,11 @@ struct Stream {
   std::int32_t* values = nullptr;  // vertex by vertex
 };
 
+// Of weights.
+constexpr float weight_step(std::uint32_t bits) {
+  return 1.0f / static_cast<float>((1 << bits) - 1);
+}
+
 struct MeshStreams {
   std::uint32_t flags = 0;  // format::GeometryFlags
   std::uint32_t vertex_count = 0;

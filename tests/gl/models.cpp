@@ -40,6 +40,7 @@ std::vector<std::string> model_paths() {
 std::optional<Model> cook_model(const std::string& path) {
   try {
     cook::CookOptions options;
+    options.mesh_codec = cook::MeshCodec::none;
     options.raw_clips = true;  // poses are all that matters here, and compressing takes most of the time
     const cook::CookResult cooked = cook::cook_file(path, options);
     Model model{fs::path(path).filename().string(), tools::AlignedBytes(cooked.file), {}};

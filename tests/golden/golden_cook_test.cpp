@@ -13,6 +13,7 @@ namespace {
 
 cook::CookResult cook_file(const char* name, bool raw_clips, const std::vector<cook::AdditiveRule>& additive = {}) {
   cook::CookOptions options;
+  options.mesh_codec = cook::MeshCodec::none;
   options.additive = additive;
   options.keep_vertex_order = raw_clips;
   options.raw_clips = raw_clips;

@@ -59,6 +59,7 @@ TEST_P(Weights, AgreeWithTheReference) {
   Compared compared[2];
   for (const bool raw : {true, false}) {
     cook::CookOptions options;
+    options.mesh_codec = cook::MeshCodec::none;
     options.raw_clips = raw;
     const cook::CookResult cooked = cook::cook_file(GetParam(), options);
     const AlignedBlock block(cooked.file.data(), cooked.file.size());

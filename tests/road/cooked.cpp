@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "cook/cook.h"
+#include "common/unpack_mrw.h"
 
 namespace marrow::test {
 namespace {
@@ -14,12 +14,20 @@ Vec3 three(const std::vector<float>& v, std::size_t first) {
 
 }  // namespace
 
-Cooked::Cooked(const std::string& path) {
+Cooked::Cooked(const std::string& path, cook::MeshCodec codec) {
   cook::CookOptions options;
   options.keep_vertex_order = true;
+  options.mesh_codec = codec;
   options.raw_clips = true;  // compression is judged apart, by clip_test.cpp
   const cook::CookResult result = cook::cook_file(path, options);
-  block_ = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
+  report_ = result.report;
+  bytes_ = result.file.size();
+  if (codec == cook::MeshCodec::none) {
+    block_ = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
+  } else {
+    const tools::AlignedBytes unpacked = tools::unpacked(result.file, path);
+    block_ = std::make_unique<AlignedBlock>(unpacked.data(), unpacked.size());
+  }
   DataError error;
   if (load(*block_, file_, &error) != Status::ok)
     throw std::runtime_error(path + ": cooked, but not loaded: " + error.rule);
@@ -30,6 +38,14 @@ CookedPose Cooked::pose(std::uint32_t clip, float time_s, Deformer deformer) con
   for (std::uint32_t m = 0; m < file_.mesh_count(); ++m) {
     const PosedMesh posed = pose_mesh(file_, clip, time_s, m, deformer);
     for (const std::size_t slot : file_.mesh(m).geometry.source_slots) {
+      out.used.push_back(slot != kNoSlot);
+      if (slot == kNoSlot) {
+        out.positions.emplace_back();
+        out.normals.emplace_back();
+        out.tangents.emplace_back();
+        out.tangent_signs.push_back(0);
+        continue;
+      }
       out.positions.push_back(three(posed.positions, slot * 3));
       out.normals.push_back(three(posed.normals, slot * 3));
       out.tangents.push_back(three(posed.tangents, slot * 4));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cook/cook.h"
 #include "support/aligned.h"
 #include "support/double_math.h"
 #include "support/pose_file.h"
@@ -16,21 +17,25 @@ struct CookedPose {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals, tangents;  // zero where absent
   std::vector<double> tangent_signs;    // 0 where absent
+  std::vector<bool> used;               // by a triangle; what is not is left out
 };
 
 class Cooked {
  public:
   // Cooks with the vertex order kept; throws what the cooker throws.
-  explicit Cooked(const std::string& path);
+  explicit Cooked(const std::string& path, cook::MeshCodec codec = cook::MeshCodec::none);
 
   const File& file() const { return file_; }
-  std::size_t bytes() const { return block_->size(); }
+  const nlohmann::ordered_json& report() const { return report_; }
+  std::size_t bytes() const { return bytes_; }  // as cooked
   // clip ≥ clip_count(): the rest pose.
   CookedPose pose(std::uint32_t clip, float time_s, Deformer deformer) const;
 
  private:
   std::unique_ptr<AlignedBlock> block_;
   File file_;
+  nlohmann::ordered_json report_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace marrow::test

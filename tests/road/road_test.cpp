@@ -61,7 +61,7 @@ void compare(const Reference& reference, const ReferencePose& want, const Cooked
     return e < 1e300 ? e : 1e300;
   };
   for (std::size_t v = 0; v < want.positions.size(); ++v) {
-    if (!reference.comparable(v)) continue;
+    if (!reference.comparable(v) || !ssd.used[v]) continue;
     worst.position = std::max(worst.position, error(want.positions[v], ssd.positions[v]));
     worst.lift = std::max(worst.lift, error(as.positions[v], ssd.positions[v]));
     if (want.rigid_unique[v]) worst.rigid = std::max(worst.rigid, error(want.rigid[v], rigid.positions[v]));

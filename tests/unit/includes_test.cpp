@@ -47,7 +47,8 @@ const std::map<std::string, std::string> kHeaders = {
     {"marrow/glm.h", "math"},        {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
     {"marrow/sample.h", "pose"},     {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
     {"marrow/transition.h", "pose"}, {"marrow/playback.h", "pose"},       {"marrow/palette.h", "skin"},
-    {"marrow/skin.h", "skin"}};
+    {"marrow/skin.h", "skin"},       {"marrow/unpack.h", "unpack"},       {"marrow/draco.h", "draco"},
+    {"marrow/meshopt.h", "meshopt"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
@@ -66,7 +67,9 @@ TEST(Includes, PointOneWay) {
                                                                 {"curve", {"core", "math", "curve"}},
                                                                 {"skin", {"core", "math", "asset", "skin"}},
                                                                 {"gles3", {"core", "math", "asset", "skin", "gles3"}},
-                                                                {"draco", {"core", "math", "asset", "draco"}}};
+                                                                {"unpack", {"core", "asset", "unpack"}},
+                                                                {"draco", {"core", "asset", "unpack", "draco"}},
+                                                                {"meshopt", {"core", "asset", "unpack", "meshopt"}}};
   int checked = 0;
   for (const auto& [part, may] : allowed) {
     for (const Include& include : includes_under(kRuntime / part)) {
@@ -80,7 +83,8 @@ TEST(Includes, PointOneWay) {
 }
 
 TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
-  const std::set<std::string> known = {"include", "core", "math", "asset", "pose", "curve", "skin", "gles3", "draco"};
+  const std::set<std::string> known = {"include", "core", "math", "asset", "pose", "curve", "skin", "gles3",
+                                       "unpack",  "draco", "meshopt"};
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }

@@ -39,7 +39,9 @@ const File& Models::get(const ModelSource& model) {
                                         : cook::read_gltf((std::filesystem::path(folder_) / model.file).string());
   for (cook::RawClip& clip : scene.clips)
     if (!wanted_[&model].contains(clip.name)) keep_first_keys(clip);
-  loaded.bytes = AlignedBytes(std::span<const std::byte>(cook::cook_scene(std::move(scene), {}).file));
+  cook::CookOptions options;
+  options.mesh_codec = cook::MeshCodec::none;
+  loaded.bytes = AlignedBytes(std::span<const std::byte>(cook::cook_scene(std::move(scene), options).file));
   if (load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file) != Status::ok)
     throw Failure(Exit::internal, model.file, "", "cannot be loaded once cooked", "please report this");
   return loaded.file;

@@ -215,7 +215,7 @@ void add_influences(const std::vector<Binding>& bindings, double allowed, OwnedS
   }
   add_joints(kept, out);
   if (out.mesh.influences < 2) return;
-  out.add(StreamKind::weights, out.mesh.influences - 1, bits);
+  out.add(StreamKind::weights, out.mesh.influences - 1, bits).step = weight_step(bits);
   for (const std::vector<std::int32_t>& n : numbers)
     for (std::size_t j = 0; j + 1 < out.mesh.influences; ++j)
       out.values_of(StreamKind::weights)->push_back(j + 1 < n.size() ? n[j] : 0);

@@ -1,0 +1,290 @@
+// Packed files built by hand, with a codec that stores numbers as they are: what unpacking must give, and what it must
+// refuse.
+#include <bit>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "marrow/file.h"
+#include "marrow/unpack.h"
+#include "support/aligned.h"
+#include "support/golden.h"
+#include "unpack/streams.h"
+
+namespace marrow {
+namespace {
+
+constexpr std::uint32_t kPlain = 200;
+
+// Indices, then every stream, as 32-bit numbers.
+Status decode_plain(Span<const std::byte> bytes, const MeshStreams& out) {
+  std::size_t at = 0;
+  const auto copy = [&](void* to, std::size_t count) {
+    if (at + 4 * count > bytes.size) return false;
+    std::memcpy(to, bytes.data + at, 4 * count);
+    at += 4 * count;
+    return true;
+  };
+  if (!copy(out.indices, std::size_t{out.triangle_count} * 3)) return Status::bad_data;
+  for (std::uint32_t i = 0; i < out.stream_count; ++i)
+    if (!copy(out.streams[i].values, std::size_t{out.vertex_count} * out.streams[i].components)) return Status::bad_data;
+  return at == bytes.size ? Status::ok : Status::bad_data;
+}
+
+const MeshDecoder kPlainDecoder[] = {{kPlain, decode_plain}};
+
+struct Bytes {
+  std::vector<std::byte> all;
+  Bytes& u8(std::uint32_t v) {
+    all.push_back(static_cast<std::byte>(v));
+    return *this;
+  }
+  Bytes& u32(std::uint32_t v) {
+    for (int i = 0; i < 4; ++i) u8(v >> (8 * i));
+    return *this;
+  }
+  Bytes& f32(float v) { return u32(std::bit_cast<std::uint32_t>(v)); }
+  Bytes& numbers(std::initializer_list<int> values) {
+    for (const int v : values) u32(static_cast<std::uint32_t>(v));
+    return *this;
+  }
+  Bytes& add(const std::vector<std::byte>& other) {
+    all.insert(all.end(), other.begin(), other.end());
+    return *this;
+  }
+};
+
+// Five vertices of a fan. 0, 2 and 4 follow entry 1; 1 and 3 are shared between entries 0 and 2, a third and two.
+std::vector<std::byte> fan_record() {
+  Bytes b;
+  b.u8(format::kHasNormals | format::kHasUvs).u8(5).u8(3).u8(3).u8(2);
+  b.u8(4).f32(-1).f32(0).f32(2).f32(0.5f);  // positions: 4 bits from (-1, 0, 2) in halves
+  b.u8(2);                                  // normals: 2 bits, so 0 … 2 with 1 in the middle
+  b.u8(3).f32(0).f32(1).f32(0.25f);         // UVs: 3 bits from (0, 1) in quarters
+  b.u8(2);                                  // weights: thirds
+  b.numbers({0, 1, 2, 0, 2, 3, 0, 3, 4});
+  b.numbers({0, 0, 0, 2, 0, 1, 4, 2, 0, 6, 6, 3, 8, 8, 15});     // positions
+  b.numbers({1, 1, 1, 2, 2, 1, 0, 1, 2, 2});                     // normals: +x, +z, +y, -y, -x
+  b.numbers({0, 0, 1, 2, 3, 4, 5, 6, 7, 7});                     // UVs
+  b.numbers({1, 1, 0, 2, 1, 1, 0, 2, 1, 1});                     // joints, the last repeated
+  b.numbers({0, 1, 0, 1, 0});                                    // weights of the first of two
+  return b.all;
+}
+
+std::uint32_t geometry_bytes() {
+  // 2 runs, 2 blocks; 3 influence blocks.
+  return 64 + 2 * 48 + 16 + 2 * 48 + 8 * 8 + 2 * 8 + 9 * 2 + 3 * 2;
+}
+
+// Around it one skeleton of three joints and one mesh that binds entry e to joint e.
+std::vector<std::byte> packed_fan(std::vector<std::byte> geometry = fan_record(), std::uint32_t codec = kPlain,
+                                  std::uint32_t extra_file_bytes = 0, std::uint32_t memory = 4096) {
+  Bytes skeleton;
+  skeleton.u32(0).u32(3).u32(1).u32(0);
+  const Affine identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  const auto affine = [&](Bytes& b) {
+    for (const auto& row : identity.rows)
+      for (const float x : row) b.f32(x);
+  };
+  affine(skeleton);
+  for (int i = 0; i < 40; ++i) skeleton.f32(i >= 24 ? 1.0f : 0.0f);
+  skeleton.u32(0).u32(0).u32(0);
+  skeleton.u8(255).u8(255).u8(0).u8(0).u8(0).u8(0);
+  Bytes mesh;
+  mesh.u32(0).u32(0).u32(0).u32(0).u32(3).u32(0).f32(1).f32(1).f32(1).f32(1).u32(0).u32(0);
+  for (int e = 0; e < 3; ++e) affine(mesh);
+  mesh.u8(0).u8(0).u8(1).u8(0).u8(2).u8(0);
+  Bytes names;
+  names.u8(0);
+
+  Bytes records;
+  const auto record = [&](std::uint32_t kind, std::uint32_t c, const std::vector<std::byte>& bytes) {
+    records.u8(kind).u8(c).u8((bytes.size() & 0x7F) | 0x80).u8(static_cast<std::uint32_t>(bytes.size() >> 7)).add(bytes);
+  };
+  record(format::kSkeletons, 0, skeleton.all);
+  record(format::kGeometries, codec, geometry);
+  record(format::kMeshes, 0, mesh.all);
+  record(format::kNames, 0, names.all);
+
+  std::uint64_t end = 32 + 4 * 16;
+  for (const std::size_t bytes :
+       {skeleton.all.size(), std::size_t{geometry_bytes()}, mesh.all.size(), names.all.size()})
+    end = format::align16(end) + bytes;
+  Bytes file;
+  file.u32(packed::kMagic).u32(1).u32(static_cast<std::uint32_t>(32 + records.all.size()));
+  file.u32(static_cast<std::uint32_t>(end) + extra_file_bytes).u32(memory).u32(4);
+  const std::uint64_t sum = format::checksum(records.all.data(), records.all.size());
+  file.u32(static_cast<std::uint32_t>(sum)).u32(static_cast<std::uint32_t>(sum >> 32)).add(records.all);
+  return file.all;
+}
+
+void forge(std::vector<std::byte>& packed) {
+  const std::uint64_t sum = format::checksum(packed.data() + 32, packed.size() - 32);
+  std::memcpy(packed.data() + 24, &sum, sizeof sum);
+}
+
+using Memory = std::unique_ptr<test::AlignedBlock>;
+
+// Unpacks and loads; memory is no larger than asked for.
+Status run(const std::vector<std::byte>& packed, Memory& memory, File& out, DataError& error) {
+  const test::AlignedBlock copy(packed.data(), packed.size());
+  const Span<const std::byte> bytes(copy.data(), copy.size());
+  UnpackSizes sizes;
+  Status status = unpack_sizes(bytes, sizes, &error);
+  if (status != Status::ok) return status;
+  memory = std::make_unique<test::AlignedBlock>(sizes.memory_bytes);
+  Span<const std::byte> file;
+  status = unpack(bytes, {kPlainDecoder, 1}, {memory->data(), memory->size()}, file, &error);
+  return status == Status::ok ? load(file, out, &error) : status;
+}
+
+TEST(Unpack, GivesBlocksByHand) {
+  const std::vector<std::byte> packed = packed_fan();
+  ASSERT_TRUE(is_packed({packed.data(), packed.size()}));
+  Memory memory;
+  File file;
+  DataError error;
+  ASSERT_EQ(run(packed, memory, file, error), Status::ok) << error.rule << " @" << error.offset;
+  const Geometry g = file.mesh(0).geometry;
+  ASSERT_EQ(g.vertex_count, 5u);
+  ASSERT_EQ(g.slot_count, 8u);
+  ASSERT_EQ(g.runs.size, 2u);
+  EXPECT_EQ(g.runs[0].vertex_count, 3u);
+  EXPECT_EQ(g.runs[0].influences, 1u);
+  EXPECT_EQ(g.runs[1].vertex_count, 2u);
+  EXPECT_EQ(g.runs[1].influences, 2u);
+  EXPECT_EQ(g.sets[0], 1);
+  EXPECT_EQ(g.sets[1], 0);
+  EXPECT_EQ(g.sets[2], 2);
+  // Run 0 holds vertices 0, 2, 4 and 4 again: x = -1 + halves.
+  const float skin[] = {-1, 1, 3, 3, 0, 1, 4, 4, 2, 2, 9.5f, 9.5f};
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(g.skin[i], skin[i]) << i;
+  // Run 1: vertices 1, 3, 3, 3, then the weight of entry 0.
+  const float shared[] = {0, 2, 2, 2, 0, 3, 3, 3, 2.5f, 3.5f, 3.5f, 3.5f, 1 / 3.0f, 1 / 3.0f, 1 / 3.0f, 1 / 3.0f};
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_FLOAT_EQ(g.skin[12 + i], shared[i]) << i;
+  const float normals[] = {1, 0, -1, -1, 0, 1, 0, 0, 0, 0, 0, 0};
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_FLOAT_EQ(g.normals[i], normals[i]) << i;
+  EXPECT_FLOAT_EQ(g.normals[12 + 8], 1) << "vertex 1 looks along z";
+  EXPECT_FLOAT_EQ(g.normals[12 + 5], -1) << "vertex 3 against y";
+  EXPECT_FLOAT_EQ(g.uvs[2 * 1], 0.75f) << "vertex 2 is in slot 1";
+  EXPECT_FLOAT_EQ(g.uvs[2 * 1 + 1], 2.0f);
+  const std::uint16_t indices[] = {0, 4, 1, 0, 1, 5, 0, 5, 2};
+  ASSERT_EQ(g.index_count, 9u);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(static_cast<const std::uint16_t*>(g.indices)[i], indices[i]) << i;
+  EXPECT_EQ(g.box_min[0], -1);
+  EXPECT_EQ(g.box_max[2], 9.5f);
+}
+
+TEST(Unpack, SaysWhatItLacks) {
+  const std::vector<std::byte> packed = packed_fan();
+  const Span<const std::byte> bytes(packed.data(), packed.size());
+  alignas(16) std::byte memory[4096];
+  Span<const std::byte> file;
+  DataError error;
+  EXPECT_EQ(unpack(bytes, {}, {memory, sizeof memory}, file, &error), Status::unsupported);
+  EXPECT_EQ(file.data, nullptr);
+  const std::vector<std::byte> draco = packed_fan(fan_record(), packed::kDraco);
+  EXPECT_EQ(unpack({draco.data(), draco.size()}, {kPlainDecoder, 1}, {memory, sizeof memory}, file, &error),
+            Status::unsupported);
+  EXPECT_NE(std::string(error.rule).find("draco_decoder"), std::string::npos) << error.rule;
+  File loaded;
+  EXPECT_EQ(load(bytes, loaded, &error), Status::unsupported) << "packed files say so to load()";
+  EXPECT_NE(std::string(error.rule).find("unpack"), std::string::npos) << error.rule;
+  EXPECT_EQ(unpack(bytes, {kPlainDecoder, 1}, {memory, 2048}, file), Status::bad_argument) << "too little memory";
+  EXPECT_EQ(unpack(bytes, {kPlainDecoder, 1}, {memory + 4, 4092}, file), Status::bad_argument) << "not aligned";
+  const test::AlignedBlock golden = test::golden_copy();
+  EXPECT_FALSE(is_packed({golden.data(), golden.size()}));
+}
+
+TEST(Unpack, RefusesWhatTheCodecMakesUp) {
+  struct Case {
+    std::size_t from_end;  // byte of fan_record(), from its end
+    std::uint32_t now;
+    const char* rule;
+  };
+  const std::size_t size = fan_record().size();
+  const std::size_t indices = size - 4 * (9 + 15 + 10 + 10 + 10 + 5);
+  const Case cases[] = {
+      {indices, 5, "a triangle has no such vertex"},
+      {size - 4 * 15, 3, "a palette entry beyond joint_count"},
+      {size - 4 * 5, 4, "weights that sum to more than one"},
+      {0, 64, "unknown geometry flags"},
+      {1, 0, "a count out of range"},
+      {3, 0, "joint_count or influences out of range"},
+      {4, 9, "joint_count or influences out of range"},
+      {5, 0, "a stream's bits, origin or step out of range"},
+  };
+  std::size_t refused = 0;
+  for (const Case& c : cases) {
+    std::vector<std::byte> record = fan_record();
+    record[c.from_end] = static_cast<std::byte>(c.now);
+    Memory memory;
+    File file;
+    DataError error;
+    EXPECT_EQ(run(packed_fan(record), memory, file, error), Status::bad_data) << c.rule;
+    EXPECT_STREQ(error.rule, c.rule);
+    ++refused;
+  }
+  EXPECT_EQ(refused, std::size(cases));
+}
+
+TEST(Unpack, RefusesSizesThatDoNotFit) {
+  for (const std::uint32_t extra : {1u, 16u, std::uint32_t(-16)}) {
+    Memory memory;
+    File file;
+    DataError error;
+    EXPECT_EQ(run(packed_fan(fan_record(), kPlain, extra), memory, file, error), Status::bad_data) << extra;
+  }
+  Memory memory;
+  File file;
+  DataError error;
+  EXPECT_EQ(run(packed_fan(fan_record(), kPlain, 0, 1104), memory, file, error), Status::bad_data);
+}
+
+TEST(Unpack, EveryPrefixIsRefused) {
+  const std::vector<std::byte> packed = packed_fan();
+  std::size_t refused = 0;
+  for (std::size_t size = 0; size < packed.size(); ++size) {
+    std::vector<std::byte> prefix(packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(size));
+    Memory memory;
+    File file;
+    DataError error;
+    refused += run(prefix, memory, file, error) != Status::ok;
+    if (size <= 32) continue;
+    const auto stated = static_cast<std::uint32_t>(size);
+    std::memcpy(prefix.data() + 8, &stated, sizeof stated);
+    forge(prefix);
+    ASSERT_NE(run(prefix, memory, file, error), Status::ok) << size;
+  }
+  EXPECT_EQ(refused, packed.size());
+}
+
+TEST(Unpack, EveryChangedByteIsRefusedOrHarmless) {
+  const std::vector<std::byte> packed = packed_fan();
+  std::size_t changes = 0, caught = 0, loaded = 0;
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    if (i >= 12 && i < 20) continue;  // sizes, which only say how much memory is wanted: gigabytes would be
+    for (const std::uint32_t now : {0u, 1u, 127u, 128u, 255u}) {
+      std::vector<std::byte> changed = packed;
+      if (changed[i] == static_cast<std::byte>(now)) continue;
+      changed[i] = static_cast<std::byte>(now);
+      Memory memory;
+      File file;
+      DataError error;
+      ++changes;
+      caught += run(changed, memory, file, error) != Status::ok;
+      if (i >= 24 && i < 32) continue;
+      forge(changed);
+      loaded += run(changed, memory, file, error) == Status::ok;
+    }
+  }
+  EXPECT_EQ(caught, changes) << "the checksum finds damage";
+  EXPECT_GT(loaded, 0u);
+  EXPECT_GT(changes, 4 * (packed.size() - 8));
+}
+
+}  // namespace
+}  // namespace marrow
