@@ -4,7 +4,7 @@ if(MARROW_DRACO)
   FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco.git GIT_TAG 1.5.6 FIND_PACKAGE_ARGS NAMES draco)
   FetchContent_MakeAvailable(draco)
 endif()
-if(MARROW_MESHOPT)
+if(MARROW_MESHOPT OR MARROW_DRACO)  # Draco's triangles are put into an order that GPUs like
   FetchContent_Declare(meshoptimizer GIT_REPOSITORY https://github.com/zeux/meshoptimizer.git GIT_TAG v0.18
     FIND_PACKAGE_ARGS NAMES meshoptimizer)
   FetchContent_MakeAvailable(meshoptimizer)

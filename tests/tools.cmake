@@ -47,7 +47,7 @@ set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
 
 # The README's first program, as printed there.
 add_executable(marrow_first_program road/first_program.cpp)
-target_link_libraries(marrow_first_program PRIVATE marrow::runtime)
+target_link_libraries(marrow_first_program PRIVATE marrow::draco)
 marrow_warnings(marrow_first_program)
 add_test(NAME readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/README.md
   -DFIRST_PROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/road/first_program.cpp -DMARROW=$<TARGET_FILE:marrow>

@@ -319,8 +319,8 @@ bool Checker::geometry(const File::Section& s) {
           ? below(at<std::uint16_t>(s, l.indices), h->index_count, slots, "an index outside the vertices")
           : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
   return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
-         source_slots(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots) &&
-         finite(h->box_min, 24) && finite(at<float>(s, l.skin), l.colours - l.skin);
+         source_slots(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots) && finite(h->box_min, 24) &&
+         finite(at<float>(s, l.skin), l.colours - l.skin);
 }
 
 bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots) {
@@ -367,7 +367,8 @@ DataError check_container(Span<const std::byte> block) {
   if (block.size < sizeof(format::Header)) return {Status::truncated, 0, "32 bytes of header"};
   format::Header h;
   std::memcpy(&h, block.data, sizeof h);
-  if (h.magic == format::kPackedMagic) return {Status::unsupported, 0, "a packed file: unpack() it first (marrow/unpack.h)"};
+  if (h.magic == format::kPackedMagic)
+    return {Status::unsupported, 0, "a packed file: unpack() it first (marrow/unpack.h)"};
   if (h.magic != format::kMagic) return {Status::bad_magic, 0, "begins with MRRW"};
   if (h.version != format::kVersion) return {Status::bad_version, 4, "format version 1; cook the source again"};
   if (h.file_bytes > block.size) return {Status::truncated, 8, "the file ends before its stated size"};

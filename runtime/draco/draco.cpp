@@ -5,6 +5,7 @@
 
 #include <draco/compression/decode.h>
 #include <draco/mesh/mesh.h>
+#include <meshoptimizer.h>
 
 #include "draco/counts.h"
 #include "unpack/streams.h"
@@ -16,7 +17,10 @@ bool copy_indices(const ::draco::Mesh& mesh, const MeshStreams& out) {
   if (mesh.num_points() != out.vertex_count || mesh.num_faces() != out.triangle_count) return false;
   std::uint32_t* index = out.indices;
   for (::draco::FaceIndex f(0); f < mesh.num_faces(); ++f)
-    for (const ::draco::PointIndex& p : mesh.face(f)) *index++ = p.value();
+    for (const ::draco::PointIndex& p : mesh.face(f)) {
+      if (p.value() >= out.vertex_count) return false;
+      *index++ = p.value();
+    }
   return true;
 }
 
@@ -44,6 +48,9 @@ bool decode_mesh(Span<const std::byte> bytes, const MeshStreams& out) {
   decoder.SetSkipAttributeTransform(::draco::GeometryAttribute::NORMAL);  // ours are the same on every processor
   ::draco::Mesh mesh;
   if (!decoder.DecodeBufferToGeometry(&buffer, &mesh).ok() || !copy_indices(mesh, out)) return false;
+  // Draco walks over the surface in an order of its own; this one is for the GPU's vertex cache.
+  const std::size_t index_count = std::size_t{out.triangle_count} * 3;
+  meshopt_optimizeVertexCache(out.indices, out.indices, index_count, out.vertex_count);
   for (std::uint32_t i = 0; i < out.stream_count; ++i) {
     const ::draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(i);
     if (attribute == nullptr || !copy_stream(*attribute, out.streams[i], out.vertex_count)) return false;

@@ -9,8 +9,8 @@
 namespace marrow {
 namespace {
 
-// A stream's numbers lie in as few bytes as its bits fit in, padded to four a vertex; spreads them, back to front, in the
-// array that they have been decoded to.
+// A stream's numbers lie in as few bytes as its bits fit in, padded to four a vertex; spreads them, back to front, in
+// the array that they have been decoded to.
 template <class Number>
 void spread(const Stream& s, std::uint32_t vertex_count) {
   const std::size_t stride = (s.components * sizeof(Number) + 3) / 4 * 4;
@@ -39,8 +39,7 @@ Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
     const std::size_t number_bytes = s.bits <= 8 ? 1 : s.bits <= 16 ? 2 : 4;
     const std::size_t stride = (s.components * number_bytes + 3) / 4 * 4;
     const Span<const unsigned char> part = take();
-    if (reader.failed() ||
-        meshopt_decodeVertexBuffer(s.values, out.vertex_count, stride, part.data, part.size) != 0)
+    if (reader.failed() || meshopt_decodeVertexBuffer(s.values, out.vertex_count, stride, part.data, part.size) != 0)
       return Status::bad_data;
     if (number_bytes == 1) spread<std::uint8_t>(s, out.vertex_count);
     if (number_bytes == 2) spread<std::uint16_t>(s, out.vertex_count);

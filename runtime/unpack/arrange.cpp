@@ -17,6 +17,20 @@ struct JointLists {
     while (n < most && joints[n] != joints[n - 1]) ++n;
     return n;
   }
+  // Number of joints and the first four of them: sorts as they do, up to what the rest of five or more decide.
+  std::uint64_t key(std::uint32_t vertex) const {
+    if (values == nullptr) return 0;
+    const std::uint32_t n = count(vertex);
+    std::uint64_t key = n;
+    for (std::uint32_t i = 0; i < 4; ++i) key = key << 15 | (i < n ? static_cast<std::uint32_t>(of(vertex)[i]) : 0u);
+    return key;
+  }
+  // Whose fifth and further joints are the lower: less than 0, 0 or more.
+  std::int32_t compare_rest(std::uint32_t a, std::uint32_t b) const {
+    for (std::uint32_t i = 4; i < most; ++i)
+      if (of(a)[i] != of(b)[i]) return of(a)[i] - of(b)[i];
+    return 0;
+  }
   bool same(std::uint32_t a, std::uint32_t b) const {
     return values == nullptr || std::equal(of(a), of(a) + most, of(b));
   }
@@ -38,20 +52,19 @@ bool arrange(const MeshStreams& mesh, Arena& scratch, Arrangement& out) {
   out.order = scratch.take<std::uint32_t>(count);
   out.slot_of_vertex = scratch.take<std::uint32_t>(count);
   std::uint32_t* const first_use = scratch.take<std::uint32_t>(count);
+  std::uint64_t* const keys = scratch.take<std::uint64_t>(count);
   if (scratch.failed()) return false;
+  const JointLists joints = joint_lists(mesh);
   for (std::uint32_t v = 0; v < count; ++v) {
     out.order[v] = v;
     first_use[v] = UINT32_MAX;
+    keys[v] = joints.key(v);
   }
   for (std::uint32_t i = 3 * mesh.triangle_count; i-- > 0;) first_use[mesh.indices[i]] = i;
 
-  const JointLists joints = joint_lists(mesh);
   std::sort(out.order, out.order + count, [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t na = joints.count(a), nb = joints.count(b);
-    if (na != nb) return na < nb;
-    if (joints.values != nullptr)
-      for (std::uint32_t i = 0; i < na; ++i)
-        if (joints.of(a)[i] != joints.of(b)[i]) return joints.of(a)[i] < joints.of(b)[i];
+    if (keys[a] != keys[b]) return keys[a] < keys[b];
+    if (const std::int32_t rest = joints.compare_rest(a, b)) return rest < 0;
     return first_use[a] != first_use[b] ? first_use[a] < first_use[b] : a < b;
   });
 

@@ -19,7 +19,10 @@ struct Arrangement {
 std::uint32_t influence_count(const MeshStreams& mesh, std::uint32_t vertex);
 
 // Orders vertices by number of influences, then joints, then first use by a triangle, so that vertices of neighbouring
-// triangles stay neighbours. Returns false if scratch does not suffice: 12 bytes a vertex, rounded up to 16 each third.
+// triangles stay neighbours. Joints are below 2^15. Returns false if scratch does not suffice: arrange_scratch_bytes().
+constexpr std::uint64_t arrange_scratch_bytes(std::uint64_t vertex_count) {
+  return 3 * ((vertex_count * 4 + 15) / 16 * 16) + (vertex_count * 8 + 15) / 16 * 16;
+}
 bool arrange(const MeshStreams& mesh, Arena& scratch, Arrangement& out);
 
 }  // namespace marrow

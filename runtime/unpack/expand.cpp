@@ -31,7 +31,8 @@ const char* check(const MeshStreams& mesh) {
   for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i)
     if (mesh.indices[i] >= mesh.vertex_count) return "a triangle has no such vertex";
   for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
-    if (mesh.source_map[i] >= mesh.vertex_count && mesh.source_map[i] != kNoSlot) return "a source vertex has become none";
+    if (mesh.source_map[i] >= mesh.vertex_count && mesh.source_map[i] != kNoSlot)
+      return "a source vertex has become none";
   if (const Stream* const joints = mesh.find(StreamKind::joints))
     for (std::size_t i = 0; i < std::size_t{mesh.vertex_count} * joints->components; ++i)
       if (joints->values[i] < 0 || static_cast<std::uint32_t>(joints->values[i]) >= mesh.joint_count)
@@ -186,7 +187,7 @@ void write_indices(const MeshStreams& mesh, const Arrangement& a, const Geometry
 }  // namespace
 
 std::uint64_t expand_scratch_bytes(const MeshStreams& mesh) {
-  return 3 * ((std::uint64_t{mesh.vertex_count} * 4 + 15) / 16 * 16);
+  return arrange_scratch_bytes(mesh.vertex_count);
 }
 
 const char* expand_geometry(const MeshStreams& mesh, Arena& scratch, Span<std::byte> out, std::uint32_t& bytes) {

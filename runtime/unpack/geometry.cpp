@@ -5,7 +5,7 @@
 namespace marrow {
 namespace {
 
-constexpr std::uint32_t kMaxVertices = 1u << 28;   // counts times components and bytes stay below 2^36
+constexpr std::uint32_t kMaxVertices = 1u << 28;  // counts times components and bytes stay below 2^36
 constexpr std::uint32_t kMaxTriangles = 1u << 28;
 
 bool is_sane(float x) {
@@ -72,7 +72,8 @@ const char* read_geometry_record(Reader& reader, MeshStreams& out) {
     sane = sane && read_bits(reader, 1, packed::kMaxWeightBits, weights);
     if (sane) weights.step = weight_step(weights.bits);
   }
-  if (has(format::kHasAsResidual)) sane = sane && read_values(reader, 0, add(out, StreamKind::residual, 4 * out.influences, 0));
+  if (has(format::kHasAsResidual))
+    sane = sane && read_values(reader, 0, add(out, StreamKind::residual, 4 * out.influences, 0));
   if (out.influences > out.joint_count) return "more influences than joints";
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";
 }

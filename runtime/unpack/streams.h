@@ -42,8 +42,8 @@ struct MeshStreams {
   std::uint32_t joint_count = 0;  // palette entries
   std::uint32_t influences = 1;   // the most of any vertex
   std::uint32_t source_vertex_count = 0;
-  std::uint32_t* indices = nullptr;            // 3 a triangle
-  const std::uint32_t* source_map = nullptr;   // the vertex that each of the source has become
+  std::uint32_t* indices = nullptr;           // 3 a triangle
+  const std::uint32_t* source_map = nullptr;  // the vertex that each of the source has become
   Stream streams[kStreamKinds];
   std::uint32_t stream_count = 0;
 

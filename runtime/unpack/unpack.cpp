@@ -93,9 +93,12 @@ class Unpacker {
   bool finish() {
     if (end_ != header_.file_bytes) return false;
     constexpr std::size_t kBehind = sizeof(format::Header);
-    const format::Header h{format::kMagic,       format::kVersion,
-                           header_.file_bytes,   header_.record_count,
-                           format::checksum(memory_.data + kBehind, header_.file_bytes - kBehind), 0};
+    const format::Header h{format::kMagic,
+                           format::kVersion,
+                           header_.file_bytes,
+                           header_.record_count,
+                           format::checksum(memory_.data + kBehind, header_.file_bytes - kBehind),
+                           0};
     std::memcpy(memory_.data, &h, sizeof h);
     return true;
   }

@@ -56,7 +56,8 @@ TEST_P(RoadCodecs, StrayNoFurtherThanTheReportSays) {
       if (animation.channels.empty() && animation.weights.empty()) continue;
       for (int i = 1; i <= kMoments && !animation.channels.empty(); ++i) {
         const auto time_s = static_cast<float>(reference.duration_s(a) * i / (kMoments + 1));
-        compare(reference, reference.at(a, static_cast<double>(time_s)), cooked.pose(clip, time_s, Deformer::ssd), worst);
+        compare(reference, reference.at(a, static_cast<double>(time_s)), cooked.pose(clip, time_s, Deformer::ssd),
+                worst);
       }
       ++clip;
     }

@@ -1,3 +1,4 @@
+#include <marrow/draco.h>
 #include <marrow/marrow.h>
 
 #include <cstdio>
@@ -8,8 +9,17 @@
 int main(int argc, char** argv) {
   std::ifstream stream(argc > 1 ? argv[1] : "character.mrw", std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+  marrow::Span<const std::byte> block(reinterpret_cast<const std::byte*>(bytes.data()), bytes.size());
+  std::vector<std::byte> memory;
+  if (marrow::is_packed(block)) {  // meshes are compressed, unless cooked with --mesh-codec none
+    const marrow::MeshDecoder decoders[] = {marrow::draco_decoder()};
+    marrow::UnpackSizes sizes;
+    if (unpack_sizes(block, sizes) != marrow::Status::ok) return 1;
+    memory.resize(sizes.memory_bytes);
+    if (unpack(block, {decoders, 1}, memory, block) != marrow::Status::ok) return 1;
+  }
   marrow::File file;
-  if (load({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}, file) != marrow::Status::ok) return 1;
+  if (load(block, file) != marrow::Status::ok) return 1;
 
   const marrow::Skeleton skeleton = file.skeleton(0);
   const marrow::Mesh mesh = file.mesh(0);

@@ -83,8 +83,8 @@ TEST(Includes, PointOneWay) {
 }
 
 TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
-  const std::set<std::string> known = {"include", "core", "math", "asset", "pose", "curve", "skin", "gles3",
-                                       "unpack",  "draco", "meshopt"};
+  const std::set<std::string> known = {"include", "core",  "math",   "asset", "pose",   "curve",
+                                       "skin",    "gles3", "unpack", "draco", "meshopt"};
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }

@@ -34,8 +34,8 @@ tools::AlignedBytes expand(OwnedStreams& streams) {
 tools::AlignedBytes unpack_record(const BuiltGeometry& g, const MeshDecoder& decoder, std::size_t section_bytes) {
   tools::AlignedBytes scratch(g.scratch_bytes), section(section_bytes);
   std::uint32_t bytes = 0;
-  const char* const rule = unpack_geometry({g.record.data(), g.record.size()}, decoder, {scratch.data(), scratch.size()},
-                                           {section.data(), section.size()}, bytes);
+  const char* const rule = unpack_geometry({g.record.data(), g.record.size()}, decoder,
+                                           {scratch.data(), scratch.size()}, {section.data(), section.size()}, bytes);
   if (rule != nullptr) throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", rule);
   return section;
 }
@@ -46,8 +46,9 @@ BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Bi
                              std::size_t joint_count, const MeshGrid& grid, const CookOptions& options) {
   BuiltGeometry out;
   const bool is_packed = options.mesh_codec != MeshCodec::none;
-  OwnedStreams streams = is_packed ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, out.error)
-                                : verbatim_streams(primitive, bindings, joint_count);
+  OwnedStreams streams = is_packed
+                             ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, out.error)
+                             : verbatim_streams(primitive, bindings, joint_count);
   weld(streams, options.keep_vertex_order);
   optimise_order(streams);
   if (is_packed) {
@@ -62,8 +63,7 @@ BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Bi
   out.influences = streams.mesh.influences;
   std::memcpy(&out.header, out.section.data(), sizeof out.header);
   if (is_packed) {
-    const MeshDecoder decoder =
-        out.codec == packed::kDraco ? draco_decoder() : meshopt_decoder();
+    const MeshDecoder decoder = out.codec == packed::kDraco ? draco_decoder() : meshopt_decoder();
     const tools::AlignedBytes again = unpack_record(out, decoder, out.section.size());
     if (std::memcmp(again.data(), out.section.data(), out.section.size()) != 0)
       throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "the record does not unpack to itself");

@@ -139,8 +139,7 @@ Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const B
 }
 
 bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
-  return a.section.size() == b.section.size() &&
-         std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
+  return a.section.size() == b.section.size() && std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
 }
 
 // On all cores; returns for each task which geometry it has become, of those that differ.

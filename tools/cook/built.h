@@ -67,10 +67,10 @@ struct BuiltClip {
 
 struct BuiltGeometry {
   format::GeometryHeader header{};
-  std::uint32_t influences = 0;   // the most of any vertex
-  tools::AlignedBytes section;    // GEOM as the runtime will see it
-  std::uint8_t codec = 0;         // packed::Codec of the record; 0: not packed
-  std::vector<std::byte> record;  // what a packed file has instead
+  std::uint32_t influences = 0;     // the most of any vertex
+  tools::AlignedBytes section;      // GEOM as the runtime will see it
+  std::uint8_t codec = 0;           // packed::Codec of the record; 0: not packed
+  std::vector<std::byte> record;    // what a packed file has instead
   std::uint64_t scratch_bytes = 0;  // of memory, to unpack the record
   MeshError error;
 };

@@ -151,8 +151,13 @@ std::vector<std::byte> write_plain(const std::vector<Entry>& entries, const std:
 
 std::vector<std::byte> write_packed(const std::vector<Entry>& entries, std::uint64_t scratch_bytes,
                                     const std::string& source) {
-  packed::Header h{packed::kMagic, packed::kVersion, 0, file_size(entries, source), 0,
-                   static_cast<std::uint32_t>(entries.size()), 0};
+  packed::Header h{packed::kMagic,
+                   packed::kVersion,
+                   0,
+                   file_size(entries, source),
+                   0,
+                   static_cast<std::uint32_t>(entries.size()),
+                   0};
   h.memory_bytes = checked_size(format::align16(h.file_bytes) + format::align16(scratch_bytes), source);
   std::vector<std::byte> bytes(sizeof h);
   for (const Entry& e : entries) {
@@ -208,7 +213,8 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
 
   out.bytes = is_packed ? write_packed(entries, scratch_bytes, source) : write_plain(entries, source);
   for (const Entry& e : entries)
-    out.sections.push_back({format::kTypes[e.kind], static_cast<std::uint32_t>((is_packed ? e.record : e.section).size())});
+    out.sections.push_back(
+        {format::kTypes[e.kind], static_cast<std::uint32_t>((is_packed ? e.record : e.section).size())});
   check(is_packed ? tools::unpacked(out.bytes, source) : tools::AlignedBytes{std::span<const std::byte>(out.bytes)},
         source);
   return out;

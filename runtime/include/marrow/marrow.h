@@ -11,3 +11,4 @@
 #include "marrow/skin.h"            // 5. skin            rigid, SSD, animation space
 #include "marrow/status.h"          // how calls fail
 #include "marrow/transition.h"      //    between them    one clip → the next
+#include "marrow/unpack.h"          // 0. unpack          packed file → .mrw in memory

@@ -1,5 +1,5 @@
-// Meshes compressed with meshoptimizer's vertex and index codecs: several times as fast to decode as Draco, and meant to
-// be compressed once more by whatever packs the game's data. Library marrow::meshopt.
+// Meshes compressed with meshoptimizer's vertex and index codecs: several times as fast to decode as Draco, and meant
+// to be compressed once more by whatever packs the game's data. Library marrow::meshopt.
 #pragma once
 
 #include "marrow/unpack.h"

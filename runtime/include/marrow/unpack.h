@@ -30,8 +30,8 @@ bool is_packed(Span<const std::byte> bytes);
 // reads files of strangers should set a limit to them. Errors: bad_magic, bad_version, bad_checksum, truncated.
 Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error = nullptr);
 
-// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load() to
-// check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
+// to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
 //
 // packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
 // bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); bad_argument. On failure

@@ -68,7 +68,8 @@ RawPrimitive tube(int n, int m, int joints, int influences) {
   const auto at = [&](int i, int k) { return static_cast<std::uint32_t>(i * (m + 1) + k); };
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < m; ++k)
-      p.indices.insert(p.indices.end(), {at(i, k), at(i + 1, k), at(i, k + 1), at(i, k + 1), at(i + 1, k), at(i + 1, k + 1)});
+      p.indices.insert(p.indices.end(),
+                       {at(i, k), at(i + 1, k), at(i, k + 1), at(i, k + 1), at(i + 1, k), at(i + 1, k + 1)});
   return p;
 }
 
@@ -274,7 +275,8 @@ RawPrimitive triangles(const std::vector<glm::vec3>& positions, const std::vecto
 
 TEST_P(Codec, KeepsOddSurfaces) {
   // Three triangles on one edge; two that touch in a point; a single one; one turned over; all in one plane.
-  const std::vector<glm::vec3> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.5f, 0.5f, 0}, {-1, 0.25f, 0}, {-1, -1, 0}};
+  const std::vector<glm::vec3> p = {{0, 0, 0},       {1, 0, 0},      {0, 1, 0},  {0, -1, 0},
+                                    {0.5f, 0.5f, 0}, {-1, 0.25f, 0}, {-1, -1, 0}};
   expect_round_trip(triangles(p, {0, 1, 2, 1, 0, 3, 0, 1, 4}), 0);
   expect_round_trip(triangles(p, {0, 1, 2, 0, 5, 6}), 0);
   expect_round_trip(triangles(p, {0, 1, 2}), 0);

@@ -30,7 +30,8 @@ Status decode_plain(Span<const std::byte> bytes, const MeshStreams& out) {
   };
   if (!copy(out.indices, std::size_t{out.triangle_count} * 3)) return Status::bad_data;
   for (std::uint32_t i = 0; i < out.stream_count; ++i)
-    if (!copy(out.streams[i].values, std::size_t{out.vertex_count} * out.streams[i].components)) return Status::bad_data;
+    if (!copy(out.streams[i].values, std::size_t{out.vertex_count} * out.streams[i].components))
+      return Status::bad_data;
   return at == bytes.size ? Status::ok : Status::bad_data;
 }
 
@@ -66,11 +67,11 @@ std::vector<std::byte> fan_record() {
   b.u8(3).f32(0).f32(1).f32(0.25f);         // UVs: 3 bits from (0, 1) in quarters
   b.u8(2);                                  // weights: thirds
   b.numbers({0, 1, 2, 0, 2, 3, 0, 3, 4});
-  b.numbers({0, 0, 0, 2, 0, 1, 4, 2, 0, 6, 6, 3, 8, 8, 15});     // positions
-  b.numbers({1, 1, 1, 2, 2, 1, 0, 1, 2, 2});                     // normals: +x, +z, +y, -y, -x
-  b.numbers({0, 0, 1, 2, 3, 4, 5, 6, 7, 7});                     // UVs
-  b.numbers({1, 1, 0, 2, 1, 1, 0, 2, 1, 1});                     // joints, the last repeated
-  b.numbers({0, 1, 0, 1, 0});                                    // weights of the first of two
+  b.numbers({0, 0, 0, 2, 0, 1, 4, 2, 0, 6, 6, 3, 8, 8, 15});  // positions
+  b.numbers({1, 1, 1, 2, 2, 1, 0, 1, 2, 2});                  // normals: +x, +z, +y, -y, -x
+  b.numbers({0, 0, 1, 2, 3, 4, 5, 6, 7, 7});                  // UVs
+  b.numbers({1, 1, 0, 2, 1, 1, 0, 2, 1, 1});                  // joints, the last repeated
+  b.numbers({0, 1, 0, 1, 0});                                 // weights of the first of two
   return b.all;
 }
 
@@ -102,7 +103,11 @@ std::vector<std::byte> packed_fan(std::vector<std::byte> geometry = fan_record()
 
   Bytes records;
   const auto record = [&](std::uint32_t kind, std::uint32_t c, const std::vector<std::byte>& bytes) {
-    records.u8(kind).u8(c).u8((bytes.size() & 0x7F) | 0x80).u8(static_cast<std::uint32_t>(bytes.size() >> 7)).add(bytes);
+    records.u8(kind)
+        .u8(c)
+        .u8((bytes.size() & 0x7F) | 0x80)
+        .u8(static_cast<std::uint32_t>(bytes.size() >> 7))
+        .add(bytes);
   };
   record(format::kSkeletons, 0, skeleton.all);
   record(format::kGeometries, codec, geometry);

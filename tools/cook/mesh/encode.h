@@ -16,5 +16,4 @@ std::vector<std::byte> encode_draco(OwnedStreams& streams);
 // meshoptimizer's codecs; vertices are put into the order in which the runtime will store them.
 std::vector<std::byte> encode_meshopt(OwnedStreams& streams);
 
-
 }  // namespace marrow::cook

@@ -41,7 +41,8 @@ bool is_direction(StreamKind kind) {
   return kind == StreamKind::normal || kind == StreamKind::tangent;
 }
 
-// Directions go in as unit vectors, since Draco predicts those on the sphere; rounding them again gives the same points.
+// Directions go in as unit vectors, since Draco predicts those on the sphere; rounding them again gives the same
+// points.
 void add_attribute(const Stream& s, const std::vector<std::int32_t>& values, draco::Mesh& mesh) {
   const std::uint32_t count = mesh.num_points();
   draco::GeometryAttribute description;

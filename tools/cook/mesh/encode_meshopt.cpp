@@ -14,7 +14,7 @@ namespace {
 // Vertices in the order in which the runtime will store them: those with the same joints follow each other.
 void arrange_vertices(OwnedStreams& s) {
   const MeshStreams view = s.view();
-  std::vector<std::byte> memory(std::size_t{view.vertex_count} * 12 + 64);
+  std::vector<std::byte> memory(arrange_scratch_bytes(view.vertex_count));
   Arena arena(memory.data(), memory.size());
   Arrangement a;
   if (!arrange(view, arena, a)) throw tools::Failure(tools::Exit::internal, "", "", "arrange", "not enough memory");
@@ -64,9 +64,10 @@ std::vector<std::byte> encode_meshopt(OwnedStreams& s) {
     const Stream& stream = s.mesh.streams[i];
     const std::size_t number_bytes = stream.bits <= 8 ? 1 : stream.bits <= 16 ? 2 : 4;
     const std::size_t stride = (stream.components * number_bytes + 3) / 4 * 4;
-    const std::vector<unsigned char> numbers = number_bytes == 1   ? narrowed<std::uint8_t>(stream, s.values[i], stride)
-                                               : number_bytes == 2 ? narrowed<std::uint16_t>(stream, s.values[i], stride)
-                                                                   : narrowed<std::int32_t>(stream, s.values[i], stride);
+    const std::vector<unsigned char> numbers = number_bytes == 1 ? narrowed<std::uint8_t>(stream, s.values[i], stride)
+                                               : number_bytes == 2
+                                                   ? narrowed<std::uint16_t>(stream, s.values[i], stride)
+                                                   : narrowed<std::int32_t>(stream, s.values[i], stride);
     part.resize(meshopt_encodeVertexBufferBound(vertices, stride));
     part.resize(meshopt_encodeVertexBuffer(part.data(), part.size(), numbers.data(), vertices, stride));
     add_part(part, out);
@@ -75,7 +76,8 @@ std::vector<std::byte> encode_meshopt(OwnedStreams& s) {
   for (auto& values : decoded.values) std::fill(values.begin(), values.end(), 0);
   if (meshopt_decoder().decode({out.data(), out.size()}, decoded.view()) != Status::ok ||
       !std::equal(std::begin(s.values), std::end(s.values), std::begin(decoded.values)))
-    throw tools::Failure(tools::Exit::internal, "", "", "meshopt-mesh-differs", "the encoded mesh does not decode to itself");
+    throw tools::Failure(tools::Exit::internal, "", "", "meshopt-mesh-differs",
+                         "the encoded mesh does not decode to itself");
   return out;
 }
 

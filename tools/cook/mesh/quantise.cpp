@@ -226,8 +226,7 @@ void add_floats(StreamKind kind, const Vectors& vectors, int components, OwnedSt
   if (vectors.empty()) return;
   out.add(kind, static_cast<std::uint32_t>(components), 0);
   for (const auto& v : vectors)
-    for (int c = 0; c < components; ++c)
-      out.values_of(kind)->push_back(std::bit_cast<std::int32_t>(v[c]));
+    for (int c = 0; c < components; ++c) out.values_of(kind)->push_back(std::bit_cast<std::int32_t>(v[c]));
 }
 
 }  // namespace

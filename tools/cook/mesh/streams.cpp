@@ -60,7 +60,8 @@ bool moves(StreamKind kind) {
 void weld(OwnedStreams& s, bool keep_map) {
   std::size_t places = 0, distinct = 0;
   const std::vector<std::uint32_t> place = equal_vertices(s, moves, places);
-  const std::vector<std::uint32_t> same = equal_vertices(s, [](StreamKind) { return true; }, distinct);
+  const std::vector<std::uint32_t> same = equal_vertices(
+      s, [](StreamKind) { return true; }, distinct);
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i + 2 < s.indices.size(); i += 3) {
     const std::uint32_t* const t = &s.indices[i];
@@ -90,7 +91,8 @@ void weld(OwnedStreams& s, bool keep_map) {
     s.values[i] = std::move(values);
   }
   if (keep_map)
-    for (std::uint32_t v = 0; v < s.mesh.vertex_count; ++v) s.source_map.push_back(same[v] == kNoSlot ? kNoSlot : number[same[v]]);
+    for (std::uint32_t v = 0; v < s.mesh.vertex_count; ++v)
+      s.source_map.push_back(same[v] == kNoSlot ? kNoSlot : number[same[v]]);
   s.indices = std::move(kept);
   s.mesh.vertex_count = count;
   s.mesh.triangle_count = static_cast<std::uint32_t>(s.indices.size() / 3);
@@ -105,8 +107,8 @@ void optimise_order(OwnedStreams& s) {
   std::vector<float> positions;
   for (const std::int32_t v : *s.values_of(StreamKind::position))
     positions.push_back(position.bits == 0 ? std::bit_cast<float>(v) : static_cast<float>(v));
-  meshopt_optimizeOverdraw(s.indices.data(), ordered.data(), ordered.size(), positions.data(), count,
-                           3 * sizeof(float), kCacheMissesForOverdraw);
+  meshopt_optimizeOverdraw(s.indices.data(), ordered.data(), ordered.size(), positions.data(), count, 3 * sizeof(float),
+                           kCacheMissesForOverdraw);
 }
 
 }  // namespace marrow::cook
