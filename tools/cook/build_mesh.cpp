@@ -198,13 +198,17 @@ BuiltGeometry build_geometry(const RawPrimitive& p, const std::vector<Binding>& 
     h.box_min[c] = low[c];
     h.box_max[c] = high[c];
   }
+  build_morphs(p, a.vertex_of_slot, out);
   return out;
 }
 
 bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
   return std::memcmp(&a.header, &b.header, sizeof a.header) == 0 && a.skin == b.skin && a.normals == b.normals &&
          a.tangents == b.tangents && a.uvs == b.uvs && a.colours == b.colours && a.indices == b.indices &&
-         a.sets == b.sets && a.source_slots == b.source_slots &&
+         a.sets == b.sets && a.source_slots == b.source_slots && a.target_blocks == b.target_blocks &&
+         a.target_records == b.target_records && a.targets.size() == b.targets.size() &&
+         (a.targets.empty() ||
+          std::memcmp(a.targets.data(), b.targets.data(), a.targets.size() * sizeof(MorphTarget)) == 0) &&
          std::equal(a.runs.begin(), a.runs.end(), b.runs.begin(), b.runs.end(), [](const Run& x, const Run& y) {
            return x.vertex_count == y.vertex_count && x.influences == y.influences;
          });
@@ -213,6 +217,7 @@ bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
 Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const CookOptions& options, BuiltScene& out) {
   if (primitive.normals.empty()) {
     generate_normals(primitive);
+    generate_target_normals(primitive);
     warn(scene, primitive.pointer, "normals-generated", "the file has no normals; smooth ones are computed");
   }
   Bound bound;
@@ -243,6 +248,8 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.influences = bound.influences;
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
+  mesh.targets = instance.weights;
+  mesh.targets.resize(primitive.targets.size());
   mesh.double_sided = primitive.double_sided;
   for (int c = 0; c < 4; ++c) mesh.base_colour[c] = primitive.base_colour[c];
   return mesh;

@@ -71,6 +71,10 @@ struct BuiltGeometry {
   std::vector<std::uint32_t> source_slots;
   std::vector<std::uint32_t> indices;
   std::vector<std::uint16_t> sets;
+  format::MorphHeader morphs{};
+  std::vector<MorphTarget> targets;
+  std::vector<std::uint32_t> target_blocks;
+  std::vector<std::int16_t> target_records;
 };
 
 struct BuiltMesh {
@@ -80,6 +84,7 @@ struct BuiltMesh {
   std::uint32_t influences = 0;  // the most of any vertex
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
+  std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};
   bool double_sided = false;
 };

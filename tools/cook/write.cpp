@@ -20,6 +20,8 @@ class Section {
   void add_all(const std::vector<T>& values) {
     add_bytes(values.data(), values.size() * sizeof(T));
   }
+  // Zeros up to the next multiple.
+  void fill_up_to(std::size_t multiple) { bytes_.resize((bytes_.size() + multiple - 1) / multiple * multiple); }
   const std::vector<std::byte>& bytes() const { return bytes_; }
   std::uint32_t codec = format::kCodecRaw;
 
@@ -102,6 +104,12 @@ Section write_geometry(const BuiltGeometry& g) {
   const bool wide = layout(g.header).index_bytes == 4;
   for (const std::uint32_t i : g.indices) wide ? out.add(i) : out.add(static_cast<std::uint16_t>(i));
   out.add_all(g.sets);
+  if (g.targets.empty()) return out;
+  out.fill_up_to(4);
+  out.add(g.morphs);
+  out.add_all(g.targets);
+  for (const std::uint32_t i : g.target_blocks) wide ? out.add(i) : out.add(static_cast<std::uint16_t>(i));
+  out.add_all(g.target_records);
   return out;
 }
 
@@ -114,8 +122,10 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.flags = m.double_sided ? format::kDoubleSided : 0u;
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
+  h.target_count = static_cast<std::uint32_t>(m.targets.size());
   out.add(h);
   out.add_all(m.inverse_bind);
+  for (const RawTargetWeight& t : m.targets) out.add(MeshTarget{names.add(t.target), names.add(t.channel), t.rest});
   out.add_all(m.joints);
   return out;
 }
