@@ -31,7 +31,7 @@ class Reference {
   // Vertices that no weight binds to anything: glTF gives them no meaning, so their positions are not compared.
   std::size_t unbound_count() const { return unbound_count_; }
   bool comparable(std::size_t vertex) const { return bound_[vertex]; }
-  // Time of the last key of any channel but morph weights'; 0 without.
+  // Time of the last key of any channel; 0 without.
   double duration_s(std::size_t animation) const;
 
   // scene_from_node of every node at a time of an animation.
