@@ -139,7 +139,9 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
   const gles3::Program& with = program({deformer, gpu_.influences, gpu_.features});
   gl().UseProgram(with.id);
   if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
-  if (!mesh_.geometry.targets.empty()) EXPECT_EQ(gles3::set_morphs(gl(), mesh_, gpu_, weights, 2, with), Status::ok);
+  if (!mesh_.geometry.targets.empty()) {
+    EXPECT_EQ(gles3::set_morphs(gl(), mesh_, gpu_, weights, 2, with), Status::ok);
+  }
   gl().BindFramebuffer(GL_FRAMEBUFFER, target_);
   gl().Enable(GL_RASTERIZER_DISCARD);
   more().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, capture_);

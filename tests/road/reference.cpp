@@ -185,7 +185,7 @@ std::vector<Map> Reference::scene_from_node(const SourceAnimation* animation, do
   return out;
 }
 
-ReferencePose Reference::pose(const SourceAnimation* animation, double time_s) const {
+ReferencePose Reference::pose(const SourceAnimation* animation, double time_s, const std::vector<float>& cycle) const {
   const std::vector<Map> global = scene_from_node(animation, time_s);
   ReferencePose pose;
   for (std::size_t i = 0; i < source_.nodes.size(); ++i) {
@@ -197,6 +197,8 @@ ReferencePose Reference::pose(const SourceAnimation* animation, double time_s) c
       if (weight.channel.node == static_cast<int>(i))
         weights.at(weight.target) = sample_channel(weight.channel, time_s)[0];
     }
+    for (std::size_t t = 0; t < weights.size() && !cycle.empty(); ++t)
+      weights[t] = static_cast<double>(cycle[t % cycle.size()]);
     std::vector<Map> palette;
     if (node.skin >= 0) {
       const SourceSkin& skin = source_.skins[static_cast<std::size_t>(node.skin)];

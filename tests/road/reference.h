@@ -40,12 +40,14 @@ class Reference {
   }
 
   ReferencePose rest() const { return pose(nullptr, 0); }
+  // At rest, but that the weights of every mesh's morph targets are these in turn.
+  ReferencePose rest(const std::vector<float>& cycle) const { return pose(nullptr, 0, cycle); }
   ReferencePose at(std::size_t animation, double time_s) const {
     return pose(&source_.animations.at(animation), time_s);
   }
 
  private:
-  ReferencePose pose(const SourceAnimation* animation, double time_s) const;
+  ReferencePose pose(const SourceAnimation* animation, double time_s, const std::vector<float>& cycle = {}) const;
   std::vector<Map> scene_from_node(const SourceAnimation* animation, double time_s) const;
 
   Source source_;

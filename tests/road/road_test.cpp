@@ -49,10 +49,10 @@ void compare_directions(const ReferencePose& want, const CookedPose& got, std::s
 }
 
 void compare(const Reference& reference, const ReferencePose& want, const Cooked& cooked, std::uint32_t clip,
-             float time_s, Worst& worst) {
-  const CookedPose ssd = cooked.pose(clip, time_s, Deformer::ssd);
-  const CookedPose as = cooked.pose(clip, time_s, Deformer::as);
-  const CookedPose rigid = cooked.pose(clip, time_s, Deformer::rigid);
+             float time_s, Worst& worst, const std::vector<float>& cycle = {}) {
+  const CookedPose ssd = cooked.pose(clip, time_s, Deformer::ssd, cycle);
+  const CookedPose as = cooked.pose(clip, time_s, Deformer::as, cycle);
+  const CookedPose rigid = cooked.pose(clip, time_s, Deformer::rigid, cycle);
   ASSERT_EQ(ssd.positions.size(), want.positions.size()) << "every vertex of the source, no more";
   const double scale = 1 / reference.diagonal();
   // NaN compares false with everything: turned into a huge error here, so that it cannot slip through std::max.
@@ -122,12 +122,48 @@ TEST_P(Road, AgreesWithTheReference) {
       worst.rigid, worst.normal_deg, worst.tangent_deg, worst.normals, worst.tangents);
 }
 
+bool has_targets(const Source& source) {
+  for (const auto& mesh : source.meshes)
+    for (const SourcePrimitive& p : mesh)
+      if (!p.targets.empty()) return true;
+  return false;
+}
+
+class Morphs : public ::testing::TestWithParam<std::string> {};
+
+// Every target at once and apart, at weights of either sign and beyond 1.
+TEST_P(Morphs, AgreeWithTheReference) {
+  const Reference reference(GetParam());
+  const Cooked cooked(GetParam());
+  Worst worst;
+  const std::vector<std::vector<float>> cycles = {{1}, {-0.5f, 0, 1.5f}, {0, 0.75f}, {0, 0, 0, 0, 1}, {0.25f, -0.125f}};
+  for (const std::vector<float>& cycle : cycles)
+    compare(reference, reference.rest(cycle), cooked, cooked.file().clip_count(), 0, worst, cycle);
+  EXPECT_EQ(worst.poses, cycles.size());
+  EXPECT_LE(worst.position, kMostPosition);
+  EXPECT_LE(worst.lift, kMostLift);
+  EXPECT_LE(worst.normal_deg, kMostNormalDeg);
+  EXPECT_LE(worst.tangent_deg, kMostNormalDeg);
+  EXPECT_EQ(worst.wrong_signs, 0u);
+  std::printf("%-28s %zu weights  position %8.2e  lift %8.2e  normal %7.4f°  tangent %7.4f°  (%zu normals)\n",
+              fs::path(GetParam()).stem().c_str(), cycles.size(), worst.position, worst.lift, worst.normal_deg,
+              worst.tangent_deg, worst.normals);
+}
+
+std::vector<std::string> models_with_targets() {
+  std::vector<std::string> out;
+  for (const std::string& path : models())
+    if (has_targets(read_source(path))) out.push_back(path);
+  return out;
+}
+
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = fs::path(info.param).stem().string() + "_" + std::to_string(info.index);
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return name;
 }
 
+INSTANTIATE_TEST_SUITE_P(Models, Morphs, ::testing::ValuesIn(models_with_targets()), test_name);
 INSTANTIATE_TEST_SUITE_P(Models, Road, ::testing::ValuesIn(models()), test_name);
 
 TEST(RoadModels, AreAllThere) {

@@ -59,7 +59,7 @@ std::uint64_t hash_channels(std::uint64_t state, const File& file, const Clip& c
 // The mesh's vertices morphed as the clip says, in memory that lives as long as this. A damaged file's weights may
 // overflow: then they are refused, and nothing moves.
 struct Morphed {
-  Morphed(const File& file, const Mesh& mesh, const Clip* clip, float time_s)
+  Morphed(const File& file, const Mesh& mesh, const Clip* clip, float time_s, const std::vector<float>& cycle)
       : block(morphed_bytes(mesh.geometry)), weights(mesh.targets.size) {
     std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
     std::vector<float> values(clip != nullptr ? clip->channels.size : 0);
@@ -68,6 +68,7 @@ struct Morphed {
       require(sample_channels(*clip, time_s, values) == Status::ok);
     }
     require(morph_weights(mesh, channels, values, weights) == Status::ok);
+    for (std::size_t t = 0; t < weights.size() && !cycle.empty(); ++t) weights[t] = cycle[t % cycle.size()];
     require(make_morphed(mesh.geometry, {block.data(), block.size()}, morphed) == Status::ok);
     bool finite = true;
     for (const float w : weights) finite = finite && w - w == 0.0f;
@@ -93,11 +94,11 @@ std::uint64_t hash(std::uint64_t state, const void* data, std::size_t bytes) {
 }
 
 PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, std::uint32_t mesh_index,
-                    Deformer deformer) {
+                    Deformer deformer, const std::vector<float>& cycle) {
   Mesh mesh = file.mesh(mesh_index);
   const Skeleton skeleton = file.skeleton(mesh.skeleton);
   const Clip clip = clip_index < file.clip_count() ? file.clip(clip_index) : Clip{};
-  Morphed m(file, mesh, clip_index < file.clip_count() ? &clip : nullptr, time_s);
+  Morphed m(file, mesh, clip_index < file.clip_count() ? &clip : nullptr, time_s, cycle);
   std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
   if (clip_index < file.clip_count() && file.clip(clip_index).skeleton == mesh.skeleton)
     sample_either(skeleton, file.clip(clip_index), time_s, local);

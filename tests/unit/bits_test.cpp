@@ -243,7 +243,7 @@ TEST(Bits, Morphs) {
     h = test::hash(test::hash(h, g.normals, std::size_t{12} * g.slot_count), g.tangents,
                    std::size_t{16} * g.slot_count);
   }
-  EXPECT_EQ(h, 0x0u);
+  EXPECT_EQ(h, 0xE3E4EDF40629573Du);
 }
 
 TEST(Bits, GoldenFile) {
@@ -258,7 +258,7 @@ TEST(Bits, ChannelsAndAdditiveClips) {
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
   ASSERT_EQ(file.clip(0).channels.size, 7u);
-  EXPECT_EQ(test::exercise(file), 0xAED295EA0DD6AAA3u);
+  EXPECT_EQ(test::exercise(file), 0xA2E8466AA45C0D67u);
 }
 
 TEST(Bits, CodedClip) {

@@ -46,7 +46,7 @@ struct AdditiveReference {
   std::vector<SoaTransform> pose;  // empty: the rest pose
 };
 std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules);
-// Adds the primitive's morph targets; the rest of `out` must be there.
+// Adds the primitive's morph targets, or none if none of them moves anything; the rest of `out` must be there.
 void build_morphs(const RawPrimitive& primitive, const std::vector<std::uint32_t>& vertex_of_slot, BuiltGeometry& out);
 // Sets the targets' normals to those that generate_normals() gives their shapes; of a primitive whose own it made.
 void generate_target_normals(RawPrimitive& primitive);

@@ -30,6 +30,7 @@ struct Bound {
   Palette palette;  // unused for one joint: each node has its own
   std::uint32_t geometry = 0;
   std::uint32_t influences = 0;
+  std::size_t targets = 0;
 };
 using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
 
@@ -230,6 +231,7 @@ Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const C
   const std::size_t joint_count = skin != kNone ? bound.palette.joints.size() : 1;
   BuiltGeometry geometry = build_geometry(primitive, bindings, joint_count, options);
   for (const Run& run : geometry.runs) bound.influences = std::max(bound.influences, run.influences);
+  bound.targets = geometry.targets.size();
   const auto twin = std::find_if(out.geometries.begin(), out.geometries.end(),
                                  [&](const BuiltGeometry& g) { return same(g, geometry); });
   bound.geometry = static_cast<std::uint32_t>(twin - out.geometries.begin());
@@ -249,7 +251,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
   mesh.targets = instance.weights;
-  mesh.targets.resize(primitive.targets.size());
+  mesh.targets.resize(bound.targets);
   mesh.double_sided = primitive.double_sided;
   for (int c = 0; c < 4; ++c) mesh.base_colour[c] = primitive.base_colour[c];
   return mesh;

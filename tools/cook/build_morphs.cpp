@@ -86,6 +86,7 @@ void generate_target_normals(RawPrimitive& primitive) {
 
 void build_morphs(const RawPrimitive& primitive, const std::vector<std::uint32_t>& vertex_of_slot, BuiltGeometry& out) {
   for (const RawTarget& target : primitive.targets) add_target(target, vertex_of_slot, out);
+  if (out.target_blocks.empty()) out.targets.clear();  // all of a mesh's primitives list its targets, moved or not
   if (out.targets.empty()) return;
   out.header.flags |= format::kHasMorphTargets;
   out.morphs.target_count = static_cast<std::uint32_t>(out.targets.size());

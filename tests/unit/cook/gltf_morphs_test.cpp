@@ -200,6 +200,21 @@ TEST(Morphs, AreSparseAndExactToHalfAStep) {
   EXPECT_LE(worst_deg, 0.01);
 }
 
+TEST(Morphs, WhatNoneMovesHasNone) {
+  Builder b;
+  const int positions = b.curve(3);
+  const int zeros = b.positions({0, 0, 0, 0, 0, 0, 0, 0, 0});
+  b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", zeros}}, {{"POSITION", positions}}};
+  b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", zeros}}, {{"POSITION", zeros}}};
+  RawScene scene = read(b);
+  const BuiltScene built = build_scene(scene, {});
+  ASSERT_EQ(built.meshes.size(), 2U);
+  EXPECT_EQ(built.geometries.at(built.meshes[0].geometry).targets.size(), 2U);
+  EXPECT_EQ(built.meshes[0].targets.size(), 2U);
+  EXPECT_EQ(built.geometries.at(built.meshes[1].geometry).targets.size(), 0U);
+  EXPECT_EQ(built.meshes[1].targets.size(), 0U);
+}
+
 // A mesh without normals gets smooth ones; so does the shape of each target: a flat quad that stands up on one side.
 TEST(Morphs, MadeNormalsFollowTheShape) {
   Builder b;
