@@ -10,9 +10,9 @@
 namespace marrow {
 namespace {
 
-// Where the parts of an instance's memory begin, in bytes; multiples of 16 but for the last two.
+// Where the parts of an instance's memory begin, in bytes; those of floats at multiples of 16.
 struct MorphMemory {
-  std::size_t skin_floats, normals, tangents, offsets, moved, changed, bytes;
+  std::size_t skin_floats, normals, tangents, offsets, moved, changed, attributes, bytes;
 };
 
 std::size_t word_count(const Geometry& g) {
@@ -29,7 +29,8 @@ MorphMemory memory_of(const Geometry& g) {
   m.offsets = m.tangents + (g.tangents != nullptr ? blocks * 64 : 0);
   m.moved = m.offsets + (blocks + 1) * 4;
   m.changed = m.moved + word_count(g) * 4;
-  m.bytes = m.changed + word_count(g) * 4;
+  m.attributes = m.changed + word_count(g) * 4;
+  m.bytes = m.attributes + 4;
   return m;
 }
 
@@ -76,10 +77,12 @@ void normalise_block(float* v) {
 void undo(MorphedGeometry& m, const Streams& to) {
   const Geometry& bind = m.bind;
   const std::size_t words = word_count(bind);
+  const std::uint32_t attributes = *m.attributes;
   for_each_block(m.moved, words, [&](std::size_t block) {
-    copy_block(bind.skin + m.offsets[block], to.skin + m.offsets[block]);
-    if (to.normals != nullptr) copy_block(bind.normals + 12 * block, to.normals + 12 * block);
-    if (to.tangents != nullptr) copy_block(bind.tangents + 16 * block, to.tangents + 16 * block);
+    const std::size_t offset = m.offsets[block];
+    if ((attributes & kMorphsPositions) != 0) copy_block(bind.skin + offset, to.skin + offset);
+    if ((attributes & kMorphsNormals) != 0) copy_block(bind.normals + 12 * block, to.normals + 12 * block);
+    if ((attributes & kMorphsTangents) != 0) copy_block(bind.tangents + 16 * block, to.tangents + 16 * block);
   });
   for (std::size_t i = 0; i < words; ++i) {
     m.changed[i] |= m.moved[i];
@@ -87,27 +90,52 @@ void undo(MorphedGeometry& m, const Streams& to) {
   }
 }
 
-template <class Index>
-void add_target(const MorphTarget& t, const Index* blocks, float weight, MorphedGeometry& m, const Streams& to) {
+// Attributes: those of the target; known to the compiler, so that the loop has no branches.
+template <std::uint32_t Attributes, class Index>
+void add_target(const MorphTarget& t, const Index* blocks, float weight, const MorphedGeometry& m, const Streams& to) {
   const std::int16_t* record = m.bind.target_records + std::size_t{12} * t.first_record;
   const f32x4 position = splat(weight * t.position_step), normal = splat(weight * t.normal_step),
               tangent = splat(weight * t.tangent_step);
+  const std::uint32_t* const offsets = m.offsets;
+  std::uint32_t* const moved = m.moved;
   blocks += t.first_block;
   for (std::uint32_t i = 0; i < t.block_count; ++i) {
     const std::size_t block = blocks[i];
-    m.moved[block / 32] |= std::uint32_t{1} << (block % 32);
-    if ((t.attributes & kMorphsPositions) != 0) {
-      add_record(record, position, to.skin + m.offsets[block]);
+    moved[block / 32] |= std::uint32_t{1} << (block % 32);
+    if constexpr ((Attributes & kMorphsPositions) != 0) {
+      add_record(record, position, to.skin + offsets[block]);
       record += 12;
     }
-    if ((t.attributes & kMorphsNormals) != 0) {
+    if constexpr ((Attributes & kMorphsNormals) != 0) {
       add_record(record, normal, to.normals + 12 * block);
       record += 12;
     }
-    if ((t.attributes & kMorphsTangents) != 0) {
+    if constexpr ((Attributes & kMorphsTangents) != 0) {
       add_record(record, tangent, to.tangents + 16 * block);
       record += 12;
     }
+  }
+}
+
+template <class Index>
+void add_target(const MorphTarget& t, const Index* blocks, float weight, const MorphedGeometry& m, const Streams& to) {
+  switch (t.attributes) {
+    case 1:
+      return add_target<1>(t, blocks, weight, m, to);
+    case 2:
+      return add_target<2>(t, blocks, weight, m, to);
+    case 3:
+      return add_target<3>(t, blocks, weight, m, to);
+    case 4:
+      return add_target<4>(t, blocks, weight, m, to);
+    case 5:
+      return add_target<5>(t, blocks, weight, m, to);
+    case 6:
+      return add_target<6>(t, blocks, weight, m, to);
+    case 7:
+      return add_target<7>(t, blocks, weight, m, to);
+    default:
+      return;
   }
 }
 
@@ -160,6 +188,7 @@ Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeo
         offset[1] = offset[0] + 4 * (run.influences + 2);
     made.moved = part<std::uint32_t>(memory, m.moved);
     made.changed = part<std::uint32_t>(memory, m.changed);
+    made.attributes = part<std::uint32_t>(memory, m.attributes);
     std::memset(made.moved, 0, m.bytes - m.moved);
   }
   out = made;
@@ -184,8 +213,10 @@ Status morph(Span<const float> weights, MorphedGeometry& morphed) {
       add_target(target, static_cast<const std::uint32_t*>(bind.target_blocks), weights[t], morphed, to);
     }
   }
+  *morphed.attributes = attributes;
   const std::size_t words = word_count(bind);
-  for_each_block(morphed.moved, words, [&](std::size_t block) {
+  constexpr std::uint32_t kDirections = kMorphsNormals | kMorphsTangents;
+  for_each_block(morphed.moved, (attributes & kDirections) != 0 ? words : 0, [&](std::size_t block) {
     if ((attributes & kMorphsNormals) != 0) normalise_block(to.normals + 12 * block);
     if ((attributes & kMorphsTangents) != 0) normalise_block(to.tangents + 16 * block);
   });

@@ -31,6 +31,7 @@ struct MorphedGeometry {
   const std::uint32_t* offsets = nullptr;  // a block's first float in the skin; one more for the end
   std::uint32_t* moved = nullptr;          // a bit a block: differs from the bind pose
   std::uint32_t* changed = nullptr;        // a bit a block: written since morph_coordinates()
+  std::uint32_t* attributes = nullptr;     // one, MorphAttributes: what differs in the blocks moved
 };
 
 // Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
