@@ -43,15 +43,17 @@ Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeo
 
 // Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
 // cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
-// Cost: in proportion to the blocks of four vertices that targets with another weight move, and those of the call
-// before: about 20 instructions a block, target and attribute; 25 a block to undo, and 40 to normalise.
+// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before moved.
+// Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and, however
+// many targets move it, 8, 20 or 29 to undo and normalise.
 Status morph(Span<const float> weights, MorphedGeometry& morphed);
 
 // Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
 // Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
-// the morphed geometry is the same where no residual changes a weight. coordinates: as_coordinates() of the bind
-// geometry, given to every call since. Cost: 30 to 100 instructions a block written by morph() since the last call; no
-// others.
+// the morphed geometry is the same where no residual changes a weight.
+//
+// coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
+// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
 Status morph_coordinates(MorphedGeometry& morphed, Span<float> coordinates);
 
 }  // namespace marrow
