@@ -43,9 +43,9 @@ Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeo
 
 // Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
 // cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
-// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before moved.
-// Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and, however
-// many targets move it, 8, 20 or 29 to undo and normalise.
+// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
+// moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
+// however many targets move it, 8, 20 or 29 to undo and normalise.
 Status morph(Span<const float> weights, MorphedGeometry& morphed);
 
 // Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
