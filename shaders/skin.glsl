@@ -4,6 +4,7 @@
 //   MARROW_DEFORMER        0 none (already skinned on the CPU), 1 rigid, 2 SSD, 3 animation space
 //   MARROW_INFLUENCES      4 or 8
 //   MARROW_NORMAL, _TANGENT, _UV, _COLOUR  0 or 1: which attributes the mesh has
+//   MARROW_MORPH_TARGETS   how many morph targets may count at a time; 0: none, the mesh has none
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
@@ -64,6 +65,15 @@ layout(location = 12) in vec2 in_uv;
 layout(location = 13) in vec4 in_colour;
 #endif
 
+#if MARROW_MORPH_TARGETS && MARROW_DEFORMER != 0
+layout(location = 14) in uint in_morph_row;  // 0: no target moves the vertex
+uniform highp isampler2D marrow_morph_changes;
+uniform vec4 marrow_morph_targets[MARROW_MORPH_TARGETS];  // first texel; weight · step of positions, normals, tangents
+uniform int marrow_morph_count;
+uniform int marrow_morph_shift;    // the texture is 1 << this wide
+uniform int marrow_morph_per_row;  // texels
+#endif
+
 // Scene space. What the mesh lacks is zero.
 struct MarrowVertex {
   vec3 position;
@@ -98,6 +108,30 @@ vec3 marrow_normal(vec3 a, vec3 b, vec3 c, vec3 normal, out float mirrored) {
   return mirrored * marrow_unit(n);
 }
 
+#if MARROW_MORPH_TARGETS && MARROW_DEFORMER != 0
+vec3 marrow_change(int texel) {
+  ivec2 at = ivec2(texel & ((1 << marrow_morph_shift) - 1), texel >> marrow_morph_shift);
+  return vec3(texelFetch(marrow_morph_changes, at, 0).xyz);
+}
+
+// Adds what the targets change, in the bind pose.
+void marrow_morph(inout vec3 position, inout vec3 normal, inout vec3 tangent) {
+  if (in_morph_row == 0u) return;
+  int row = (int(in_morph_row) - 1) * marrow_morph_per_row;
+  for (int i = 0; i < marrow_morph_count; ++i) {
+    vec4 target = marrow_morph_targets[i];
+    int texel = int(target.x) + row;
+    position += target.y * marrow_change(texel);
+#if MARROW_NORMAL
+    normal += target.z * marrow_change(texel + 1);
+#endif
+#if MARROW_TANGENT
+    tangent += target.w * marrow_change(texel + 2);
+#endif
+  }
+}
+#endif
+
 #if MARROW_DEFORMER == 3
 // Adds one influence of animation space: M q to the position, w M to the matrix that normals and tangents go through.
 void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec3 y, inout vec3 z) {
@@ -106,7 +140,7 @@ void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec
   vec4 my = marrow_rows[row + 1];
   vec4 mz = marrow_rows[row + 2];
   position += vec3(dot(mx, q), dot(my, q), dot(mz, q));
-#if MARROW_NORMAL || MARROW_TANGENT
+#if MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS
   x += q.w * mx.xyz;
   y += q.w * my.xyz;
   z += q.w * mz.xyz;
@@ -136,6 +170,19 @@ MarrowVertex marrow_skin() {
 #endif
 #else
 
+  vec3 change = vec3(0.0);  // of the bind position
+  vec3 normal = vec3(0.0);
+  vec3 tangent = vec3(0.0);
+#if MARROW_NORMAL
+  normal = marrow_from_octahedron(in_normal);
+#endif
+#if MARROW_TANGENT
+  tangent = marrow_from_octahedron(vec2(in_tangent.x, abs(in_tangent.y) * 2.0 - 1.0));
+#endif
+#if MARROW_MORPH_TARGETS
+  marrow_morph(change, normal, tangent);
+#endif
+
 #if MARROW_DEFORMER == 3
   vec3 x = vec3(0.0);
   vec3 y = vec3(0.0);
@@ -152,6 +199,10 @@ MarrowVertex marrow_skin() {
   marrow_add(in_coordinate7, in_joints1.w, v.position, x, y, z);
 #endif
   v.position *= marrow_coordinate_scale;
+#if MARROW_MORPH_TARGETS
+  // The weights, too, were divided by the scale.
+  v.position += marrow_coordinate_scale * vec3(dot(x, change), dot(y, change), dot(z, change));
+#endif
 #else
   vec4 x = vec4(0.0);
   vec4 y = vec4(0.0);
@@ -170,17 +221,16 @@ MarrowVertex marrow_skin() {
   marrow_add(in_weights1.w, in_joints1.w, x, y, z);
 #endif
 #endif
-  vec4 p = vec4(in_position, 1.0);
+  vec4 p = vec4(in_position + change, 1.0);
   v.position = vec3(dot(x, p), dot(y, p), dot(z, p));
 #endif
 
   float mirrored = 1.0;
 #if MARROW_NORMAL
-  v.normal = marrow_normal(x.xyz, y.xyz, z.xyz, marrow_from_octahedron(in_normal), mirrored);
+  v.normal = marrow_normal(x.xyz, y.xyz, z.xyz, normal, mirrored);
 #endif
 #if MARROW_TANGENT
-  vec3 t = marrow_from_octahedron(vec2(in_tangent.x, abs(in_tangent.y) * 2.0 - 1.0));
-  v.tangent = vec4(marrow_unit(vec3(dot(x.xyz, t), dot(y.xyz, t), dot(z.xyz, t))),
+  v.tangent = vec4(marrow_unit(vec3(dot(x.xyz, tangent), dot(y.xyz, tangent), dot(z.xyz, tangent))),
                    in_tangent.y < 0.0 ? -mirrored : mirrored);
 #endif
 #endif

@@ -1,5 +1,5 @@
 # Tests of the cooker and of the program; included where the tools are built.
-set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/cook/gltf_geometry_test.cpp
+set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/cook/gltf_geometry_test.cpp unit/cook/gltf_morphs_test.cpp
   unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp)

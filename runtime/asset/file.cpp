@@ -90,6 +90,13 @@ Geometry File::geometry(std::uint32_t index) const {
   g.uvs = at_if<float>(has(format::kHasUvs), base, l.uvs);
   g.colours = at_if<std::uint8_t>(has(format::kHasColours), base, l.colours);
   g.source_slots = {at<std::uint32_t>(base, l.source_slots), header.source_vertex_count};
+  if (has(format::kHasMorphTargets)) {
+    const auto& morphs = *at<format::MorphHeader>(base, format::morph_start(l));
+    const format::MorphLayout k = layout(morphs, l);
+    g.targets = {at<MorphTarget>(base, k.targets), morphs.target_count};
+    g.target_blocks = at<void>(base, k.blocks);
+    g.target_records = at<std::int16_t>(base, k.records);
+  }
   std::memcpy(g.box_min, header.box_min, sizeof g.box_min);
   std::memcpy(g.box_max, header.box_max, sizeof g.box_max);
   return g;
@@ -109,6 +116,7 @@ Mesh File::mesh(std::uint32_t index) const {
   m.inverse_bind = at<Affine>(base, l.inverse_bind);
   std::memcpy(m.base_colour, header.base_colour, sizeof m.base_colour);
   m.double_sided = (header.flags & format::kDoubleSided) != 0;
+  m.targets = {at<MeshTarget>(base, l.targets), header.target_count};
   m.geometry = geometry(header.geometry);
   return m;
 }

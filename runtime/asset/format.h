@@ -115,7 +115,8 @@ enum GeometryFlags : std::uint32_t {
   kHasColours = 8,
   kHasAsResidual = 16,
   kHasSourceSlots = 32,
-  kAllGeometryFlags = 63,
+  kHasMorphTargets = 64,
+  kAllGeometryFlags = 127,
 };
 
 struct GeometryHeader {
@@ -134,6 +135,16 @@ struct GeometryHeader {
 };
 static_assert(sizeof(GeometryHeader) == 64);
 
+// What a geometry with kHasMorphTargets has behind its arrays, on a boundary of four bytes.
+struct MorphHeader {
+  std::uint32_t target_count;  // ≥ 1
+  std::uint32_t block_count;   // Σ over targets
+  std::uint32_t record_count;  // Σ over targets of blocks · attributes
+  std::uint32_t reserved;      // 0
+};
+static_assert(sizeof(MorphHeader) == 16);
+inline constexpr std::uint64_t kMorphRecordBytes = 24;
+
 enum MeshFlags : std::uint32_t { kDoubleSided = 1, kAllMeshFlags = 1 };
 
 struct MeshHeader {
@@ -144,7 +155,8 @@ struct MeshHeader {
   std::uint32_t joint_count;
   std::uint32_t flags;
   float base_colour[4];
-  std::uint32_t reserved[2];  // 0
+  std::uint32_t target_count;  // the geometry's
+  std::uint32_t reserved;      // 0
 };
 static_assert(sizeof(MeshHeader) == 48);
 
@@ -223,13 +235,31 @@ constexpr GeometryLayout layout(const GeometryHeader& h) {
   return l;
 }
 
+struct MorphLayout {
+  std::uint64_t header, targets, blocks, records, bytes;
+};
+// Where the header stands, which what lies behind depends on.
+constexpr std::uint64_t morph_start(const GeometryLayout& l) {
+  return (l.bytes + 3) & ~std::uint64_t{3};
+}
+constexpr MorphLayout layout(const MorphHeader& h, const GeometryLayout& geometry) {
+  MorphLayout l{};
+  l.header = morph_start(geometry);
+  l.targets = l.header + sizeof(MorphHeader);
+  l.blocks = l.targets + std::uint64_t{h.target_count} * sizeof(MorphTarget);
+  l.records = l.blocks + std::uint64_t{h.block_count} * geometry.index_bytes;
+  l.bytes = l.records + h.record_count * kMorphRecordBytes;
+  return l;
+}
+
 struct MeshLayout {
-  std::uint64_t inverse_bind, joints, bytes;
+  std::uint64_t inverse_bind, targets, joints, bytes;
 };
 constexpr MeshLayout layout(const MeshHeader& h) {
   MeshLayout l{};
   l.inverse_bind = sizeof(MeshHeader);
-  l.joints = l.inverse_bind + std::uint64_t{h.joint_count} * sizeof(Affine);
+  l.targets = l.inverse_bind + std::uint64_t{h.joint_count} * sizeof(Affine);
+  l.joints = l.targets + std::uint64_t{h.target_count} * sizeof(MeshTarget);
   l.bytes = l.joints + std::uint64_t{h.joint_count} * 2;
   return l;
 }

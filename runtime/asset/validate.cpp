@@ -58,6 +58,10 @@ class Checker {
   bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
   bool segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l);
   bool geometry(const File::Section& s);
+  const format::GeometryHeader* geometry_header(const File::Section& s);
+  bool morphs(const File::Section& s, const format::GeometryHeader& h);
+  template <class Index>
+  bool morph_blocks(const Index* blocks, const MorphTarget& t, std::uint32_t block_count);
   bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
   template <class Index>
   bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
@@ -297,13 +301,62 @@ bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::
   return below(sets, h.set_count, h.joint_count, "a set refers to a joint outside the palette");
 }
 
-bool Checker::geometry(const File::Section& s) {
-  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
-  if (s.bytes >= sizeof(format::GeometryHeader)) {
-    const auto* h = at<format::GeometryHeader>(s, 0);
-    if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences");
+// Each moves some blocks, in ascending order, and adds to what the geometry has; lists and records stand back to back.
+bool Checker::morphs(const File::Section& s, const format::GeometryHeader& g) {
+  const auto* h = at<format::MorphHeader>(s, format::morph_start(layout(g)));
+  const format::MorphLayout l = layout(*h, layout(g));
+  if (h->target_count == 0) return fail(h, "a flag without morph targets");
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  const std::uint32_t allowed = kMorphsPositions | ((g.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
+                                ((g.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
+  std::uint64_t blocks = 0, records = 0;
+  for (const MorphTarget& t : Span<const MorphTarget>{at<MorphTarget>(s, l.targets), h->target_count}) {
+    if ((t.attributes & ~allowed) != 0) return fail(&t.attributes, "a target moves what the geometry has");
+    if ((t.attributes == 0) != (t.block_count == 0)) return fail(&t.attributes, "what moves has blocks");
+    if (t.first_block != blocks || t.first_record != records) return fail(&t, "targets stand back to back");
+    if (t.reserved != 0) return fail(&t.reserved, "reserved must be 0");
+    if (!finite(&t.position_step, 12)) return false;
+    blocks += t.block_count;
+    records += std::uint64_t{t.block_count} * count_bits(t.attributes);
+    if (blocks > h->block_count || records > h->record_count) return fail(&t, "a target outside the records");
+    const std::uint64_t first = l.blocks + std::uint64_t{t.first_block} * layout(g).index_bytes;
+    const bool good = layout(g).index_bytes == 2 ? morph_blocks(at<std::uint16_t>(s, first), t, g.block_count)
+                                                 : morph_blocks(at<std::uint32_t>(s, first), t, g.block_count);
+    if (!good) return false;
   }
-  const auto* h = header<format::GeometryHeader>(s);
+  return (blocks == h->block_count && records == h->record_count) || fail(h, "records that no target uses");
+}
+
+template <class Index>
+bool Checker::morph_blocks(const Index* blocks, const MorphTarget& t, std::uint32_t block_count) {
+  for (std::uint32_t i = 1; i < t.block_count; ++i)
+    if (blocks[i - 1] >= blocks[i]) return fail(blocks + i, "a target's blocks ascend");
+  return t.block_count == 0 || blocks[t.block_count - 1] < block_count ||
+         fail(blocks + t.block_count - 1, "a target's block outside the vertices");
+}
+
+// The header, if the section is as long as its counts say; else null.
+const format::GeometryHeader* Checker::geometry_header(const File::Section& s) {
+  if (s.codec != format::kCodecRaw) {
+    error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
+    return nullptr;
+  }
+  const auto* h = at<format::GeometryHeader>(s, 0);
+  if (s.bytes < sizeof *h) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
+  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
+  if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences"), nullptr;
+  const format::GeometryLayout l = layout(*h);
+  std::uint64_t bytes = l.bytes;
+  if ((h->flags & format::kHasMorphTargets) != 0) {
+    const std::uint64_t start = format::morph_start(l);
+    bytes = start + sizeof(format::MorphHeader);
+    if (bytes <= s.bytes) bytes = layout(*at<format::MorphHeader>(s, start), l).bytes;
+  }
+  return bytes == s.bytes ? h : (fail(h, "section size differs from its counts"), nullptr);
+}
+
+bool Checker::geometry(const File::Section& s) {
+  const auto* h = geometry_header(s);
   if (h == nullptr) return false;
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if ((h->flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return fail(&h->flags, "unknown flag");
@@ -320,7 +373,8 @@ bool Checker::geometry(const File::Section& s) {
           : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
   return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
          source_slots(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots) && finite(h->box_min, 24) &&
-         finite(at<float>(s, l.skin), l.colours - l.skin);
+         finite(at<float>(s, l.skin), l.colours - l.skin) &&
+         ((h->flags & format::kHasMorphTargets) == 0 || morphs(s, *h));
 }
 
 bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots) {
@@ -332,16 +386,23 @@ bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std:
 bool Checker::mesh(const File::Section& s) {
   const auto* h = header<format::MeshHeader>(s);
   if (h == nullptr) return false;
-  if (h->reserved[0] != 0 || h->reserved[1] != 0) return fail(h->reserved, "reserved must be 0");
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
   if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
   const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
-  const auto* geometry = at<format::GeometryHeader>(nth(format::kGeometries, h->geometry), 0);
+  const File::Section& of_geometry = nth(format::kGeometries, h->geometry);
+  const auto* geometry = at<format::GeometryHeader>(of_geometry, 0);
   if (h->joint_count != geometry->joint_count) return fail(&h->joint_count, "as many joints as the geometry");
+  const std::uint64_t morphs = format::morph_start(layout(*geometry));
+  const bool has_targets = (geometry->flags & format::kHasMorphTargets) != 0;
+  if (h->target_count != (has_targets ? at<format::MorphHeader>(of_geometry, morphs)->target_count : 0u))
+    return fail(&h->target_count, "as many morph targets as the geometry");
   const format::MeshLayout l = layout(*h);
+  for (const MeshTarget& t : Span<const MeshTarget>{at<MeshTarget>(s, l.targets), h->target_count})
+    if (!name(t.name) || !name(t.channel) || !finite(&t.weight, 4)) return false;
   return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
-         finite(at<float>(s, l.inverse_bind), l.joints - l.inverse_bind) &&
+         finite(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&
          below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");
 }
 

@@ -2,6 +2,7 @@
 #include "gles3/encode.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/morph.h"
 #include "marrow/gles3.h"
 
 namespace marrow::gles3 {
@@ -37,7 +38,13 @@ void describe_joints(const Api& api, const Layout& layout, std::uint32_t stride,
   }
 }
 
-void describe_surface(const Api& api, const Geometry& g, const Layout& layout, std::uint32_t buffer) {
+void describe_surface(const Api& api, const Geometry& g, const Layout& layout, std::uint32_t buffer,
+                      std::uint32_t morph_buffer) {
+  if (morph_buffer != 0) {
+    api.BindBuffer(kGlArrayBuffer, morph_buffer);
+    api.EnableVertexAttribArray(kMorphRowLocation);
+    api.VertexAttribIPointer(kMorphRowLocation, 1, kGlUnsignedInt, 4, nullptr);
+  }
   if (layout.surface_stride == 0) return;
   api.BindBuffer(kGlArrayBuffer, buffer);
   const std::uint32_t stride = layout.surface_stride;
@@ -67,7 +74,7 @@ void make_ssd(const Api& api, const Geometry& g, const Layout& layout, const Qua
     attribute(api, kWeightsLocation + i, 4, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights + 8 * i);
   }
   describe_joints(api, layout, layout.ssd_stride, layout.ssd_joints);
-  describe_surface(api, g, layout, mesh.surface_buffer);
+  describe_surface(api, g, layout, mesh.surface_buffer, mesh.morph_buffer);
 }
 
 void make_as(const Api& api, const Geometry& g, const Layout& layout, const Quantisation& q, Span<std::byte> scratch,
@@ -79,7 +86,7 @@ void make_as(const Api& api, const Geometry& g, const Layout& layout, const Quan
     attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
   }
   describe_joints(api, layout, layout.as_stride, layout.as_joints);
-  describe_surface(api, g, layout, mesh.surface_buffer);
+  describe_surface(api, g, layout, mesh.surface_buffer, mesh.morph_buffer);
 }
 
 // bind · [h·I | c]
@@ -103,9 +110,9 @@ GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, 
   out.vertex_bytes = g.slot_count * ((options.ssd ? layout.ssd_stride : 0) + (options.as ? layout.as_stride : 0) +
                                      layout.surface_stride);
   out.influences = static_cast<std::uint8_t>(layout.influences);
-  out.features =
-      static_cast<std::uint8_t>((g.normals != nullptr ? kNormals : 0) | (g.tangents != nullptr ? kTangents : 0) |
-                                (g.uvs != nullptr ? kUvs : 0) | (g.colours != nullptr ? kColours : 0));
+  out.features = static_cast<std::uint8_t>((g.normals != nullptr ? kNormals : 0) |
+                                           (g.tangents != nullptr ? kTangents : 0) | (g.uvs != nullptr ? kUvs : 0) |
+                                           (g.colours != nullptr ? kColours : 0) | (g.targets.empty() ? 0 : kMorphs));
   out.coordinate_scale = 32767.0f / static_cast<float>(q.coordinate_one);
   return out;
 }
@@ -117,7 +124,7 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
   std::size_t stride = layout.surface_stride;
   if (options.ssd) stride = larger(stride, layout.ssd_stride);
   if (options.as) stride = larger(stride, layout.as_stride);
-  return stride * mesh.geometry.slot_count;
+  return larger(stride * mesh.geometry.slot_count, morph_scratch_bytes(mesh.geometry));
 }
 
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
@@ -128,13 +135,15 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
   const std::uint32_t fits = caps.uniform_block_bytes / 48;
   if (mesh.joint_count > (fits < kPaletteJoints ? fits : kPaletteJoints)) return Status::unsupported;
   const Layout layout = make_layout(mesh);
-  // Eight influences in animation space need locations up to kColourLocation.
-  if (caps.vertex_attributes <= kColourLocation) return Status::unsupported;
+  // Eight influences in animation space need locations up to the last.
+  if (caps.vertex_attributes <= kMorphRowLocation) return Status::unsupported;
 
   const Quantisation quantisation = make_quantisation(g);
   GpuMesh made = describe(mesh, layout, quantisation, options);
   forget_errors(api);
   api.BindVertexArray(0);
+  const Status morphs = make_morphs(api, g, quantisation.half_extent, scratch, made);
+  if (morphs != Status::ok) return morphs;
   made.index_buffer = upload(api, kGlArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
   if (layout.surface_stride != 0) {
     encode_surface(g, layout, scratch.data);
@@ -155,9 +164,11 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
 
 void destroy(const Api& api, GpuMesh& mesh) {
   const std::uint32_t arrays[] = {mesh.ssd_array, mesh.as_array};
-  const std::uint32_t buffers[] = {mesh.ssd_buffer, mesh.as_buffer, mesh.surface_buffer, mesh.index_buffer};
+  const std::uint32_t buffers[] = {mesh.ssd_buffer, mesh.as_buffer, mesh.surface_buffer, mesh.index_buffer,
+                                   mesh.morph_buffer};
   api.DeleteVertexArrays(2, arrays);
-  api.DeleteBuffers(4, buffers);
+  api.DeleteBuffers(5, buffers);
+  api.DeleteTextures(1, &mesh.morph_texture);
   mesh = {};
 }
 

@@ -44,6 +44,7 @@ Text preamble(const ProgramKey& key) {
   text.define("MARROW_TANGENT", (key.features & kTangents) != 0 ? 1 : 0);
   text.define("MARROW_UV", (key.features & kUvs) != 0 ? 1 : 0);
   text.define("MARROW_COLOUR", (key.features & kColours) != 0 ? 1 : 0);
+  text.define("MARROW_MORPH_TARGETS", (key.features & kMorphs) != 0 ? kMorphTargets : 0);
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
   return text;
 }
@@ -120,6 +121,11 @@ Status build_program(const Api& api, const ProgramKey& key, const ProgramSource&
   const std::uint32_t block = api.GetUniformBlockIndex(made.id, "MarrowPalette");
   if (block != kGlInvalidIndex) api.UniformBlockBinding(made.id, block, palette_binding);
   made.coordinate_scale = api.GetUniformLocation(made.id, "marrow_coordinate_scale");
+  made.morph_changes = api.GetUniformLocation(made.id, "marrow_morph_changes");
+  made.morph_targets = api.GetUniformLocation(made.id, "marrow_morph_targets");
+  made.morph_count = api.GetUniformLocation(made.id, "marrow_morph_count");
+  made.morph_shift = api.GetUniformLocation(made.id, "marrow_morph_shift");
+  made.morph_per_row = api.GetUniformLocation(made.id, "marrow_morph_per_row");
   out = made;
   return Status::ok;
 }

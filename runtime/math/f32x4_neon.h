@@ -147,6 +147,10 @@ inline void store(std::byte* p, i32x4 a) {
 inline f32x4 to_float(i32x4 a) {
   return {vcvtq_f32_s32(a.v)};
 }
+// Four whole numbers, whatever their alignment.
+inline f32x4 load_int16(const std::int16_t* p) {
+  return {vcvtq_f32_s32(vmovl_s16(vld1_s16(p)))};
+}
 inline f32x4 bits_as_float(i32x4 a) {
   return {vreinterpretq_f32_s32(a.v)};
 }

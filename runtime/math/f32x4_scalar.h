@@ -160,6 +160,10 @@ inline void store(std::byte* p, i32x4 a) {
 inline f32x4 to_float(i32x4 a) {
   return each_lane([&](int i) { return static_cast<float>(a.v[i]); });
 }
+// Four whole numbers, whatever their alignment.
+inline f32x4 load_int16(const std::int16_t* p) {
+  return each_lane([&](int i) { return static_cast<float>(p[i]); });
+}
 inline f32x4 bits_as_float(i32x4 a) {
   return each_lane([&](int i) { return std::bit_cast<float>(a.v[i]); });
 }

@@ -158,6 +158,11 @@ inline void store(std::byte* p, i32x4 a) {
 inline f32x4 to_float(i32x4 a) {
   return {_mm_cvtepi32_ps(a.v)};
 }
+// Four whole numbers, whatever their alignment.
+inline f32x4 load_int16(const std::int16_t* p) {
+  const __m128i v = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+  return {_mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(v, v), 16))};
+}
 inline f32x4 bits_as_float(i32x4 a) {
   return {_mm_castsi128_ps(a.v)};
 }

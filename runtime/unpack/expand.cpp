@@ -11,6 +11,11 @@ namespace {
 using format::GeometryHeader;
 using format::GeometryLayout;
 
+template <class T>
+T* at(std::byte* base, std::uint64_t offset) {
+  return reinterpret_cast<T*>(base + offset);
+}
+
 float value(const Stream& s, std::uint32_t vertex, std::uint32_t component) {
   const std::int32_t v = s.values[std::size_t{vertex} * s.components + component];
   if (s.bits == 0) return std::bit_cast<float>(v);
@@ -37,6 +42,12 @@ const char* check(const MeshStreams& mesh) {
     for (std::size_t i = 0; i < std::size_t{mesh.vertex_count} * joints->components; ++i)
       if (joints->values[i] < 0 || static_cast<std::uint32_t>(joints->values[i]) >= mesh.joint_count)
         return "a palette entry beyond joint_count";
+  for (std::uint32_t i = 0; i < mesh.stream_count; ++i) {
+    const Stream& s = mesh.streams[i];
+    if (s.kind != StreamKind::target) continue;
+    for (std::size_t k = 0; k < std::size_t{mesh.vertex_count} * 3; ++k)
+      if (s.values[k] < 0 || s.values[k] >> s.bits != 0) return "a change beyond its bits";
+  }
   const Stream* const weights = mesh.find(StreamKind::weights);
   if (weights == nullptr || weights->bits == 0) return nullptr;
   for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
@@ -75,7 +86,30 @@ GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a) {
   return h;
 }
 
-// One pass over the vertices in the order of their slots, block by block.
+// Calls run(first vertex, influences, vertices) and block(four vertices, influences) in the order of the slots.
+template <class OnRun, class OnBlock>
+void for_each_block(const MeshStreams& mesh, const Arrangement& a, const OnRun& on_run, const OnBlock& on_block) {
+  const Stream* const joints = mesh.find(StreamKind::joints);
+  const std::size_t bytes = joints == nullptr ? 0 : joints->components * sizeof(std::int32_t);
+  const auto same = [&](std::uint32_t i, std::uint32_t k) {
+    return joints == nullptr || std::memcmp(joints->values + std::size_t{a.order[i]} * joints->components,
+                                            joints->values + std::size_t{a.order[k]} * joints->components, bytes) == 0;
+  };
+  for (std::uint32_t first = 0; first < mesh.vertex_count;) {
+    std::uint32_t end = first + 1;
+    while (end < mesh.vertex_count && same(end, first)) ++end;
+    const std::uint32_t influences = influence_count(mesh, a.order[first]);
+    on_run(a.order[first], influences, end - first);
+    for (std::uint32_t i = first; i < end; i += 4) {
+      std::uint32_t vertices[4];
+      for (std::uint32_t lane = 0; lane < 4; ++lane) vertices[lane] = a.order[i + lane < end ? i + lane : end - 1];
+      on_block(vertices, influences);
+    }
+    first = end;
+  }
+}
+
+// Everything but indices, source slots and morph targets, in one pass over the vertices.
 class Writer {
  public:
   Writer(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base)
@@ -91,38 +125,16 @@ class Writer {
         sets_(at<std::uint16_t>(base, l.sets)) {}
 
   void write() {
-    for (std::uint32_t first = 0; first < mesh_.vertex_count;) {
-      const std::uint32_t count = run_length(first), influences = influence_count(mesh_, a_.order[first]);
-      *runs_++ = {count, influences};
-      write_set(a_.order[first], influences);
-      for (std::uint32_t i = 0; i < count; i += 4) {
-        std::uint32_t vertices[4];
-        for (std::uint32_t lane = 0; lane < 4; ++lane)
-          vertices[lane] = a_.order[first + (i + lane < count ? i + lane : count - 1)];
-        write_block(vertices, influences);
-      }
-      first += count;
-    }
+    for_each_block(
+        mesh_, a_,
+        [&](std::uint32_t vertex, std::uint32_t influences, std::uint32_t count) {
+          *runs_++ = {count, influences};
+          write_set(vertex, influences);
+        },
+        [&](const std::uint32_t(&v)[4], std::uint32_t influences) { write_block(v, influences); });
   }
 
  private:
-  template <class T>
-  static T* at(std::byte* base, std::uint64_t offset) {
-    return reinterpret_cast<T*>(base + offset);
-  }
-
-  // A run ends where the next slot begins a block although it need not, or where blocks are not contiguous; both show
-  // as another joint set.
-  std::uint32_t run_length(std::uint32_t first) const {
-    const Stream* const joints = mesh_.find(StreamKind::joints);
-    std::uint32_t end = first + 1;
-    if (joints == nullptr) return mesh_.vertex_count - first;
-    const std::size_t bytes = joints->components * sizeof(std::int32_t);
-    const auto of = [&](std::uint32_t i) { return joints->values + std::size_t{a_.order[i]} * joints->components; };
-    while (end < mesh_.vertex_count && std::memcmp(of(end), of(first), bytes) == 0) ++end;
-    return end - first;
-  }
-
   void write_set(std::uint32_t vertex, std::uint32_t influences) {
     const Stream* const joints = mesh_.find(StreamKind::joints);
     for (std::uint32_t j = 0; j < influences; ++j)
@@ -175,6 +187,97 @@ class Writer {
   std::uint16_t* sets_;
 };
 
+// What targets add, sparse: blocks that a target moves, and records of twelve 16-bit integers.
+class TargetWriter {
+ public:
+  TargetWriter(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l) : mesh_(mesh), a_(a), l_(l) {
+    header_.target_count = mesh.target_count;
+    std::uint32_t first = first_target_stream();
+    for (std::uint32_t t = 0; t < mesh.target_count; ++t) {
+      const std::uint32_t end = end_of(first, t), blocks = count_blocks(first, end);
+      header_.block_count += blocks;
+      header_.record_count += blocks * (end - first);
+      first = end;
+    }
+  }
+
+  std::uint64_t bytes() const { return mesh_.target_count == 0 ? l_.bytes : layout(header_, l_).bytes; }
+
+  void write(std::byte* base) const {
+    if (mesh_.target_count == 0) return;
+    const format::MorphLayout l = layout(header_, l_);
+    std::memset(base + l_.bytes, 0, static_cast<std::size_t>(l.header - l_.bytes));
+    std::memcpy(base + l.header, &header_, sizeof header_);
+    std::uint32_t block = 0, record = 0, first = first_target_stream();
+    for (std::uint32_t t = 0; t < mesh_.target_count; ++t) {
+      const std::uint32_t end = end_of(first, t);
+      MorphTarget target{};
+      target.first_block = block;
+      target.first_record = record;
+      std::uint32_t index = 0;
+      for_each_block(
+          mesh_, a_, [](std::uint32_t, std::uint32_t, std::uint32_t) {},
+          [&](const std::uint32_t(&v)[4], std::uint32_t) {
+            if (moves(first, end, v)) {
+              l_.index_bytes == 2 ? at<std::uint16_t>(base, l.blocks)[block] = static_cast<std::uint16_t>(index)
+                                  : at<std::uint32_t>(base, l.blocks)[block] = index;
+              ++block;
+              for (std::uint32_t s = first; s < end; ++s)
+                write_record(mesh_.streams[s], v, at<std::int16_t>(base, l.records) + std::size_t{12} * record++);
+            }
+            ++index;
+          });
+      target.block_count = block - target.first_block;
+      for (std::uint32_t s = first; s < end && target.block_count > 0; ++s) {
+        const Stream& stream = mesh_.streams[s];
+        target.attributes |= 1u << stream.attribute;
+        (&target.position_step)[stream.attribute] = stream.step;
+      }
+      std::memcpy(base + l.targets + t * sizeof target, &target, sizeof target);
+      first = end;
+    }
+  }
+
+ private:
+  std::uint32_t first_target_stream() const {
+    std::uint32_t i = 0;
+    while (i < mesh_.stream_count && mesh_.streams[i].kind != StreamKind::target) ++i;
+    return i;
+  }
+  std::uint32_t end_of(std::uint32_t first, std::uint32_t target) const {
+    while (first < mesh_.stream_count && mesh_.streams[first].target == target) ++first;
+    return first;
+  }
+  static std::int32_t nothing(const Stream& s) { return 1 << (s.bits - 1); }
+
+  bool moves(std::uint32_t first, std::uint32_t end, const std::uint32_t (&v)[4]) const {
+    for (std::uint32_t i = first; i < end; ++i) {
+      const Stream& s = mesh_.streams[i];
+      for (const std::uint32_t vertex : v)
+        for (std::uint32_t c = 0; c < 3; ++c)
+          if (s.values[std::size_t{vertex} * 3 + c] != nothing(s)) return true;
+    }
+    return false;
+  }
+  std::uint32_t count_blocks(std::uint32_t first, std::uint32_t end) const {
+    std::uint32_t count = 0;
+    for_each_block(
+        mesh_, a_, [](std::uint32_t, std::uint32_t, std::uint32_t) {},
+        [&](const std::uint32_t(&v)[4], std::uint32_t) { count += moves(first, end, v) ? 1u : 0u; });
+    return count;
+  }
+  static void write_record(const Stream& s, const std::uint32_t (&v)[4], std::int16_t* out) {
+    for (std::uint32_t c = 0; c < 3; ++c)
+      for (const std::uint32_t vertex : v)
+        *out++ = static_cast<std::int16_t>(s.values[std::size_t{vertex} * 3 + c] - nothing(s));
+  }
+
+  const MeshStreams& mesh_;
+  const Arrangement& a_;
+  const GeometryLayout& l_;
+  format::MorphHeader header_{};
+};
+
 void write_indices(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base) {
   auto* const narrow = reinterpret_cast<std::uint16_t*>(base + l.indices);
   auto* const wide = reinterpret_cast<std::uint32_t*>(base + l.indices);
@@ -196,14 +299,16 @@ const char* expand_geometry(const MeshStreams& mesh, Arena& scratch, Span<std::b
   if (!arrange(mesh, scratch, a)) return "memory_bytes too small";
   const GeometryHeader h = make_header(mesh, a);
   const GeometryLayout l = layout(h);
-  if (l.bytes > out.size) return "file_bytes too small";
+  const TargetWriter targets(mesh, a, l);
+  if (targets.bytes() > out.size) return "file_bytes too small";
   std::memcpy(out.data, &h, sizeof h);
   Writer(mesh, a, l, out.data).write();
   auto* const source_slots = reinterpret_cast<std::uint32_t*>(out.data + l.source_slots);
   for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
     source_slots[i] = mesh.source_map[i] == kNoSlot ? kNoSlot : a.slot_of_vertex[mesh.source_map[i]];
   write_indices(mesh, a, l, out.data);
-  bytes = static_cast<std::uint32_t>(l.bytes);
+  targets.write(out.data);
+  bytes = static_cast<std::uint32_t>(targets.bytes());
   return nullptr;
 }
 

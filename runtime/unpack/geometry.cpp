@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::uint32_t kMaxVertices = 1u << 28;  // counts times components and bytes stay below 2^36
 constexpr std::uint32_t kMaxTriangles = 1u << 28;
+constexpr std::uint32_t kMaxTargets = 1u << 16;
 
 bool is_sane(float x) {
   return x > -1e30f && x < 1e30f;  // false for NaN
@@ -14,6 +15,7 @@ bool is_sane(float x) {
 
 Stream& add(MeshStreams& mesh, StreamKind kind, std::uint32_t components, std::uint32_t bits) {
   Stream& s = mesh.streams[mesh.stream_count++];
+  s = {};
   s.kind = kind;
   s.components = static_cast<std::uint8_t>(components);
   s.bits = static_cast<std::uint8_t>(bits);
@@ -37,9 +39,25 @@ bool read_bits(Reader& reader, std::uint32_t least, std::uint32_t most, Stream& 
   return s.bits >= least && s.bits <= most;
 }
 
+// u8 attributes; for each u8 bits, f32 step.
+bool read_target(Reader& reader, std::uint32_t target, MeshStreams& out) {
+  const std::uint32_t attributes = reader.take<std::uint8_t>();
+  const std::uint32_t allowed = kMorphsPositions | ((out.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
+                                ((out.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
+  if ((attributes & ~allowed) != 0) return false;
+  for (std::uint8_t a = 0; a < 3; ++a) {
+    if ((attributes >> a & 1) == 0) continue;
+    Stream& s = add(out, StreamKind::target, 3, 0);
+    s.target = target;
+    s.attribute = a;
+    if (!read_values(reader, 0, s) || s.bits > packed::kMaxTargetBits) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-const char* read_geometry_record(Reader& reader, MeshStreams& out) {
+const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out) {
   out = {};
   out.flags = reader.take_varint();
   out.vertex_count = reader.take_varint();
@@ -47,14 +65,18 @@ const char* read_geometry_record(Reader& reader, MeshStreams& out) {
   out.joint_count = reader.take_varint();
   out.influences = reader.take_varint();
   if ((out.flags & format::kHasSourceSlots) != 0) out.source_vertex_count = reader.take_varint();
+  if ((out.flags & format::kHasMorphTargets) != 0) out.target_count = reader.take_varint();
   if ((out.flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return "unknown geometry flags";
   if (out.vertex_count < 1 || out.vertex_count > kMaxVertices || out.triangle_count > kMaxTriangles ||
-      out.source_vertex_count > kMaxVertices)
+      out.source_vertex_count > kMaxVertices || out.target_count > kMaxTargets ||
+      (out.target_count == 0) != ((out.flags & format::kHasMorphTargets) == 0))
     return "a count out of range";
   if (out.joint_count < 1 || out.joint_count > kMaxJoints || out.influences < 1 || out.influences > kMaxInfluences)
     return "joint_count or influences out of range";
   if ((out.flags & format::kHasTangents) != 0 && (out.flags & format::kHasNormals) == 0)
     return "tangents without normals";
+  out.streams = arena.take<Stream>(geometry_stream_count(out.target_count));
+  if (arena.failed()) return "memory_bytes too small";
 
   const auto has = [&](std::uint32_t flag) { return (out.flags & flag) != 0; };
   bool sane = read_values(reader, 3, add(out, StreamKind::position, 3, 0));
@@ -75,12 +97,14 @@ const char* read_geometry_record(Reader& reader, MeshStreams& out) {
   if (has(format::kHasAsResidual))
     sane = sane && read_values(reader, 0, add(out, StreamKind::residual, 4 * out.influences, 0));
   if (out.influences > out.joint_count) return "more influences than joints";
+  for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(reader, t, out);
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";
 }
 
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
   const auto array = [](std::uint64_t count) { return (count * 4 + 15) / 16 * 16; };
   std::uint64_t bytes = array(std::uint64_t{mesh.triangle_count} * 3) + array(mesh.source_vertex_count);
+  bytes += (geometry_stream_count(mesh.target_count) * sizeof(Stream) + 15) / 16 * 16;
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
     bytes += array(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components);
   return bytes + expand_scratch_bytes(mesh);
@@ -89,9 +113,9 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
 const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                             Span<std::byte> out, std::uint32_t& bytes) {
   Reader reader(record.data, record.size);
-  MeshStreams mesh;
-  if (const char* const rule = read_geometry_record(reader, mesh)) return rule;
   Arena arena(scratch.data, scratch.size);
+  MeshStreams mesh;
+  if (const char* const rule = read_geometry_record(reader, arena, mesh)) return rule;
   mesh.indices = arena.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3);
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
     mesh.streams[i].values = arena.take<std::int32_t>(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components);

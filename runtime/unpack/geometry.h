@@ -7,8 +7,14 @@
 
 namespace marrow {
 
-// Reads what stands in front of the codec's bytes; the arrays are left null. Returns null, or the rule that is broken.
-const char* read_geometry_record(Reader& reader, MeshStreams& out);
+// How many streams there are at most.
+constexpr std::uint64_t geometry_stream_count(std::uint64_t target_count) {
+  return kBindStreams + 3 * target_count;
+}
+
+// Reads what stands in front of the codec's bytes; takes memory for the streams, whose arrays are left null. Returns
+// null, or the rule that is broken.
+const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out);
 
 // Bytes of scratch memory for the arrays of these streams and for expanding them.
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);

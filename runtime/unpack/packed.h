@@ -26,6 +26,7 @@ enum Codec : std::uint8_t { kFirstCodec = 16, kDraco = 16, kMeshopt = 17, kCompa
 
 inline constexpr std::uint32_t kMaxDirectionBits = 16;
 inline constexpr std::uint32_t kMaxWeightBits = 16;
+inline constexpr std::uint32_t kMaxTargetBits = 16;
 inline constexpr std::uint32_t kMaxValueBits = 24;  // exact as floats
 
 }  // namespace marrow::packed

@@ -18,13 +18,16 @@ enum class StreamKind : std::uint8_t {
   joints,        // one an influence
   weights,       // one an influence but the last; 2^bits - 1 is one
   residual,      // 4 an influence
+  target,        // 3: what a morph target adds; 2^(bits - 1) is nothing
 };
-inline constexpr std::uint32_t kStreamKinds = 9;
+inline constexpr std::uint32_t kBindStreams = 9;  // at most, before those of morph targets
 
 struct Stream {
   StreamKind kind = StreamKind::position;
   std::uint8_t components = 0;
   std::uint8_t bits = 0;  // 0: the bits of floats, verbatim
+  std::uint8_t attribute = 0;  // of a target: 0 positions, 1 normals, 2 tangents
+  std::uint32_t target = 0;
   float origin[3] = {};   // value = origin + number · step
   float step = 1;
   std::int32_t* values = nullptr;  // vertex by vertex
@@ -44,7 +47,8 @@ struct MeshStreams {
   std::uint32_t source_vertex_count = 0;
   std::uint32_t* indices = nullptr;           // 3 a triangle
   const std::uint32_t* source_map = nullptr;  // the vertex that each of the source has become
-  Stream streams[kStreamKinds];
+  std::uint32_t target_count = 0;  // morph targets; their streams come last, in the order of targets and attributes
+  Stream* streams = nullptr;
   std::uint32_t stream_count = 0;
 
   const Stream* find(StreamKind kind) const {

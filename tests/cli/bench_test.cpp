@@ -112,10 +112,20 @@ TEST(Bench, LargerMeshesHaveAsManyVerticesAsTheirNamesSay) {
   EXPECT_EQ(rows.at("skin/ssd/p/4/100000").items, 100000);
 }
 
+TEST(Bench, MorphsInEveryForm) {
+  const Rows rows = bench("skin/morph/*", "1");
+  EXPECT_EQ(rows.size(), 12u);
+  // An eighth of the blocks each; 67 runs of 149 or 150 vertices have 38 blocks.
+  EXPECT_EQ(rows.at("skin/morph/pn/4/10000").items, 67 * 38 / 8 * 4 * 4);
+  std::set<std::string> hashes;
+  for (const auto& [name, row] : rows) hashes.insert(row.hash);
+  EXPECT_EQ(hashes.size(), 12u);
+}
+
 TEST(Bench, HashesDoNotDependOnIterationsOrOnOtherRows) {
   const TemporaryFolder none;
   const AssetsAt empty(none / "");
-  for (const char* only : {"sample/*/newt_walk", "[bfp]*", "skin/as/pnt/3/1000"}) {
+  for (const char* only : {"sample/*/newt_walk", "[bfp]*", "skin/as/pnt/3/1000", "skin/morph/*/16/*"}) {
     const Rows once = bench(only, "1");
     EXPECT_FALSE(once.empty()) << only;
     EXPECT_EQ(once, bench(only, "1")) << only;

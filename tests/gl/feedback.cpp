@@ -124,7 +124,7 @@ Feedback::~Feedback() {
   gles3::destroy(gl(), ring_);
 }
 
-Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint) {
+Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights) {
   const std::size_t slots = mesh_.geometry.slot_count;
   std::vector<Affine> palette(mesh_.joint_count);
   EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette), Status::ok);
@@ -139,6 +139,9 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
   const gles3::Program& with = program({deformer, gpu_.influences, gpu_.features});
   gl().UseProgram(with.id);
   if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
+  if (!mesh_.geometry.targets.empty()) {
+    EXPECT_EQ(gles3::set_morphs(gl(), mesh_, gpu_, weights, 2, with), Status::ok);
+  }
   gl().BindFramebuffer(GL_FRAMEBUFFER, target_);
   gl().Enable(GL_RASTERIZER_DISCARD);
   more().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, capture_);

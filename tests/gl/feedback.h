@@ -31,7 +31,8 @@ class Feedback {
   bool ok() const { return prepared_ == Status::ok; }
   Status prepared() const { return prepared_; }
   const gles3::GpuMesh& gpu() const { return gpu_; }
-  Skinned skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint);
+  // weights: one a morph target of the mesh.
+  Skinned skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights = {});
 
  private:
   Mesh mesh_;

@@ -31,7 +31,8 @@ Worst compare_mesh(const Mesh& mesh, const tools::Character& character, std::uin
   const gles3::Deformer on_gpu = deformer == tools::Deformer::rigid ? gles3::Deformer::rigid
                                  : deformer == tools::Deformer::ssd ? gles3::Deformer::ssd
                                                                     : gles3::Deformer::as;
-  const Skinned got = feedback.skin(on_gpu, character.scene_from_joint(mesh.skeleton));
+  const Skinned got = feedback.skin(on_gpu, character.scene_from_joint(mesh.skeleton),
+                                    {character.weights(index).data(), mesh.targets.size});
   const std::vector<double> well =
       deformer == tools::Deformer::rigid
           ? std::vector<double>(mesh.geometry.slot_count, 1.0)

@@ -5,6 +5,8 @@
 
 #include "gl/feedback.h"
 #include "gl/worst.h"
+#include "support/aligned.h"
+#include "support/morphs.h"
 #include "support/rig.h"
 
 namespace marrow::test {
@@ -49,12 +51,18 @@ double diagonal_of(const std::vector<float>& positions) {
   return std::sqrt(squared);
 }
 
-// All deformers at a few moments.
-Worst run_character(std::uint64_t seed, std::size_t joints, bool residuals) {
+// All deformers at a few moments. targets: morph targets, of which as many as a shader can add have a weight.
+Worst run_character(std::uint64_t seed, std::size_t joints, bool residuals, std::size_t targets = 0) {
   const TestCharacter character = make_character(seed, joints, 13, residuals);
   const Skeleton skeleton = character.skeleton.view();
   const Clip clip = character.clip.view();
-  const Mesh mesh = with_box(character.mesh);
+  Mesh mesh = with_box(character.mesh);
+  TestMorphs morphs(seed, mesh.geometry.slot_count, targets);
+  morphs.put(mesh.geometry);
+  for (std::size_t t = gles3::kMorphTargets; t < targets; ++t) morphs.weights[t % 7 == 0 ? t : t - 64] = 0;
+  AlignedBlock memory(morphed_bytes(mesh.geometry));
+  MorphedGeometry morphed;
+  EXPECT_EQ(make_morphed(mesh.geometry, {memory.data(), memory.size()}, morphed), Status::ok);
   Feedback feedback(mesh);
   EXPECT_EQ(feedback.prepared(), Status::ok);
   Worst worst;
@@ -65,6 +73,10 @@ Worst run_character(std::uint64_t seed, std::size_t joints, bool residuals) {
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<Affine> scene(skeleton.joint_count), palette(mesh.joint_count);
   for (int moment = 0; moment < 3; ++moment) {
+    for (float& w : morphs.weights) w *= -0.75f;
+    EXPECT_EQ(morph(morphs.weights, morphed), Status::ok);
+    EXPECT_EQ(morph_coordinates(morphed, coordinates), Status::ok);
+    mesh.geometry = morphed.geometry;
     EXPECT_EQ(sample(skeleton, clip, clip.duration_s * static_cast<float>(moment) / 2, local), Status::ok);
     EXPECT_EQ(local_to_model(skeleton, local, scene), Status::ok);
     EXPECT_EQ(build_palette(mesh, scene, palette), Status::ok);
@@ -77,8 +89,8 @@ Worst run_character(std::uint64_t seed, std::size_t joints, bool residuals) {
     EXPECT_EQ(skin_as(mesh, coordinates, palette, as.output()), Status::ok);
     const double diagonal = diagonal_of(ssd.positions);
     const auto add = [&](gles3::Deformer deformer, Buffers& want, const std::vector<double>& well) {
-      worst.add(
-          compare(mesh.geometry, feedback.skin(deformer, scene), want.output(), diagonal, well, kLeastConditioning));
+      worst.add(compare(mesh.geometry, feedback.skin(deformer, scene, morphs.weights), want.output(), diagonal, well,
+                        kLeastConditioning));
     };
     add(gles3::Deformer::rigid, rigid, ones);
     add(gles3::Deformer::ssd, ssd, ssd_well);
@@ -110,6 +122,14 @@ TEST(Noise, JointNumbersOfTwoBytes) {
 }
 TEST(Noise, AsManyJointsAsABlockHolds) {
   expect_promises("341 joints", run_character(14, gles3::kPaletteJoints, false));
+}
+
+TEST(Noise, Morphs) {
+  expect_promises("9 targets", run_character(16, 40, false, 9));
+  expect_promises("9 targets and residuals", run_character(17, 40, true, 9));
+}
+TEST(Noise, MoreMorphsThanAShaderAdds) {
+  expect_promises("80 targets", run_character(18, 40, false, 80));
 }
 
 TEST(Noise, OneJointMoreIsRefused) {

@@ -33,10 +33,10 @@ Cooked::Cooked(const std::string& path, cook::MeshCodec codec) {
     throw std::runtime_error(path + ": cooked, but not loaded: " + error.rule);
 }
 
-CookedPose Cooked::pose(std::uint32_t clip, float time_s, Deformer deformer) const {
+CookedPose Cooked::pose(std::uint32_t clip, float time_s, Deformer deformer, const std::vector<float>& cycle) const {
   CookedPose out;
   for (std::uint32_t m = 0; m < file_.mesh_count(); ++m) {
-    const PosedMesh posed = pose_mesh(file_, clip, time_s, m, deformer);
+    const PosedMesh posed = pose_mesh(file_, clip, time_s, m, deformer, cycle);
     for (const std::size_t slot : file_.mesh(m).geometry.source_slots) {
       out.used.push_back(slot != kNoSlot);
       if (slot == kNoSlot) {

@@ -28,8 +28,8 @@ class Cooked {
   const File& file() const { return file_; }
   const nlohmann::ordered_json& report() const { return report_; }
   std::size_t bytes() const { return bytes_; }  // as cooked
-  // clip ≥ clip_count(): the rest pose.
-  CookedPose pose(std::uint32_t clip, float time_s, Deformer deformer) const;
+  // clip ≥ clip_count(): the rest pose. cycle: as pose_mesh().
+  CookedPose pose(std::uint32_t clip, float time_s, Deformer deformer, const std::vector<float>& cycle = {}) const;
 
  private:
   std::unique_ptr<AlignedBlock> block_;

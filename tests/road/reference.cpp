@@ -51,14 +51,41 @@ Blend blend(const std::vector<SourceInfluence>& influences, const std::vector<Ma
   return b;
 }
 
-void add_vertex(ReferencePose& pose, const SourcePrimitive& p, std::size_t v, const Blend& b) {
+// A morphed direction shorter than this turns by more than is asked when it is rounded.
+constexpr double kLeastDirection = 0.05;
+
+struct MorphedVertex {
+  Vec3 position, normal, tangent;
+  bool directed = true;  // normal and tangent are long enough to be compared
+};
+
+// glTF 2.0, section 3.7.2.2: attribute + Σ weight · change, before skinning.
+MorphedVertex morphed(const SourcePrimitive& p, std::size_t v, const std::vector<double>& weights) {
+  const auto sum = [&](const std::vector<Vec3>& base, std::vector<Vec3> SourceTarget::*changes) {
+    Vec3 out = base.empty() ? Vec3{0, 0, 0} : base[v];
+    for (std::size_t t = 0; t < p.targets.size(); ++t) {
+      const std::vector<Vec3>& change = p.targets[t].*changes;
+      for (std::size_t i = 0; i < 3 && !change.empty(); ++i) out[i] += weights.at(t) * change[v][i];
+    }
+    return out;
+  };
+  MorphedVertex m{sum(p.positions, &SourceTarget::positions), sum(p.normals, &SourceTarget::normals),
+                  sum(p.tangents, &SourceTarget::tangents)};
+  m.directed = (p.normals.empty() || length(m.normal) > kLeastDirection) &&
+               (p.tangents.empty() || length(m.tangent) > kLeastDirection);
+  return m;
+}
+
+void add_vertex(ReferencePose& pose, const SourcePrimitive& p, std::size_t v, const std::vector<double>& weights,
+                const Blend& b) {
   const Vec3 none{0, 0, 0};
-  const bool invertible = invertibility(b.map) > kLeastInvertibility;
-  pose.positions.push_back(point(b.map, p.positions[v]));
-  pose.rigid.push_back(point(b.rigid, p.positions[v]));
+  const MorphedVertex m = morphed(p, v, weights);
+  const bool invertible = invertibility(b.map) > kLeastInvertibility && m.directed;
+  pose.positions.push_back(point(b.map, m.position));
+  pose.rigid.push_back(point(b.rigid, m.position));
   pose.rigid_unique.push_back(b.rigid_unique);
-  pose.normals.push_back(invertible && !p.normals.empty() ? normal(b.map, p.normals[v]) : none);
-  pose.tangents.push_back(invertible && !p.tangents.empty() ? normalised(direction(b.map, p.tangents[v])) : none);
+  pose.normals.push_back(invertible && !p.normals.empty() ? normal(b.map, m.normal) : none);
+  pose.tangents.push_back(invertible && !p.tangents.empty() ? normalised(direction(b.map, m.tangent)) : none);
   // A mirror turns cross(normal, tangent) round but not the bitangent.
   const double mirror = determinant(b.map) < 0 ? -1 : 1;
   pose.tangent_signs.push_back(invertible && !p.tangents.empty() ? mirror * p.tangent_signs[v] : 0);
@@ -129,6 +156,8 @@ double Reference::duration_s(std::size_t animation) const {
   double duration = 0;
   for (const SourceChannel& c : source_.animations.at(animation).channels)
     duration = std::max(duration, c.times_s.back());
+  for (const SourceWeight& w : source_.animations.at(animation).weights)
+    duration = std::max(duration, w.channel.times_s.back());
   return duration;
 }
 
@@ -156,12 +185,20 @@ std::vector<Map> Reference::scene_from_node(const SourceAnimation* animation, do
   return out;
 }
 
-ReferencePose Reference::pose(const SourceAnimation* animation, double time_s) const {
+ReferencePose Reference::pose(const SourceAnimation* animation, double time_s, const std::vector<float>& cycle) const {
   const std::vector<Map> global = scene_from_node(animation, time_s);
   ReferencePose pose;
   for (std::size_t i = 0; i < source_.nodes.size(); ++i) {
     const SourceNode& node = source_.nodes[i];
     if (!node.in_scene || node.mesh < 0) continue;
+    std::vector<double> weights = node.weights;
+    for (std::size_t w = 0; animation && w < animation->weights.size(); ++w) {
+      const SourceWeight& weight = animation->weights[w];
+      if (weight.channel.node == static_cast<int>(i))
+        weights.at(weight.target) = sample_channel(weight.channel, time_s)[0];
+    }
+    for (std::size_t t = 0; t < weights.size() && !cycle.empty(); ++t)
+      weights[t] = static_cast<double>(cycle[t % cycle.size()]);
     std::vector<Map> palette;
     if (node.skin >= 0) {
       const SourceSkin& skin = source_.skins[static_cast<std::size_t>(node.skin)];
@@ -173,7 +210,7 @@ ReferencePose Reference::pose(const SourceAnimation* animation, double time_s) c
       const bool skinned = node.skin >= 0 && !p.influences.empty();
       for (std::size_t v = 0; v < p.positions.size(); ++v) {
         const bool unbound = skinned && p.influences[v].empty();
-        add_vertex(pose, p, v,
+        add_vertex(pose, p, v, weights,
                    skinned && !unbound ? blend(p.influences[v], palette) : Blend{global[i], global[i], true});
       }
     }

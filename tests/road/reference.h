@@ -31,7 +31,7 @@ class Reference {
   // Vertices that no weight binds to anything: glTF gives them no meaning, so their positions are not compared.
   std::size_t unbound_count() const { return unbound_count_; }
   bool comparable(std::size_t vertex) const { return bound_[vertex]; }
-  // Time of the last key of any channel but morph weights'; 0 without.
+  // Time of the last key of any channel; 0 without.
   double duration_s(std::size_t animation) const;
 
   // scene_from_node of every node at a time of an animation.
@@ -40,12 +40,14 @@ class Reference {
   }
 
   ReferencePose rest() const { return pose(nullptr, 0); }
+  // At rest, but that the weights of every mesh's morph targets are these in turn.
+  ReferencePose rest(const std::vector<float>& cycle) const { return pose(nullptr, 0, cycle); }
   ReferencePose at(std::size_t animation, double time_s) const {
     return pose(&source_.animations.at(animation), time_s);
   }
 
  private:
-  ReferencePose pose(const SourceAnimation* animation, double time_s) const;
+  ReferencePose pose(const SourceAnimation* animation, double time_s, const std::vector<float>& cycle = {}) const;
   std::vector<Map> scene_from_node(const SourceAnimation* animation, double time_s) const;
 
   Source source_;

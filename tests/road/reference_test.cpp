@@ -42,6 +42,19 @@ TEST(Reference, SlerpTakesTheShorterArc) {
   EXPECT_NEAR(q[3], std::cos(0.25), 1e-12);
 }
 
+TEST(Reference, MorphsByHand) {
+  // face.gltf at rest: node 1 is turned by 0.6 + 0.8 k above; smile has 0.5 and moves vertex 0 by 0.1 along x.
+  const Reference reference(std::string(MARROW_SOURCE_DIR) + "/tests/golden/face.gltf");
+  const ReferencePose pose = reference.rest();
+  ASSERT_EQ(pose.positions.size(), 8u);
+  // (0.05, 0, 0) turned about z by 2 acos 0.8: cos 0.28, sin 0.96.
+  EXPECT_NEAR(pose.positions[0][0], 0.05 * 0.28, 1e-8);
+  EXPECT_NEAR(pose.positions[0][1], 0.05 * 0.96, 1e-8);
+  // mask, moved by 2 along x before: 0.25 of the same, and 0.75 of 0.5 along z for every vertex.
+  EXPECT_NEAR(pose.positions[4][0], 2.025 * 0.28, 1e-8);
+  EXPECT_NEAR(pose.positions[4][2], 0.375, 1e-8);
+}
+
 TEST(Reference, KeepsTheEightLargestInfluences) {
   std::vector<SourceInfluence> all;
   for (int j = 0; j < 10; ++j) all.push_back({j, j == 4 ? 0.0 : 0.01 * (j + 1)});

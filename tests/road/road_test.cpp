@@ -49,10 +49,10 @@ void compare_directions(const ReferencePose& want, const CookedPose& got, std::s
 }
 
 void compare(const Reference& reference, const ReferencePose& want, const Cooked& cooked, std::uint32_t clip,
-             float time_s, Worst& worst) {
-  const CookedPose ssd = cooked.pose(clip, time_s, Deformer::ssd);
-  const CookedPose as = cooked.pose(clip, time_s, Deformer::as);
-  const CookedPose rigid = cooked.pose(clip, time_s, Deformer::rigid);
+             float time_s, Worst& worst, const std::vector<float>& cycle = {}) {
+  const CookedPose ssd = cooked.pose(clip, time_s, Deformer::ssd, cycle);
+  const CookedPose as = cooked.pose(clip, time_s, Deformer::as, cycle);
+  const CookedPose rigid = cooked.pose(clip, time_s, Deformer::rigid, cycle);
   ASSERT_EQ(ssd.positions.size(), want.positions.size()) << "every vertex of the source, no more";
   const double scale = 1 / reference.diagonal();
   // NaN compares false with everything: turned into a huge error here, so that it cannot slip through std::max.
@@ -76,8 +76,9 @@ void compare(const Reference& reference, const ReferencePose& want, const Cooked
 float moment_s(const Reference& reference, std::size_t animation, int i) {
   const double duration_s = reference.duration_s(animation);
   if (i == kMoments / 2) {
-    const auto& channels = reference.source().animations[animation].channels;
-    const auto& times = channels[channels.size() / 2].times_s;
+    const SourceAnimation& a = reference.source().animations[animation];
+    const auto& times =
+        a.channels.empty() ? a.weights.front().channel.times_s : a.channels[a.channels.size() / 2].times_s;
     return static_cast<float>(times[times.size() / 2]);
   }
   return static_cast<float>(duration_s * i / (kMoments - 1));
@@ -98,10 +99,6 @@ TEST_P(Road, AgreesWithTheReference) {
     if (animation.channels.empty() && animation.weights.empty()) continue;
     ASSERT_LT(clip, clips);
     EXPECT_EQ(cooked.file().clip(clip).name, animation.name);
-    if (animation.channels.empty()) {
-      ++clip;  // weights alone, which channels_test.cpp looks at
-      continue;
-    }
     for (int i = 0; i < kMoments; ++i) {
       const float time_s = moment_s(reference, a, i);
       compare(reference, reference.at(a, static_cast<double>(time_s)), cooked, clip, time_s, worst);
@@ -125,12 +122,48 @@ TEST_P(Road, AgreesWithTheReference) {
       worst.rigid, worst.normal_deg, worst.tangent_deg, worst.normals, worst.tangents);
 }
 
+bool has_targets(const Source& source) {
+  for (const auto& mesh : source.meshes)
+    for (const SourcePrimitive& p : mesh)
+      if (!p.targets.empty()) return true;
+  return false;
+}
+
+class Morphs : public ::testing::TestWithParam<std::string> {};
+
+// Every target at once and apart, at weights of either sign and beyond 1.
+TEST_P(Morphs, AgreeWithTheReference) {
+  const Reference reference(GetParam());
+  const Cooked cooked(GetParam());
+  Worst worst;
+  const std::vector<std::vector<float>> cycles = {{1}, {-0.5f, 0, 1.5f}, {0, 0.75f}, {0, 0, 0, 0, 1}, {0.25f, -0.125f}};
+  for (const std::vector<float>& cycle : cycles)
+    compare(reference, reference.rest(cycle), cooked, cooked.file().clip_count(), 0, worst, cycle);
+  EXPECT_EQ(worst.poses, cycles.size());
+  EXPECT_LE(worst.position, kMostPosition);
+  EXPECT_LE(worst.lift, kMostLift);
+  EXPECT_LE(worst.normal_deg, kMostNormalDeg);
+  EXPECT_LE(worst.tangent_deg, kMostNormalDeg);
+  EXPECT_EQ(worst.wrong_signs, 0u);
+  std::printf("%-28s %zu weights  position %8.2e  lift %8.2e  normal %7.4f°  tangent %7.4f°  (%zu normals)\n",
+              fs::path(GetParam()).stem().c_str(), cycles.size(), worst.position, worst.lift, worst.normal_deg,
+              worst.tangent_deg, worst.normals);
+}
+
+std::vector<std::string> models_with_targets() {
+  std::vector<std::string> out;
+  for (const std::string& path : models())
+    if (has_targets(read_source(path))) out.push_back(path);
+  return out;
+}
+
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = fs::path(info.param).stem().string() + "_" + std::to_string(info.index);
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return name;
 }
 
+INSTANTIATE_TEST_SUITE_P(Models, Morphs, ::testing::ValuesIn(models_with_targets()), test_name);
 INSTANTIATE_TEST_SUITE_P(Models, Road, ::testing::ValuesIn(models()), test_name);
 
 TEST(RoadModels, AreAllThere) {

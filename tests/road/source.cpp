@@ -92,6 +92,7 @@ struct Reader {
   SourceNode node(const Json& j) const;
   SourcePrimitive primitive(const Json& j) const;
   SourcePrimitive draco_primitive(const Json& j) const;
+  std::vector<SourceTarget> targets(const Json& j) const;
   SourceSkin skin(const Json& j) const;
   SourceAnimation animation(const Json& j) const;
   std::vector<SourceWeight> weights(const Json& sampler, std::size_t node_index) const;
@@ -186,6 +187,11 @@ SourceNode Reader::node(const Json& j) const {
   n.scale = j.value("scale", n.scale);
   n.mesh = j.value("mesh", -1);
   n.skin = j.value("skin", -1);
+  if (n.mesh >= 0) {
+    const Json& mesh = json.at("meshes").at(static_cast<std::size_t>(n.mesh));
+    const std::size_t count = mesh.at("primitives").at(0).value("targets", Json::array()).size();
+    n.weights = j.value("weights", mesh.value("weights", std::vector<double>(count)));
+  }
   return n;
 }
 
@@ -213,7 +219,19 @@ SourcePrimitive Reader::primitive(const Json& j) const {
     const auto joints = accessor(attributes["JOINTS_" + std::to_string(set)].get<std::size_t>(), n);
     add_influences(p, joints, accessor(attributes.at("WEIGHTS_" + std::to_string(set)).get<std::size_t>(), n));
   }
+  p.targets = targets(j);
   return p;
+}
+
+std::vector<SourceTarget> Reader::targets(const Json& j) const {
+  std::vector<SourceTarget> out;
+  for (const Json& target : j.value("targets", Json::array())) {
+    const auto changes = [&](const char* name) {
+      return target.contains(name) ? vectors(target[name].get<std::size_t>()) : std::vector<Vec3>();
+    };
+    out.push_back({changes("POSITION"), changes("NORMAL"), changes("TANGENT")});
+  }
+  return out;
 }
 
 SourcePrimitive Reader::draco_primitive(const Json& j) const {
@@ -245,6 +263,7 @@ SourcePrimitive Reader::draco_primitive(const Json& j) const {
     p.normals.push_back({normals[i], normals[i + 1], normals[i + 2]});
   const std::vector<double> joints = values("JOINTS_0");
   if (!joints.empty()) add_influences(p, joints, values("WEIGHTS_0"));
+  p.targets = targets(j);
   return p;
 }
 
@@ -275,6 +294,8 @@ std::vector<SourceWeight> Reader::weights(const Json& sampler, std::size_t node_
     out[t].name = node.value("name", "nodes[" + number + "]") + "." +
                   (t < names.size() ? names[t].get<std::string>() : "weights[" + std::to_string(t) + "]");
     out[t].rest = t < rest.size() ? rest[t].get<double>() : 0.0;
+    out[t].target = t;
+    out[t].channel.node = static_cast<int>(node_index);
     out[t].channel.interpolation = sampler.value("interpolation", "LINEAR");
     out[t].channel.times_s = accessor(sampler.at("input").get<std::size_t>(), n);
     for (std::size_t i = t; i < flat.size(); i += count) out[t].channel.values.push_back({flat[i], 0, 0, 0});

@@ -19,6 +19,7 @@ struct SourceNode {
   Vec3 scale{1, 1, 1};
   int mesh = -1;
   int skin = -1;
+  std::vector<double> weights;  // of the mesh's morph targets: the node's, else the mesh's, else zeros
 };
 
 struct SourceInfluence {
@@ -26,11 +27,17 @@ struct SourceInfluence {
   double weight;
 };
 
+// What a morph target adds; arrays are empty or as long as the primitive's.
+struct SourceTarget {
+  std::vector<Vec3> positions, normals, tangents;
+};
+
 // Arrays are empty or as long as `positions`.
 struct SourcePrimitive {
   std::vector<Vec3> positions, normals, tangents;
   std::vector<double> tangent_signs;                     // as long as `tangents`
   std::vector<std::vector<SourceInfluence>> influences;  // as in the file, every set in order, zeros included
+  std::vector<SourceTarget> targets;
 };
 
 struct SourceSkin {
@@ -49,7 +56,8 @@ struct SourceChannel {
 struct SourceWeight {
   std::string name;  // NODE.TARGET, NODE.weights[2] without a target's name; nodes[3] for a node without
   double rest = 0;
-  SourceChannel channel;
+  std::size_t target = 0;
+  SourceChannel channel;  // of its node
 };
 
 struct SourceAnimation {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "support/aligned.h"
 
 namespace marrow::test {
 namespace {
@@ -55,6 +56,29 @@ std::uint64_t hash_channels(std::uint64_t state, const File& file, const Clip& c
   return state;
 }
 
+// The mesh's vertices morphed as the clip says, in memory that lives as long as this. A damaged file's weights may
+// overflow: then they are refused, and nothing moves.
+struct Morphed {
+  Morphed(const File& file, const Mesh& mesh, const Clip* clip, float time_s, const std::vector<float>& cycle)
+      : block(morphed_bytes(mesh.geometry)), weights(mesh.targets.size) {
+    std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
+    std::vector<float> values(clip != nullptr ? clip->channels.size : 0);
+    if (clip != nullptr) {
+      require(find_weight_channels(file, mesh, *clip, channels) == Status::ok);
+      require(sample_channels(*clip, time_s, values) == Status::ok);
+    }
+    require(morph_weights(mesh, channels, values, weights) == Status::ok);
+    for (std::size_t t = 0; t < weights.size() && !cycle.empty(); ++t) weights[t] = cycle[t % cycle.size()];
+    require(make_morphed(mesh.geometry, {block.data(), block.size()}, morphed) == Status::ok);
+    bool finite = true;
+    for (const float w : weights) finite = finite && w - w == 0.0f;
+    require(morph(weights, morphed) == (finite ? Status::ok : Status::bad_argument));
+  }
+  AlignedBlock block;
+  std::vector<float> weights;
+  MorphedGeometry morphed;
+};
+
 }  // namespace
 
 void forge_checksum(std::byte* block, std::size_t size) {
@@ -70,9 +94,11 @@ std::uint64_t hash(std::uint64_t state, const void* data, std::size_t bytes) {
 }
 
 PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, std::uint32_t mesh_index,
-                    Deformer deformer) {
-  const Mesh mesh = file.mesh(mesh_index);
+                    Deformer deformer, const std::vector<float>& cycle) {
+  Mesh mesh = file.mesh(mesh_index);
   const Skeleton skeleton = file.skeleton(mesh.skeleton);
+  const Clip clip = clip_index < file.clip_count() ? file.clip(clip_index) : Clip{};
+  Morphed m(file, mesh, clip_index < file.clip_count() ? &clip : nullptr, time_s, cycle);
   std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
   if (clip_index < file.clip_count() && file.clip(clip_index).skeleton == mesh.skeleton)
     sample_either(skeleton, file.clip(clip_index), time_s, local);
@@ -84,11 +110,13 @@ PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, st
   out.positions.resize(slots * 3);
   if (mesh.geometry.normals != nullptr) out.normals.resize(slots * 3);
   if (mesh.geometry.normals != nullptr && mesh.geometry.tangents != nullptr) out.tangents.resize(slots * 4);
+  mesh.geometry = m.morphed.geometry;
   const SkinOutput output{out.positions, out.normals, out.tangents};
   Status status = Status::ok;
   if (deformer == Deformer::as) {
     std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
-    require(as_coordinates(mesh.geometry, coordinates) == Status::ok);
+    require(as_coordinates(m.morphed.bind, coordinates) == Status::ok);
+    require(morph_coordinates(m.morphed, coordinates) == Status::ok);
     status = skin_as(mesh, coordinates, palette, output);
   } else {
     status = deformer == Deformer::ssd ? skin_ssd(mesh, palette, output) : skin_rigid(mesh, palette, output);
@@ -110,6 +138,8 @@ std::uint64_t exercise(const File& file) {
     const Mesh mesh = file.mesh(m);
     state = hash_text(hash_text(state, mesh.name), mesh.material);
     state = hash_geometry(state, mesh.geometry);
+    for (const MeshTarget& target : mesh.targets)
+      state = hash_text(hash_text(state, file.text(target.name)), file.text(target.channel));
     for (std::uint32_t c = 0; c <= file.clip_count(); ++c) {
       const float duration_s = c < file.clip_count() ? file.clip(c).duration_s : 0.0f;
       for (const float part : {0.0f, 0.4f, 1.0f}) {

@@ -22,8 +22,10 @@ inline constexpr std::uint64_t kHashStart = 14695981039346656037u;
 
 enum class Deformer { rigid, ssd, as };
 
-// Clip, time → vertices of one mesh. clip ≥ clip_count(): the rest pose. Expects every stage to succeed.
-PosedMesh pose_mesh(const File& file, std::uint32_t clip, float time_s, std::uint32_t mesh, Deformer deformer);
+// Clip, time → vertices of one mesh. clip ≥ clip_count(): the rest pose. cycle: if not empty, the weights of the mesh's
+// morph targets in turn, instead of the clip's. Expects every stage to succeed.
+PosedMesh pose_mesh(const File& file, std::uint32_t clip, float time_s, std::uint32_t mesh, Deformer deformer,
+                    const std::vector<float>& cycle = {});
 
 // Every clip at a few moments, every mesh, every deformer; reads every name and index. Returns a hash of all of it.
 std::uint64_t exercise(const File& file);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "support/aligned.h"
 #include "support/allocations.h"
+#include "support/morphs.h"
 #include "support/rig.h"
 
 namespace marrow {
@@ -23,7 +25,13 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
   const test::TestCharacter c = test::make_character(21, 31, 20, true);
   const Skeleton skeleton = c.skeleton.view();
   const Clip clip = c.clip.view();
-  const Mesh mesh = c.mesh.view();
+  Mesh mesh = c.mesh.view();
+  const test::TestMorphs morphs(23, mesh.geometry.slot_count, 5);
+  morphs.put(mesh.geometry);
+  test::AlignedBlock memory(morphed_bytes(mesh.geometry));
+  MorphedGeometry morphed;
+  ASSERT_EQ(make_morphed(mesh.geometry, {memory.data(), memory.size()}, morphed), Status::ok);
+  std::vector<float> weights = morphs.weights;
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
   std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
@@ -54,6 +62,10 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
     failures += local_to_model(skeleton, local, model) != Status::ok;
     failures += local_to_model_below(skeleton, blended, 3, model) != Status::ok;
     failures += build_palette(mesh, model, palette) != Status::ok;
+    weights[0] = time_s;
+    failures += morph(weights, morphed) != Status::ok;
+    failures += morph_coordinates(morphed, coordinates) != Status::ok;
+    mesh.geometry = morphed.geometry;
     failures += skin_rigid(mesh, palette, out) != Status::ok;
     failures += skin_ssd(mesh, palette, out) != Status::ok;
     failures += skin_as(mesh, coordinates, palette, out) != Status::ok;

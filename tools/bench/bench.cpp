@@ -29,7 +29,7 @@ struct Result {
 
 RowGroup all_rows(const Models& models) {
   RowGroup all;
-  for (const RowGroup& group : {sampling_rows(), pose_rows(models), skinning_rows()}) {
+  for (const RowGroup& group : {sampling_rows(), pose_rows(models), skinning_rows(), morphing_rows()}) {
     all.names += group.names;
     all.rows.insert(all.rows.end(), group.rows.begin(), group.rows.end());
   }

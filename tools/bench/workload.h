@@ -45,6 +45,7 @@ struct RowGroup {
 RowGroup sampling_rows();
 RowGroup pose_rows(const Models& models);  // on pab, or else on the sample
 RowGroup skinning_rows();
+RowGroup morphing_rows();
 
 // xorshift32 (Marsaglia, Journal of Statistical Software 8(14), 2003): the same numbers everywhere.
 class Noise {

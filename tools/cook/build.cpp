@@ -30,7 +30,8 @@ void place_unplaced_meshes(RawScene& scene) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     RawNode node;
     node.name = scene.meshes[i].name;
-    scene.instances.push_back({static_cast<int>(scene.nodes.size()), static_cast<int>(i), kNone});
+    scene.instances.push_back(
+        {static_cast<int>(scene.nodes.size()), static_cast<int>(i), kNone, scene.meshes[i].weights});
     scene.nodes.push_back(node);
   }
   if (!scene.meshes.empty())

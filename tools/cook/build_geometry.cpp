@@ -21,6 +21,8 @@ tools::AlignedBytes expand(OwnedStreams& streams) {
   std::uint64_t bound = sizeof(format::GeometryHeader) + 64 + 4 * std::uint64_t{mesh.source_vertex_count} +
                         12 * std::uint64_t{mesh.triangle_count};
   bound += std::uint64_t{mesh.vertex_count} * (16 * (3 + mesh.influences + 3 + 4 + 2 + 1) + 8 + 2 * mesh.influences);
+  bound += 64 + std::uint64_t{mesh.target_count} * sizeof(MorphTarget);
+  bound += std::uint64_t{mesh.stream_count} * mesh.vertex_count * (format::kMorphRecordBytes + 4);
   if (mesh.find(StreamKind::residual) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 64 * mesh.influences;
   tools::AlignedBytes section(bound);
   Arena arena(scratch.data(), scratch.size());
@@ -61,6 +63,7 @@ BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Bi
   streams.mesh.flags |= streams.source_map.empty() ? 0u : format::kHasSourceSlots;
   out.section = expand(streams);
   out.influences = streams.mesh.influences;
+  out.target_count = streams.mesh.target_count;
   std::memcpy(&out.header, out.section.data(), sizeof out.header);
   if (is_packed) {
     const MeshDecoder decoder = out.codec == packed::kDraco ? draco_decoder() : meshopt_decoder();

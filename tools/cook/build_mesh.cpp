@@ -124,6 +124,7 @@ struct Task {
 Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const BuiltSkeleton& skeleton, Task& task) {
   if (primitive.normals.empty()) {
     generate_normals(primitive);
+    generate_target_normals(primitive);
     warn(scene, primitive.pointer, "normals-generated", "the file has no normals; smooth ones are computed");
   }
   Bound bound;
@@ -169,6 +170,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.geometry = bound.task;
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
+  mesh.targets = instance.weights;
   mesh.double_sided = primitive.double_sided;
   for (int c = 0; c < 4; ++c) mesh.base_colour[c] = primitive.base_colour[c];
   return mesh;
@@ -199,7 +201,10 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
     }
   }
   const std::vector<std::uint32_t> geometries = build_geometries(tasks, options, out);
-  for (BuiltMesh& mesh : out.meshes) mesh.geometry = geometries[mesh.geometry];
+  for (BuiltMesh& mesh : out.meshes) {
+    mesh.geometry = geometries[mesh.geometry];
+    mesh.targets.resize(out.geometries[mesh.geometry].target_count);
+  }
 }
 
 }  // namespace marrow::cook

@@ -72,6 +72,7 @@ struct BuiltGeometry {
   std::uint8_t codec = 0;           // packed::Codec of the record; 0: not packed
   std::vector<std::byte> record;    // what a packed file has instead
   std::uint64_t scratch_bytes = 0;  // of memory, to unpack the record
+  std::uint32_t target_count = 0;   // morph targets; 0 if none moves anything
   MeshError error;
 };
 
@@ -81,6 +82,7 @@ struct BuiltMesh {
   std::uint32_t geometry = 0;
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
+  std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};
   bool double_sided = false;
 };

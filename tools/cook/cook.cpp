@@ -46,7 +46,8 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"max_position_error_m", geometry.error.position_m},
                    {"max_normal_error_deg", geometry.error.normal_deg},
                    {"max_uv_error", geometry.error.uv},
-                   {"max_weight_error", geometry.error.weight}});
+                   {"max_weight_error", geometry.error.weight},
+                   {"max_target_error_m", geometry.error.target_m}});
   }
   return out;
 }

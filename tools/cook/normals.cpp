@@ -34,4 +34,18 @@ void generate_normals(RawPrimitive& primitive) {
   primitive.tangents.clear();
 }
 
+void generate_target_normals(RawPrimitive& primitive) {
+  for (RawTarget& target : primitive.targets) {
+    target.normals.clear();
+    if (target.positions.empty()) continue;
+    RawPrimitive moved;
+    moved.indices = primitive.indices;
+    for (std::size_t v = 0; v < primitive.positions.size(); ++v)
+      moved.positions.push_back(primitive.positions[v] + target.positions[v]);
+    generate_normals(moved);
+    for (std::size_t v = 0; v < primitive.positions.size(); ++v)
+      target.normals.push_back(moved.normals[v] - primitive.normals[v]);
+  }
+}
+
 }  // namespace marrow::cook

@@ -10,4 +10,7 @@ namespace marrow::cook {
 // Tangents, which glTF says to ignore then, are dropped.
 void generate_normals(RawPrimitive& primitive);
 
+// Sets the targets' normals to those that generate_normals() gives their shapes; of a primitive whose own it made.
+void generate_target_normals(RawPrimitive& primitive);
+
 }  // namespace marrow::cook

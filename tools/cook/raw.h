@@ -34,6 +34,13 @@ struct RawInfluence {
   float weight;         // > 0
 };
 
+// What a morph target adds to a primitive's vertices at weight 1. Each array is empty or as long as the primitive's.
+struct RawTarget {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec3> tangents;  // xyz; the handedness stays
+};
+
 // One triangle-list primitive (strips and fans are already unrolled). Every per-vertex array is empty or as long as
 // `positions`, in the order of the source's POSITION accessor.
 struct RawPrimitive {
@@ -45,14 +52,23 @@ struct RawPrimitive {
   std::vector<glm::vec4> colours;   // COLOR_0, linear, 0..1
   std::vector<std::vector<RawInfluence>>
       influences;                      // all sets; weights ≥ 0 as in the file, not yet normalised; empty if unskinned
+  std::vector<RawTarget> targets;      // as many in all primitives of a mesh
   std::vector<std::uint32_t> indices;  // 3 a triangle; generated when the file has none
   glm::vec4 base_colour{1};            // material's baseColorFactor
   bool double_sided = false;
   std::string material;  // material's name
 };
 
+// What drives a morph target.
+struct RawTargetWeight {
+  std::string target;   // its own name; may be empty
+  std::string channel;  // NODE.TARGET, as RawScalar::name of the clips that drive it
+  float rest = 0;       // where no clip does
+};
+
 struct RawMesh {
   std::string name;
+  std::vector<RawTargetWeight> weights;  // of its morph targets, where no node says otherwise
   std::vector<RawPrimitive> primitives;
 };
 
@@ -66,7 +82,8 @@ struct RawSkin {
 struct RawInstance {
   int node = kNone;
   int mesh = kNone;
-  int skin = kNone;  // kNone: hung rigidly on the node
+  int skin = kNone;                      // kNone: hung rigidly on the node
+  std::vector<RawTargetWeight> weights;  // of the mesh's morph targets
 };
 
 enum class RawPath { translation, rotation, scale };
@@ -99,7 +116,7 @@ struct RawClip {
 
 struct RawWarning {
   std::string pointer;  // JSON pointer into the source
-  std::string rule;     // short, kebab-case: "morph-targets-dropped"
+  std::string rule;     // short, kebab-case: "normals-generated"
   std::string text;     // one sentence
 };
 

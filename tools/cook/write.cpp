@@ -100,8 +100,10 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.flags = m.double_sided ? format::kDoubleSided : 0u;
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
+  h.target_count = static_cast<std::uint32_t>(m.targets.size());
   out.add(h);
   out.add_all(m.inverse_bind);
+  for (const RawTargetWeight& t : m.targets) out.add(MeshTarget{names.add(t.target), names.add(t.channel), t.rest});
   out.add_all(m.joints);
   return out;
 }

@@ -35,6 +35,7 @@ ordered_json describe_mesh(const Mesh& mesh) {
           {"joint_sets", g.runs.size},
           {"attributes", attributes},
           {"as", g.as_residual != nullptr ? "lift + residual" : "lift"},
+          {"targets", g.targets.size},
           {"source_order", !g.source_slots.empty()},
           {"geometry", mesh.geometry_index},
           {"codec", "none"}};
@@ -98,9 +99,10 @@ void print(const ordered_json& r) {
   }
   for (std::size_t i = 0; i < r["meshes"].size(); ++i) {
     const auto& m = r["meshes"][i];
-    fmt::print("mesh {} \"{}\": {} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}\n", i,
+    fmt::print("mesh {} \"{}\": {} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}{}\n", i,
                text(m["name"]), m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
-               m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]));
+               m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
+               m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "");
   }
   for (const auto& s : r["sections"])
     fmt::print("section {} at {}: {} bytes\n", text(s["type"]), s["offset"].get<int>(), s["bytes"].get<int>());

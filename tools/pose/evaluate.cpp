@@ -40,6 +40,12 @@ Character::Character(const File& file) : file_(file) {
     palettes_.emplace_back(mesh.joint_count);
     coordinates_.emplace_back(as_coordinate_count(mesh.geometry));
     check(as_coordinates(mesh.geometry, coordinates_.back()));
+    weights_.emplace_back(mesh.targets.size);
+    std::vector<SoaTransform>& memory =
+        memory_.emplace_back((morphed_bytes(mesh.geometry) + sizeof(SoaTransform) - 1) / sizeof(SoaTransform));
+    check(make_morphed(mesh.geometry,
+                       {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)},
+                       morphed_.emplace_back()));
   }
   pose(std::nullopt, 0);
 }
@@ -59,10 +65,27 @@ void Character::pose(std::optional<std::uint32_t> clip_index, float time_s) {
     const Mesh mesh = file_.mesh(i);
     check(build_palette(mesh, model_[mesh.skeleton], palettes_[i]));
   }
+  const Clip clip = clip_index ? file_.clip(*clip_index) : Clip{};
+  morph_all(clip_index ? &clip : nullptr, time_s);
+}
+
+void Character::morph_all(const Clip* clip, float time_s) {
+  std::vector<float> values(clip != nullptr ? clip->channels.size : 0);
+  if (clip != nullptr) check(sample_channels(*clip, time_s, values));
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
+    const Mesh mesh = file_.mesh(i);
+    if (mesh.targets.empty()) continue;
+    std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
+    if (clip != nullptr) check(find_weight_channels(file_, mesh, *clip, channels));
+    check(morph_weights(mesh, channels, values, weights_[i]));
+    check(morph(weights_[i], morphed_[i]));
+    check(morph_coordinates(morphed_[i], coordinates_[i]));
+  }
 }
 
 void Character::skin(std::uint32_t mesh_index, Deformer deformer, PosedMesh& out) const {
-  const Mesh mesh = file_.mesh(mesh_index);
+  Mesh mesh = file_.mesh(mesh_index);
+  mesh.geometry = morphed_[mesh_index].geometry;
   const std::size_t slots = mesh.geometry.slot_count;
   out.positions.resize(slots * 3);
   out.normals.resize(mesh.geometry.normals != nullptr ? slots * 3 : 0);

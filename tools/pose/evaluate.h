@@ -27,21 +27,31 @@ struct PosedMesh {
 class Character {
  public:
   explicit Character(const File& file);
+  Character(const Character&) = delete;
+  Character& operator=(const Character&) = delete;
 
   // nullopt: the rest pose.
   void pose(std::optional<std::uint32_t> clip, float time_s);
-  // Deforms one mesh in the pose of the last call to pose().
+  // Deforms one mesh, morphed, in the pose of the last call to pose().
   void skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) const;
 
   std::span<const Affine> scene_from_joint(std::uint32_t skeleton) const { return model_[skeleton]; }
+  // Of the mesh's morph targets: the clip's, or their defaults.
+  std::span<const float> weights(std::uint32_t mesh) const { return weights_[mesh]; }
   std::span<const Affine> palette(std::uint32_t mesh) const { return palettes_[mesh]; }
 
  private:
+  void morph_all(const Clip* clip, float time_s);
+
   File file_;
   std::vector<std::vector<SoaTransform>> local_;  // a skeleton
   std::vector<std::vector<Affine>> model_;        // a skeleton
   std::vector<std::vector<Affine>> palettes_;     // a mesh
-  std::vector<std::vector<float>> coordinates_;   // a mesh: animation space
+  // A mesh.
+  std::vector<std::vector<float>> coordinates_;  // in animation space
+  std::vector<std::vector<float>> weights_;
+  std::vector<std::vector<SoaTransform>> memory_;  // of morphed_; for its alignment
+  std::vector<MorphedGeometry> morphed_;
 };
 
 // Throws Failure (internal) unless ok.

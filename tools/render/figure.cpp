@@ -102,9 +102,12 @@ std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deform
     d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;
     d.index_count = part.gpu.index_count;
     d.index_type = part.gpu.index_type;
-    const int features = part.gpu.features & (gles3::kNormals | gles3::kColours);
+    const int features = part.gpu.features & (gles3::kNormals | gles3::kColours | gles3::kMorphs);
     d.program = {gpu_deformer(deformer), part.gpu.influences, static_cast<std::uint8_t>(features)};
     d.coordinate_scale = part.gpu.coordinate_scale;
+    d.morph_weights.assign(character.weights(i).begin(), character.weights(i).end());
+    d.mesh = mesh;
+    d.gpu = &part.gpu;
     d.base_colour = base_colour(mesh);
     drawables.push_back(d);
   }

@@ -12,11 +12,9 @@
 
 // What drawing pictures needs beyond marrow::gles3: X(return type, name, parameters).
 #define MARROW_TOOL_GL_FUNCTIONS(X)                                                                               \
-  X(void, ActiveTexture, (GLenum unit))                                                                           \
   X(void, BindFramebuffer, (GLenum target, GLuint framebuffer))                                                   \
   X(void, BindRenderbuffer, (GLenum target, GLuint renderbuffer))                                                 \
   X(void, BindSampler, (GLuint unit, GLuint sampler))                                                             \
-  X(void, BindTexture, (GLenum target, GLuint texture))                                                           \
   X(void, BlitFramebuffer,                                                                                        \
     (GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0, GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, \
      GLenum filter))                                                                                              \
@@ -26,7 +24,6 @@
   X(void, DeleteFramebuffers, (GLsizei count, const GLuint* framebuffers))                                        \
   X(void, DeleteRenderbuffers, (GLsizei count, const GLuint* renderbuffers))                                      \
   X(void, DeleteSamplers, (GLsizei count, const GLuint* samplers))                                                \
-  X(void, DeleteTextures, (GLsizei count, const GLuint* textures))                                                \
   X(void, DepthMask, (GLboolean on))                                                                              \
   X(void, Disable, (GLenum capability))                                                                           \
   X(void, DrawArrays, (GLenum mode, GLint first, GLsizei count))                                                  \
@@ -37,7 +34,6 @@
   X(void, GenFramebuffers, (GLsizei count, GLuint * framebuffers))                                                \
   X(void, GenRenderbuffers, (GLsizei count, GLuint * renderbuffers))                                              \
   X(void, GenSamplers, (GLsizei count, GLuint * samplers))                                                        \
-  X(void, GenTextures, (GLsizei count, GLuint * textures))                                                        \
   X(void, GetInternalformativ, (GLenum target, GLenum format, GLenum name, GLsizei size, GLint * values))         \
   X(void, PixelStorei, (GLenum name, GLint value))                                                                \
   X(void, PolygonOffset, (GLfloat factor, GLfloat units))                                                         \
@@ -46,10 +42,8 @@
     (GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height))                               \
   X(void, SamplerParameteri, (GLuint sampler, GLenum name, GLint value))                                          \
   X(void, TexStorage2D, (GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height))            \
-  X(void, Uniform1i, (GLint location, GLint value))                                                               \
   X(void, Uniform2fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, Uniform3fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
-  X(void, Uniform4fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, UniformMatrix4fv, (GLint location, GLsizei count, GLboolean transpose, const GLfloat* values))          \
   X(void, UseProgram, (GLuint program))                                                                           \
   X(void, Viewport, (GLint x, GLint y, GLsizei width, GLsizei height))

@@ -24,6 +24,7 @@ constexpr float kPenumbra = 0.2f;  // of the radius: room round a shadow map, mo
 constexpr GLint kKeyShadowUnit = 0;
 constexpr GLint kKeyDepthUnit = 1;
 constexpr GLint kSkyDepthUnit = 2;
+constexpr std::uint32_t kMorphUnit = 3;
 
 // From the upper left, in front.
 const glm::vec3 kKeyDirection = glm::normalize(glm::vec3(-0.55f, 0.95f, 0.62f));
@@ -126,7 +127,7 @@ void Studio::make_shadow_map(ShadowMap& map, int size) {
 }
 
 const gles3::Program& Studio::program(Role role, gles3::ProgramKey key) {
-  if (role == Role::depth) key.features = 0;
+  if (role == Role::depth) key.features &= gles3::kMorphs;
   const std::uint32_t number = static_cast<std::uint32_t>(role) << 24 | static_cast<std::uint32_t>(key.deformer) << 16 |
                                static_cast<std::uint32_t>(key.influences) << 8 | key.features;
   const auto found = programs_.find(number);
@@ -143,6 +144,9 @@ void Studio::draw(const Shot& shot, const Drawable& drawable, const gles3::Progr
     gles3::bind_palette(gl_, *shot.palettes, drawable.palette_offset, kPaletteBinding);
   }
   if (program.coordinate_scale >= 0) gl_.Uniform1f(program.coordinate_scale, drawable.coordinate_scale);
+  if (!drawable.morph_weights.empty() &&
+      gles3::set_morphs(gl_, drawable.mesh, *drawable.gpu, drawable.morph_weights, kMorphUnit, program) != Status::ok)
+    throw Failure(Exit::internal, "marrow", "", "morph targets are refused", "please report this");
   gl_.BindVertexArray(drawable.vertex_array);
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(drawable.index_count), drawable.index_type, nullptr);
 }

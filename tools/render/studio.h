@@ -23,6 +23,10 @@ struct Drawable {
   float coordinate_scale = 1;
   std::uint32_t palette_offset = 0;  // in the palette ring
   glm::vec4 base_colour{1};          // linear
+  // Where the vertex shader morphs; empty otherwise.
+  std::vector<float> morph_weights;
+  Mesh mesh;
+  const gles3::GpuMesh* gpu = nullptr;
 };
 
 struct Shot {

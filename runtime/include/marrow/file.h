@@ -100,6 +100,21 @@ struct Run {
 };
 static_assert(sizeof(Run) == 8);
 
+// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+enum MorphAttributes : std::uint32_t { kMorphsPositions = 1, kMorphsNormals = 2, kMorphsTangents = 4 };
+struct MorphTarget {
+  std::uint32_t first_block;  // into Geometry::target_blocks
+  std::uint32_t block_count;
+  std::uint32_t first_record;  // into Geometry::target_records
+  std::uint32_t attributes;    // MorphAttributes; 0 if it moves nothing
+  float position_step;         // metres, mesh space
+  float normal_step;
+  float tangent_step;
+  std::uint32_t reserved;
+};
+static_assert(sizeof(MorphTarget) == 32);
+
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
 // (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
 struct Geometry {
@@ -110,18 +125,29 @@ struct Geometry {
   std::uint32_t joint_count = 0;   // how many palette entries the sets refer to
   const void* indices = nullptr;   // slots
   Span<const Run> runs;
-  const std::uint16_t* sets = nullptr;    // for each run its k palette entries, run after run
-  const float* skin = nullptr;            // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
-  const float* normals = nullptr;         // a block: x[4] y[4] z[4]; unit; null if absent
-  const float* tangents = nullptr;        // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
-  const float* as_residual = nullptr;     // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
-  const float* uvs = nullptr;             // a slot: u v; null if absent
-  const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
-  Span<const std::uint32_t>
-      source_slots;  // of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it
-  float box_min[3] = {};  // of the bind positions, mesh space
+  const std::uint16_t* sets = nullptr;     // for each run its k palette entries, run after run
+  const float* skin = nullptr;             // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+  const float* normals = nullptr;          // a block: x[4] y[4] z[4]; unit; null if absent
+  const float* tangents = nullptr;         // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+  const float* as_residual = nullptr;      // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+  const float* uvs = nullptr;              // a slot: u v; null if absent
+  const std::uint8_t* colours = nullptr;   // a slot: r g b a, linear; null if absent
+  // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it.
+  Span<const std::uint32_t> source_slots;
+  Span<const MorphTarget> targets;
+  const void* target_blocks = nullptr;           // as wide as indices; for each target the blocks it moves, ascending
+  const std::int16_t* target_records = nullptr;  // twelve a record
+  float box_min[3] = {};                         // of the bind positions, mesh space
   float box_max[3] = {};
 };
+
+// A morph target of a mesh: what it is called and what drives it.
+struct MeshTarget {
+  std::uint32_t name;     // see File::text; may be empty
+  std::uint32_t channel;  // name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+  float weight;           // where no clip does
+};
+static_assert(sizeof(MeshTarget) == 12);
 
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 struct Mesh {
@@ -134,6 +160,7 @@ struct Mesh {
   const Affine* inverse_bind = nullptr;   // joint_count; joint_from_mesh in the bind pose
   float base_colour[4] = {1, 1, 1, 1};    // linear RGBA
   bool double_sided = false;
+  Span<const MeshTarget> targets;  // as many as the geometry's
   Geometry geometry;
 };
 

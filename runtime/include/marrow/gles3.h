@@ -2,7 +2,8 @@
 //
 //   once a context   load_api, query_caps, create_palette_ring, build_program
 //   once a mesh      prepare: compact attributes, and the bind matrices that undo their quantisation
-//   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints) → push_palette → draw
+//   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints) → push_palette →
+//                    set_morphs, if it has morph targets → draw
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
 // the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
@@ -48,6 +49,7 @@ inline constexpr std::uint8_t kNormals = 1;
 inline constexpr std::uint8_t kTangents = 2;
 inline constexpr std::uint8_t kUvs = 4;
 inline constexpr std::uint8_t kColours = 8;
+inline constexpr std::uint8_t kMorphs = 16;
 
 // Attribute locations of the skinning text, fixed so that any program draws any mesh.
 inline constexpr std::uint32_t kPositionLocation = 0;  // animation space: 0 … 7 are the coordinates
@@ -57,6 +59,10 @@ inline constexpr std::uint32_t kNormalLocation = 10;
 inline constexpr std::uint32_t kTangentLocation = 11;
 inline constexpr std::uint32_t kUvLocation = 12;
 inline constexpr std::uint32_t kColourLocation = 13;
+inline constexpr std::uint32_t kMorphRowLocation = 14;
+
+// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
+inline constexpr std::uint32_t kMorphTargets = 64;
 
 // Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 inline constexpr std::uint32_t kPaletteJoints = 341;
@@ -67,6 +73,9 @@ inline constexpr std::uint32_t kPaletteBlockBytes = kPaletteJoints * 48;
 //   SSD       position snorm16×3 + pad · weights unorm16×4 or ×8, summing to 65535 · joints u8 (u16 above 256 entries)
 //   AS        coordinates snorm16×4 an influence, their w summing to 32767 (or less, see coordinate_scale) · joints
 //   surface   normal octahedral snorm16×2 · tangent octahedral snorm16×2, sign in y · uv unorm16×2 or f32×2 · rgba8
+//   morphs    u32: which row of the texture, RGBA16I, holds the vertex's changes; 8 B an attribute, target and vertex
+//   that
+//             any target moves
 // 4 influences: SSD 20 B a vertex, AS 36 B; surface 4 B with normals alone. 8 influences: 32 B and 72 B.
 struct GpuMesh {
   std::uint32_t ssd_array = 0;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
@@ -74,6 +83,8 @@ struct GpuMesh {
   std::uint32_t ssd_buffer = 0;
   std::uint32_t as_buffer = 0;
   std::uint32_t surface_buffer = 0;  // 0 for a mesh of bare positions
+  std::uint32_t morph_buffer = 0;    // 0 for a mesh without morph targets
+  std::uint32_t morph_texture = 0;   // likewise
   std::uint32_t index_buffer = 0;
   std::uint32_t index_count = 0;
   std::uint32_t index_type = 0;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
@@ -82,6 +93,10 @@ struct GpuMesh {
   std::uint32_t vertex_bytes = 0;  // all vertex buffers together
   std::uint8_t influences = 4;     // 4 or 8
   std::uint8_t features = 0;       // kNormals | …
+  std::uint8_t morph_per_row = 1;  // texels a vertex: positions, normals, tangents
+  std::uint8_t morph_shift = 0;    // the texture's width is 1 << morph_shift
+  std::uint32_t morph_texels = 0;  // of a target
+  float morph_unit = 1;            // 1 / half-extent, see prepare()
   // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   float coordinate_scale = 1;
 };
@@ -102,16 +117,17 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 //
 // bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
 // free again afterwards. Errors: bad_argument (a span too short, nothing asked for); unsupported (more palette entries
-// than the uniform block holds: min(kPaletteJoints, caps)); gl_error (out of memory: nothing is left allocated). `out`
-// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER and the vertex array at 0. Error of the formats:
-// docs/architecture.md. Cost: a few passes over the vertices; once a mesh.
+// than the uniform block holds: min(kPaletteJoints, caps); more morph targets than a texture of 2048 × 2048 does);
+// gl_error (out of memory: nothing is left allocated). `out` and `bind` are written only on success. Leaves
+// GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active unit's 2D texture at 0. Error of the
+// formats: docs/architecture.md. Cost: a few passes over the vertices; once a mesh.
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);
 
 // Deletes the GL objects and clears the struct.
 void destroy(const Api& api, GpuMesh& mesh);
 
-// What a program is compiled for.
+// What a program is compiled for. With kMorphs it draws only meshes that have targets; set_morphs() before each.
 struct ProgramKey {
   Deformer deformer = Deformer::ssd;
   std::uint8_t influences = 4;
@@ -128,7 +144,9 @@ struct ProgramSource {
 
 struct Program {
   std::uint32_t id = 0;
-  std::int32_t coordinate_scale = -1;  // location
+  // Locations of uniforms.
+  std::int32_t coordinate_scale = -1;
+  std::int32_t morph_changes = -1, morph_targets = -1, morph_count = -1, morph_shift = -1, morph_per_row = -1;
 };
 
 // Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
@@ -163,6 +181,13 @@ Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palett
 
 // Ties the palette at `offset` to uniform buffer binding `binding`.
 void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding);
+
+// Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
+// animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
+// move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
+// targets, a program without kMorphs, too few weights, one that is not finite).
+Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
+                  std::uint32_t texture_unit, const Program& program);
 
 // Draws all triangles. `program` must be in use, its palette bound. Leaves the vertex array at 0.
 // Errors: bad_argument if the mesh was not prepared for this deformer.

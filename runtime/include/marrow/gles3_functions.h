@@ -41,4 +41,17 @@
   X(void, Uniform1f, (int location, float value))                                                             \
   X(unsigned, GetUniformBlockIndex, (unsigned program, const char* name))                                     \
   X(void, UniformBlockBinding, (unsigned program, unsigned index, unsigned binding))                          \
-  X(void, DrawElements, (unsigned mode, int count, unsigned type, const void* offset))
+  X(void, DrawElements, (unsigned mode, int count, unsigned type, const void* offset))                        \
+  X(void, ActiveTexture, (unsigned unit))                                                                     \
+  X(void, GenTextures, (int count, unsigned* textures))                                                       \
+  X(void, DeleteTextures, (int count, const unsigned* textures))                                              \
+  X(void, BindTexture, (unsigned target, unsigned texture))                                                   \
+  X(void, TexParameteri, (unsigned target, unsigned name, int value))                                         \
+  X(void, TexImage2D,                                                                                         \
+    (unsigned target, int level, int internal_format, int width, int height, int border, unsigned format,     \
+     unsigned type, const void* texels))                                                                      \
+  X(void, TexSubImage2D,                                                                                      \
+    (unsigned target, int level, int x, int y, int width, int height, unsigned format, unsigned type,         \
+     const void* texels))                                                                                     \
+  X(void, Uniform1i, (int location, int value))                                                               \
+  X(void, Uniform4fv, (int location, int count, const float* values))

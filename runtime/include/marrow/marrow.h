@@ -5,6 +5,7 @@
 #include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh
 #include "marrow/local_to_model.h"  // 3. local to model  local pose → scene-space joints
+#include "marrow/morph.h"           //    before skinning weights → bind vertices moved
 #include "marrow/palette.h"         // 4. palette         joints → skinning matrices
 #include "marrow/playback.h"        //    before it       a playing clip: time, speed, loop
 #include "marrow/sample.h"          // 2. sample          Clip, time → local pose

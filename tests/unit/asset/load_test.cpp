@@ -263,7 +263,8 @@ TEST_F(Load, Geometries) {
   const std::size_t base = at(format::kGeometries);
   const auto h = header<format::GeometryHeader>(format::kGeometries);
   const format::GeometryLayout l = layout(h);
-  refuse(base, std::uint32_t{64}, "an unknown flag");
+  refuse(base, h.flags | 128, "an unknown flag");
+  refuse(base, h.flags | format::kHasMorphTargets, "a flag whose arrays are not there");
   refuse(base, h.flags ^ format::kHasNormals, "a flag whose array is there");
   refuse(base + 4, h.vertex_count - 1, "a vertex fewer than the runs");
   refuse(base + 8, h.block_count + 1, "a block more");
@@ -284,7 +285,7 @@ TEST_F(Load, Geometries) {
   refuse(base + l.source_slots, h.block_count * 4, "a source vertex outside the slots");
   refuse(base + l.indices, static_cast<std::uint16_t>(h.block_count * 4), "an index outside the slots");
   refuse(base + l.sets, std::uint16_t{3}, "a set outside the palette");
-  EXPECT_EQ(refused_, 21);
+  EXPECT_EQ(refused_, 22);
 }
 
 TEST_F(Load, Meshes) {
@@ -298,10 +299,11 @@ TEST_F(Load, Meshes) {
   refuse(base + 16, std::uint32_t{2}, "fewer joints");
   refuse(base + 20, std::uint32_t{2}, "an unknown flag");
   refuse(base + 24, kNaN, "a colour that is not a number");
-  refuse(base + 40, std::uint32_t{1}, "reserved");
+  refuse(base + 40, std::uint32_t{1}, "a morph target that the geometry lacks");
+  refuse(base + 44, std::uint32_t{1}, "reserved");
   refuse(base + l.inverse_bind, kInfinity, "an inverse bind that is not finite");
   refuse(base + l.joints, std::uint16_t{3}, "a joint outside the skeleton");
-  EXPECT_EQ(refused_, 11);
+  EXPECT_EQ(refused_, 12);
 }
 
 TEST_F(Load, Names) {

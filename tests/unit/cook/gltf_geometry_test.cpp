@@ -258,17 +258,6 @@ TEST(Gltf, MaterialIsCarried) {
   EXPECT_EQ(primitive.base_colour, glm::vec4(.5F, .25F, 0, 1));
 }
 
-TEST(Gltf, MorphTargetsGiveOneWarningAMesh) {
-  Builder b;
-  const int positions = b.curve(3);
-  Json& primitive = b.primitive({{"POSITION", positions}});
-  for (int i = 0; i < 80; ++i) primitive["targets"].push_back({{"POSITION", positions}});
-  const RawScene scene = read(b);
-  ASSERT_EQ(scene.warnings.size(), 1U);
-  EXPECT_EQ(scene.warnings[0].rule, "morph-targets-dropped");
-  EXPECT_EQ(scene.warnings[0].pointer, "/meshes/0");
-}
-
 struct DracoTriangle {
   std::vector<std::byte> bytes;
   int position = 0, joints = 0, weights = 0;  // unique ids

@@ -199,6 +199,16 @@ TEST(F32x4, WordsForUnpacking) {
                {0xC8C0B8B0u, 0x00E0D8D0u, 0x30282018u, 0x00484038u});
 }
 
+TEST(F32x4, SmallIntegersBecomeFloats) {
+  // From an odd place, too.
+  const std::int16_t in[9] = {0, -32768, 32767, -1, 1, 255, -256, 12345, -32767};
+  for (int first = 0; first < 6; ++first) {
+    float want[4];
+    for (int i = 0; i < 4; ++i) want[i] = static_cast<float>(in[first + i]);
+    expect_lanes(load_int16(in + first), want, "load_int16");
+  }
+}
+
 TEST(F32x4, StoreXyzInterleavesAndWritesNoMore) {
   const float x[4] = {1, 2, 3, 4}, y[4] = {5, 6, 7, 8}, z[4] = {9, 10, 11, 12};
   float out[14];

@@ -31,13 +31,24 @@ std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& gra
 
 std::vector<RawSkin> import_skins(const Document& document, const std::vector<RawNode>& nodes, Report& report);
 
+// The weights of a mesh's morph targets, named after their owner: at rest `own`, or as the mesh has them where those
+// are not as many. `where`: who asks.
+std::vector<RawTargetWeight> mesh_weights(const Document& document, std::size_t mesh_index, const std::string& owner,
+                                          const std::vector<double>& own, const std::string& where, Report& report);
+// Those of the mesh at a node; none without. owners: from weight_owners().
+std::vector<RawTargetWeight> node_weights(const Document& document, const std::vector<std::string>& owners,
+                                          int node_index, const std::string& where, Report& report);
+// What each node's weights are called after: its name; nodes[3] without, or if a node before it has the same.
+std::vector<std::string> weight_owners(const Document& document, const std::vector<RawNode>& nodes);
+
 // One RawMesh a mesh of the document, in its order. Primitives that draw no triangles are left out.
 std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Report& report);
 
 // Also checks that every joint that a mesh uses exists in the skins that it is drawn with; influences that no skin
 // makes sense of are dropped.
-std::vector<RawInstance> import_instances(const Document& document, std::vector<RawMesh>& meshes,
-                                          const std::vector<RawSkin>& skins, Report& report);
+std::vector<RawInstance> import_instances(const Document& document, const std::vector<RawNode>& nodes,
+                                          std::vector<RawMesh>& meshes, const std::vector<RawSkin>& skins,
+                                          Report& report);
 
 std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
                                   Report& report);

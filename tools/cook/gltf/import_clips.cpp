@@ -17,12 +17,6 @@ struct Key {
   float time_s;
 };
 
-// A number that a channel moves.
-struct ScalarTarget {
-  std::string name;
-  float rest;
-};
-
 class ChannelImporter {
  public:
   ChannelImporter(const Document& document, const tinygltf::Animation& animation, const std::string& where,
@@ -46,7 +40,7 @@ class ChannelImporter {
   // One number a target; a key holds those of all targets, for a spline first their in-tangents, then their values,
   // then their out-tangents (glTF 2.0, section 3.11).
   std::vector<RawScalar> import_scalars(const tinygltf::AnimationChannel& channel,
-                                        const std::vector<ScalarTarget>& targets) {
+                                        const std::vector<RawTargetWeight>& targets) {
     const tinygltf::AnimationSampler& sampler = sampler_of(channel);
     const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
     const std::vector<float> all =
@@ -54,7 +48,7 @@ class ChannelImporter {
     std::vector<RawScalar> out;
     for (std::size_t t = 0; t < targets.size() && !keys.empty(); ++t) {
       RawScalar raw;
-      raw.name = clean_name(targets[t].name, where_, report_);
+      raw.name = clean_name(targets[t].channel, where_, report_);
       raw.rest = targets[t].rest;
       raw.interpolation = interpolation_of(sampler);
       const std::size_t parts = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
@@ -166,31 +160,11 @@ class ChannelImporter {
   std::string sampler_where_;
 };
 
-// The weights of the morph targets of a node's mesh, at rest as the node has them, else the mesh.
-std::vector<ScalarTarget> morph_weights(const Document& document, const std::vector<RawNode>& nodes, int node_index) {
-  std::vector<ScalarTarget> out;
-  const auto n = static_cast<std::size_t>(node_index);
-  const tinygltf::Node& node = document.model.nodes[n];
-  if (node.mesh < 0) return out;
-  const auto m = static_cast<std::size_t>(node.mesh);
-  const tinygltf::Mesh& mesh = document.model.meshes[m];
-  const std::size_t count = mesh.primitives.front().targets.size();
-  const std::vector<std::string>& names = document.target_names[m];
-  const std::string owner = nodes[n].name.empty() ? "nodes[" + std::to_string(n) + ']' : nodes[n].name;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool named = i < names.size() && !names[i].empty();
-    const double rest = node.weights.size() == count   ? node.weights[i]
-                        : mesh.weights.size() == count ? mesh.weights[i]
-                                                       : 0.0;
-    out.push_back({owner + (named ? '.' + names[i] : ".weights[" + std::to_string(i) + ']'), static_cast<float>(rest)});
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
                                   Report& report) {
+  const std::vector<std::string> owners = weight_owners(document, nodes);
   std::vector<RawClip> clips;
   for (std::size_t a = 0; a < document.model.animations.size(); ++a) {
     const tinygltf::Animation& animation = document.model.animations[a];
@@ -203,10 +177,10 @@ std::vector<RawClip> import_clips(const Document& document, const std::vector<Ra
       if (channel.target_path.empty()) continue;
       const auto number = document.user_numbers.find({a, c});
       if (number != document.user_numbers.end() || channel.target_path == "weights") {
-        std::vector<RawScalar> scalars =
-            importer.import_scalars(channel, number != document.user_numbers.end()
-                                                 ? std::vector<ScalarTarget>{{number->second.name, number->second.rest}}
-                                                 : morph_weights(document, nodes, channel.target_node));
+        std::vector<RawScalar> scalars = importer.import_scalars(
+            channel, number != document.user_numbers.end()
+                         ? std::vector<RawTargetWeight>{{"", number->second.name, number->second.rest}}
+                         : node_weights(document, owners, channel.target_node, where, report));
         for (RawScalar& scalar : scalars) clip.scalars.push_back(std::move(scalar));
         continue;
       }

@@ -84,6 +84,7 @@ RawPrimitive import_primitive(const Document& document, const tinygltf::Primitiv
   import_normals(source, raw, report);
   import_tangents(source, raw, report);
   import_colours_and_uvs(source, raw, report);
+  import_targets(document, primitive, where, budget, raw, report);
   import_influences(source, raw, report);
   import_material(document.model, primitive.material, raw, report);
   return raw;
@@ -106,9 +107,12 @@ std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Rep
     const tinygltf::Mesh& mesh = document.model.meshes[m];
     RawMesh& raw = meshes.emplace_back();
     raw.name = clean_name(mesh.name, pointer("meshes", m), report);
+    raw.weights = mesh_weights(document, m, raw.name, {}, pointer("meshes", m), report);
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const std::string where = pointer("meshes", m, "primitives", p);
       RawPrimitive primitive = import_primitive(document, mesh.primitives[p], where, budget, report);
+      budget.take(mesh.primitives.front().targets.size() * sizeof(RawTarget), where, report);
+      primitive.targets.resize(mesh.primitives.front().targets.size());
       if (!primitive.indices.empty()) raw.primitives.push_back(std::move(primitive));
     }
   }

@@ -241,17 +241,20 @@ std::vector<RawSkin> import_skins(const Document& document, const std::vector<Ra
   return skins;
 }
 
-std::vector<RawInstance> import_instances(const Document& document, std::vector<RawMesh>& meshes,
-                                          const std::vector<RawSkin>& skins, Report& report) {
+std::vector<RawInstance> import_instances(const Document& document, const std::vector<RawNode>& nodes,
+                                          std::vector<RawMesh>& meshes, const std::vector<RawSkin>& skins,
+                                          Report& report) {
   std::vector<HighestJoint> highest;
   for (const RawMesh& mesh : meshes) highest.push_back(highest_joint(mesh));
+  const std::vector<std::string> owners = weight_owners(document, nodes);
   std::vector<bool> skinned(meshes.size());
   std::vector<RawInstance> instances;
   for (std::size_t i = 0; i < document.model.nodes.size(); ++i) {
     const tinygltf::Node& node = document.model.nodes[i];
     if (node.mesh < 0) continue;
     const auto mesh = static_cast<std::size_t>(node.mesh);
-    RawInstance instance{static_cast<int>(i), node.mesh, node.skin < 0 ? kNone : node.skin};
+    RawInstance instance{static_cast<int>(i), node.mesh, node.skin < 0 ? kNone : node.skin, {}};
+    instance.weights = node_weights(document, owners, instance.node, pointer("nodes", i), report);
     const HighestJoint& used = highest[mesh];
     if (instance.skin != kNone && used.joint < 0) {
       if (!meshes[mesh].primitives.empty()) {

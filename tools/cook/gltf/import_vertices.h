@@ -46,6 +46,9 @@ void import_positions(VertexSource& source, RawPrimitive& raw, Report& report);
 void import_normals(VertexSource& source, RawPrimitive& raw, Report& report);
 void import_tangents(VertexSource& source, RawPrimitive& raw, Report& report);
 void import_colours_and_uvs(VertexSource& source, RawPrimitive& raw, Report& report);
+// Needs positions, normals and tangents. Morph targets are never in Draco data.
+void import_targets(const Document& document, const tinygltf::Primitive& primitive, const std::string& where,
+                    Budget& budget, RawPrimitive& raw, Report& report);
 void import_influences(VertexSource& source, RawPrimitive& raw, Report& report);
 
 }  // namespace marrow::cook::gltf

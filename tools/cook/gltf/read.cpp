@@ -67,7 +67,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
   scene.nodes = import_nodes(document, graph, report);
   scene.skins = import_skins(document, scene.nodes, report);
   scene.meshes = import_meshes(document, budget, report);
-  scene.instances = import_instances(document, scene.meshes, scene.skins, report);
+  scene.instances = import_instances(document, scene.nodes, scene.meshes, scene.skins, report);
   scene.clips = import_clips(document, scene.nodes, budget, report);
   scene.warnings = report.take_warnings();
   return scene;

@@ -97,16 +97,13 @@ class MeshChecker {
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const std::string where = pointer("meshes", index, "primitives", p);
       if (mesh.primitives[p].targets.size() != targets) {
-        report_.mend(under(where, "targets"), "morph-targets-unequal", "the mesh's primitives differ in their number");
+        report_.mend(under(where, "targets"), "morph-targets-unequal",
+                     "the mesh's primitives differ in their number; all get the first one's");
       }
       check_primitive(mesh.primitives[p], where);
     }
     if (!mesh.weights.empty() && mesh.weights.size() != targets) {
       report_.mend(pointer("meshes", index, "weights"), "morph-weights-wrong", "one a morph target is needed; ignored");
-    }
-    if (targets > 0) {
-      report_.warn(pointer("meshes", index), "morph-targets-dropped",
-                   std::to_string(targets) + " morph targets are left out");
     }
   }
 
@@ -203,11 +200,16 @@ class MeshChecker {
       const Accessor& data = accessor(index);
       const Semantic* semantic = find_semantic(name);
       if (semantic == nullptr && !name.starts_with('_')) {
-        report_.mend(here, "morph-target-wrong", "not an attribute of glTF 2.0");
+        report_.mend(here, "morph-target-wrong", "not an attribute of glTF 2.0; ignored");
       }
-      if (data.count != count) report_.mend(here, "morph-target-wrong", "it differs from the base in count");
-      if (!primitive.attributes.contains(name))
-        report_.mend(here, "morph-target-wrong", "the base has no such attribute");
+      if (data.count != count) report_.mend(here, "morph-target-wrong", "it differs from the base in count; ignored");
+      if (!primitive.attributes.contains(name)) {
+        report_.mend(here, "morph-target-wrong", "the base has no such attribute; ignored");
+      } else if (name == "POSITION" || name == "NORMAL" || name == "TANGENT") {
+        if (data.shape != Shape::vec3) report_.mend(here, "morph-target-wrong", "not three components; ignored");
+      } else if (semantic != nullptr) {
+        report_.warn(here, "morph-attribute-dropped", "targets move positions, normals and tangents only");
+      }
       if (name == "POSITION" && !data.has_bounds) report_.mend(here, "bounds-missing", "POSITION needs min and max");
       check_layout(index, kVertexRole, here);
     }

@@ -17,7 +17,7 @@ namespace {
 // How one attempt encodes.
 struct Settings {
   int speed = 0;
-  std::array<int, kStreamKinds> prediction;  // a stream; kOwnChoice: Draco decides
+  std::vector<int> prediction;  // a stream; kOwnChoice: Draco decides
 };
 constexpr int kOwnChoice = -100;
 
@@ -67,7 +67,7 @@ void fill_mesh(const OwnedStreams& s, bool merge_positions, draco::Mesh& mesh) {
     const std::uint32_t* const t = &s.indices[std::size_t{f} * 3];
     mesh.SetFace(draco::FaceIndex(f), {draco::PointIndex(t[0]), draco::PointIndex(t[1]), draco::PointIndex(t[2])});
   }
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) add_attribute(s.mesh.streams[i], s.values[i], mesh);
+  for (std::size_t i = 0; i < s.streams.size(); ++i) add_attribute(s.streams[i], s.values[i], mesh);
   for (int i = 0; i < mesh.num_attributes(); ++i)
     if (merge_positions || i > 0) mesh.attribute(i)->DeduplicateValues(*mesh.attribute(i));
 }
@@ -84,9 +84,9 @@ Encoded encode(const OwnedStreams& s, const draco::Mesh& mesh, const Settings& s
   encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
   encoder.SetSpeedOptions(settings.speed, settings.speed);
   encoder.SetTrackEncodedProperties(true);
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
     const int id = static_cast<int>(i);
-    if (is_direction(s.mesh.streams[i].kind)) encoder.SetAttributeQuantization(id, s.mesh.streams[i].bits);
+    if (is_direction(s.streams[i].kind)) encoder.SetAttributeQuantization(id, s.streams[i].bits);
     if (settings.prediction[i] != kOwnChoice)
       static_cast<void>(encoder.SetAttributePredictionScheme(id, settings.prediction[i]));
   }
@@ -121,9 +121,9 @@ Encoded smallest(const OwnedStreams& s, bool merge_positions) {
   draco::Mesh mesh;
   fill_mesh(s, merge_positions, mesh);
   Settings best;
-  best.prediction.fill(kOwnChoice);
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i)
-    if (s.mesh.streams[i].kind == StreamKind::tangent) best.prediction[i] = draco::PREDICTION_DIFFERENCE;
+  best.prediction.assign(s.streams.size(), kOwnChoice);
+  for (std::size_t i = 0; i < s.streams.size(); ++i)
+    if (s.streams[i].kind == StreamKind::tangent) best.prediction[i] = draco::PREDICTION_DIFFERENCE;
   Encoded encoded = encode(s, mesh, best);
   const auto attempt = [&](const Settings& settings) {
     Encoded other = encode(s, mesh, settings);
@@ -136,8 +136,8 @@ Encoded smallest(const OwnedStreams& s, bool merge_positions) {
     settings.speed = speed;
     attempt(settings);
   }
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
-    for (const int prediction : alternatives(s.mesh.streams[i].kind)) {
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    for (const int prediction : alternatives(s.streams[i].kind)) {
       Settings settings = best;
       settings.prediction[i] = prediction;
       attempt(settings);
@@ -151,8 +151,8 @@ using Triangle = std::array<std::uint64_t, 3>;
 
 std::uint64_t corner(const OwnedStreams& s, std::uint32_t vertex) {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, by words
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
-    const std::size_t components = s.mesh.streams[i].components;
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const std::size_t components = s.streams[i].components;
     for (std::size_t c = 0; c < components; ++c) {
       hash = (hash ^ static_cast<std::uint32_t>(s.values[i][vertex * components + c])) * 0x100000001b3;
       hash ^= hash >> 29;
@@ -177,8 +177,8 @@ bool decodes_to_the_same(const Encoded& encoded, const OwnedStreams& s, OwnedStr
   if (encoded.faces != s.indices.size() / 3) return false;
   decoded = s;
   decoded.mesh.vertex_count = encoded.points;
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i)
-    decoded.values[i].resize(std::size_t{encoded.points} * s.mesh.streams[i].components);
+  for (std::size_t i = 0; i < s.streams.size(); ++i)
+    decoded.values[i].resize(std::size_t{encoded.points} * s.streams[i].components);
   const Span<const std::byte> bytes(encoded.bytes.data(), encoded.bytes.size());
   return draco_decoder().decode(bytes, decoded.view()) == Status::ok && surface(decoded) == surface(s);
 }

@@ -20,8 +20,8 @@ void arrange_vertices(OwnedStreams& s) {
   if (!arrange(view, arena, a)) throw tools::Failure(tools::Exit::internal, "", "", "arrange", "not enough memory");
   std::vector<std::uint32_t> place(view.vertex_count);
   for (std::uint32_t i = 0; i < view.vertex_count; ++i) place[a.order[i]] = i;
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
-    const std::size_t components = s.mesh.streams[i].components;
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const std::size_t components = s.streams[i].components;
     std::vector<std::int32_t> values(s.values[i].size());
     for (std::size_t v = 0; v < view.vertex_count; ++v)
       std::copy_n(&s.values[i][a.order[v] * components], components, &values[v * components]);
@@ -60,8 +60,8 @@ std::vector<std::byte> encode_meshopt(OwnedStreams& s) {
   add_part(part, out);
   // The index codec may turn triangles round; what the runtime decodes is what counts.
   meshopt_decodeIndexBuffer(s.indices.data(), s.indices.size(), sizeof(std::uint32_t), part.data(), part.size());
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
-    const Stream& stream = s.mesh.streams[i];
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const Stream& stream = s.streams[i];
     const std::size_t number_bytes = stream.bits <= 8 ? 1 : stream.bits <= 16 ? 2 : 4;
     const std::size_t stride = (stream.components * number_bytes + 3) / 4 * 4;
     const std::vector<unsigned char> numbers = number_bytes == 1 ? narrowed<std::uint8_t>(stream, s.values[i], stride)
@@ -75,7 +75,7 @@ std::vector<std::byte> encode_meshopt(OwnedStreams& s) {
   OwnedStreams decoded = s;
   for (auto& values : decoded.values) std::fill(values.begin(), values.end(), 0);
   if (meshopt_decoder().decode({out.data(), out.size()}, decoded.view()) != Status::ok ||
-      !std::equal(std::begin(s.values), std::end(s.values), std::begin(decoded.values)))
+      s.values != decoded.values)
     throw tools::Failure(tools::Exit::internal, "", "", "meshopt-mesh-differs",
                          "the encoded mesh does not decode to itself");
   return out;

@@ -221,6 +221,49 @@ void add_influences(const std::vector<Binding>& bindings, double allowed, OwnedS
       out.values_of(StreamKind::weights)->push_back(j + 1 < n.size() ? n[j] : 0);
 }
 
+// One attribute of a morph target, on steps no finer than 16 bits allow. False if nothing moves by half a step.
+bool add_changes(const std::vector<glm::vec3>& changes, std::uint32_t target, std::uint8_t attribute, double finest,
+                 OwnedStreams& out, MeshError& error) {
+  constexpr double kMost = (1 << (packed::kMaxTargetBits - 1)) - 1;
+  double most = 0;
+  for (const glm::vec3& d : changes)
+    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(double{d[c]}));
+  const double step = double{static_cast<float>(std::max(most / kMost, finest))};
+  if (!(step > 0) || most * 2 < step) return false;
+  const auto largest = static_cast<std::int32_t>(std::lround(std::min(most / step, kMost)));
+  Stream& s = out.add(StreamKind::target, 3, bits_for(largest) + 1);
+  s.target = target;
+  s.attribute = attribute;
+  s.step = static_cast<float>(step);
+  const std::int32_t nothing = 1 << (s.bits - 1);
+  for (const glm::vec3& d : changes) {
+    glm::dvec3 miss;
+    for (int c = 0; c < 3; ++c) {
+      const double steps = std::clamp(std::round(double{d[c]} / step), -kMost, kMost);
+      out.values.back().push_back(nothing + static_cast<std::int32_t>(steps));
+      miss[c] = steps * step - double{d[c]};
+    }
+    if (attribute == 0) error.target_m = std::max(error.target_m, glm::length(miss));
+  }
+  return true;
+}
+
+// position_step: of the grid, or 0. A change of a unit vector of less than a thousandth of a degree is noise.
+void add_targets(const RawPrimitive& p, double position_step, double direction_step, OwnedStreams& out,
+                 MeshError& error) {
+  bool moves = false;
+  for (std::size_t t = 0; t < p.targets.size(); ++t) {
+    const RawTarget& target = p.targets[t];
+    const auto number = static_cast<std::uint32_t>(t);
+    moves |= add_changes(target.positions, number, 0, position_step, out, error);
+    if (!p.normals.empty()) moves |= add_changes(target.normals, number, 1, direction_step, out, error);
+    if (!p.tangents.empty()) moves |= add_changes(target.tangents, number, 2, direction_step, out, error);
+  }
+  if (!moves) return;
+  out.mesh.target_count = static_cast<std::uint32_t>(p.targets.size());
+  out.mesh.flags |= format::kHasMorphTargets;
+}
+
 template <class Vectors>
 void add_floats(StreamKind kind, const Vectors& vectors, int components, OwnedStreams& out) {
   if (vectors.empty()) return;
@@ -240,12 +283,16 @@ OwnedStreams verbatim_streams(const RawPrimitive& p, const std::vector<Binding>&
   add_floats(StreamKind::uv, p.uvs, 2, out);
   add_colours(p, out);
   add_joints(bindings, out);
-  if (out.mesh.influences < 2) return out;
-  out.add(StreamKind::weights, out.mesh.influences - 1, 0);
-  for (const Binding& b : bindings)
-    for (std::size_t j = 0; j + 1 < out.mesh.influences; ++j)
-      out.values_of(StreamKind::weights)
-          ->push_back(std::bit_cast<std::int32_t>(j + 1 < b.set.size() ? static_cast<float>(b.weights[j]) : 0.0f));
+  if (out.mesh.influences > 1) {
+    out.add(StreamKind::weights, out.mesh.influences - 1, 0);
+    for (const Binding& b : bindings)
+      for (std::size_t j = 0; j + 1 < out.mesh.influences; ++j)
+        out.values_of(StreamKind::weights)
+            ->push_back(std::bit_cast<std::int32_t>(j + 1 < b.set.size() ? static_cast<float>(b.weights[j]) : 0.0f));
+  }
+  constexpr double kNoise = 0x1p-15;  // of a unit vector, two thousandths of a degree
+  MeshError ignored;
+  add_targets(p, 0, kNoise, out, ignored);
   return out;
 }
 
@@ -267,6 +314,7 @@ OwnedStreams quantised_streams(const RawPrimitive& p, const std::vector<Binding>
   add_uvs(p, precision.uv_error, out, error);
   add_colours(p, out);
   add_influences(bindings, precision.weight_error, out, error);
+  add_targets(p, grid.step, glm::radians(precision.normal_error_deg), out, error);
   return out;
 }
 

@@ -11,8 +11,9 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
   add_varint(s.mesh.joint_count, out);
   add_varint(s.mesh.influences, out);
   if (has_map) add_varint(static_cast<std::uint32_t>(s.source_map.size()), out);
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
-    const Stream& stream = s.mesh.streams[i];
+  if (s.mesh.target_count > 0) add_varint(s.mesh.target_count, out);
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const Stream& stream = s.streams[i];
     switch (stream.kind) {
       case StreamKind::position:
       case StreamKind::uv:
@@ -30,6 +31,18 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
         break;
       default:
         break;
+    }
+  }
+  for (std::uint32_t t = 0; t < s.mesh.target_count; ++t) {
+    std::uint8_t attributes = 0;
+    for (const Stream& stream : s.streams)
+      if (stream.kind == StreamKind::target && stream.target == t)
+        attributes = static_cast<std::uint8_t>(attributes | 1u << stream.attribute);
+    add_value(attributes, out);
+    for (const Stream& stream : s.streams) {
+      if (stream.kind != StreamKind::target || stream.target != t) continue;
+      add_value(stream.bits, out);
+      add_value(stream.step, out);
     }
   }
   for (const std::uint32_t vertex : s.source_map) add_varint(vertex, out);

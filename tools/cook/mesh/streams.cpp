@@ -8,13 +8,11 @@
 namespace marrow::cook {
 
 Stream& OwnedStreams::add(StreamKind kind, std::uint32_t components, std::uint32_t bits) {
-  Stream& s = mesh.streams[mesh.stream_count];
-  s = {};
+  Stream& s = streams.emplace_back();
   s.kind = kind;
   s.components = static_cast<std::uint8_t>(components);
   s.bits = static_cast<std::uint8_t>(bits);
-  values[mesh.stream_count].reserve(std::size_t{mesh.vertex_count} * components);
-  ++mesh.stream_count;
+  values.emplace_back().reserve(std::size_t{mesh.vertex_count} * components);
   return s;
 }
 
@@ -24,14 +22,21 @@ MeshStreams OwnedStreams::view() {
   out.triangle_count = static_cast<std::uint32_t>(indices.size() / 3);
   out.source_map = source_map.data();
   out.source_vertex_count = static_cast<std::uint32_t>(source_map.size());
-  for (std::uint32_t i = 0; i < mesh.stream_count; ++i) out.streams[i].values = values[i].data();
+  for (std::size_t i = 0; i < streams.size(); ++i) streams[i].values = values[i].data();
+  out.streams = streams.data();
+  out.stream_count = static_cast<std::uint32_t>(streams.size());
   return out;
 }
 
-std::vector<std::int32_t>* OwnedStreams::values_of(StreamKind kind) {
-  for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
-    if (mesh.streams[i].kind == kind) return &values[i];
+const Stream* OwnedStreams::find(StreamKind kind) const {
+  for (const Stream& s : streams)
+    if (s.kind == kind) return &s;
   return nullptr;
+}
+
+std::vector<std::int32_t>* OwnedStreams::values_of(StreamKind kind) {
+  const Stream* const s = find(kind);
+  return s == nullptr ? nullptr : &values[static_cast<std::size_t>(s - streams.data())];
 }
 
 namespace {
@@ -40,9 +45,9 @@ namespace {
 template <class Counts>
 std::vector<std::uint32_t> equal_vertices(OwnedStreams& s, const Counts& counts, std::size_t& distinct) {
   std::vector<meshopt_Stream> streams;
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
-    const std::size_t bytes = s.mesh.streams[i].components * sizeof(std::int32_t);
-    if (counts(s.mesh.streams[i].kind)) streams.push_back({s.values[i].data(), bytes, bytes});
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const std::size_t bytes = s.streams[i].components * sizeof(std::int32_t);
+    if (counts(s.streams[i].kind)) streams.push_back({s.values[i].data(), bytes, bytes});
   }
   std::vector<std::uint32_t> remap(s.mesh.vertex_count);  // kNoSlot: no triangle uses it
   distinct = meshopt_generateVertexRemapMulti(remap.data(), s.indices.data(), s.indices.size(), s.mesh.vertex_count,
@@ -52,7 +57,7 @@ std::vector<std::uint32_t> equal_vertices(OwnedStreams& s, const Counts& counts,
 
 bool moves(StreamKind kind) {
   return kind == StreamKind::position || kind == StreamKind::joints || kind == StreamKind::weights ||
-         kind == StreamKind::residual;
+         kind == StreamKind::residual || kind == StreamKind::target;
 }
 
 }  // namespace
@@ -80,8 +85,8 @@ void weld(OwnedStreams& s, bool keep_map) {
     }
     index = n;
   }
-  for (std::uint32_t i = 0; i < s.mesh.stream_count; ++i) {
-    const std::size_t components = s.mesh.streams[i].components;
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const std::size_t components = s.streams[i].components;
     std::vector<std::int32_t> values;
     values.reserve(count * components);
     for (std::uint32_t v = 0; v < count; ++v) {

@@ -19,12 +19,14 @@ class OwnedStreams {
  public:
   MeshStreams mesh;  // its arrays are null; see view()
   std::vector<std::uint32_t> indices, source_map;
-  std::vector<std::int32_t> values[kStreamKinds];  // a stream
+  std::vector<Stream> streams;
+  std::vector<std::vector<std::int32_t>> values;  // a stream
 
   Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits);
   // With the arrays' addresses, until one of them changes.
   MeshStreams view();
-  const Stream* find(StreamKind kind) const { return mesh.find(kind); }
+  // Of bind streams, of which there is one a kind at most.
+  const Stream* find(StreamKind kind) const;
   std::vector<std::int32_t>* values_of(StreamKind kind);
 };
 
@@ -35,9 +37,9 @@ struct MeshGrid {
 };
 
 struct MeshPrecision {
-  double normal_error_deg = 0.3;  // no normal or tangent is turned further
+  double normal_error_deg = 0.2;  // no normal or tangent is turned further
   double uv_error = 1.0 / 8192;   // in widths of the texture
-  double weight_error = 1e-3;
+  double weight_error = 2.5e-4;
 };
 
 // What quantisation has done at worst.
@@ -46,6 +48,7 @@ struct MeshError {
   double normal_deg = 0;
   double uv = 0;
   double weight = 0;
+  double target_m = 0;  // of a morph target's positions, at weight 1
 };
 
 // Every vertex of the source as it is, bits of floats.

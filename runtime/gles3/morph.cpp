@@ -1,0 +1,162 @@
+// Once a mesh: sparse changes into a texture. Every frame: the weights of the targets that count.
+//
+// The texture holds one rectangle a target, of whole lines; in it a texel for each row and attribute. A row is a slot
+// that some target moves, so what no target moves costs four bytes and one comparison.
+#include "gles3/morph.h"
+
+#include <cstring>
+
+#include "gles3/gl_constants.h"
+
+namespace marrow::gles3 {
+namespace {
+
+constexpr std::uint32_t kMaxTextureSize = 2048;
+constexpr std::size_t kTexelBytes = 8;
+// The shader may read normals and tangents of a mesh whose targets have none: times 0, but inside the texture.
+constexpr std::uint32_t kTexelsBehind = 2;
+
+// Texels a row: positions, normals, tangents, up to the last that any target moves.
+std::uint32_t texels_per_row(const Geometry& g) {
+  std::uint32_t all = 0;
+  for (const MorphTarget& t : g.targets) all |= t.attributes;
+  return (all & kMorphsTangents) != 0 ? 3 : (all & kMorphsNormals) != 0 ? 2 : 1;
+}
+
+std::uint32_t block_at(const Geometry& g, std::uint32_t i) {
+  return g.index_bytes == 2 ? static_cast<const std::uint16_t*>(g.target_blocks)[i]
+                            : static_cast<const std::uint32_t*>(g.target_blocks)[i];
+}
+
+bool moves_lane(const std::int16_t* records, std::uint32_t count, std::uint32_t lane) {
+  for (std::uint32_t i = 0; i < 3 * count; ++i)
+    if (records[4 * i + lane] != 0) return true;
+  return false;
+}
+
+std::uint32_t record_count(const MorphTarget& t) {
+  return (t.attributes & 1u) + (t.attributes >> 1 & 1u) + (t.attributes >> 2);
+}
+
+// Calls visit(slot, records, lane) for every slot that a target moves, with its block's records.
+template <class Visit>
+void for_each_moved(const Geometry& g, const MorphTarget& t, const Visit& visit) {
+  const std::uint32_t count = record_count(t);
+  for (std::uint32_t i = 0; i < t.block_count; ++i) {
+    const std::int16_t* const records = g.target_records + std::size_t{12} * (t.first_record + std::size_t{i} * count);
+    for (std::uint32_t lane = 0; lane < 4; ++lane)
+      if (moves_lane(records, count, lane)) visit(4 * block_at(g, t.first_block + i) + lane, records, lane);
+  }
+}
+
+// rows[slot]: 0, or one more than its row.
+std::uint32_t number_rows(const Geometry& g, std::uint32_t* rows) {
+  std::memset(rows, 0, std::size_t{4} * g.slot_count);
+  for (const MorphTarget& t : g.targets)
+    for_each_moved(g, t, [&](std::uint32_t slot, const std::int16_t*, std::uint32_t) { rows[slot] = 1; });
+  std::uint32_t count = 0;
+  for (std::uint32_t slot = 0; slot < g.slot_count; ++slot)
+    if (rows[slot] != 0) rows[slot] = ++count;
+  return count;
+}
+
+void fill_rectangle(const Geometry& g, const MorphTarget& t, const std::uint32_t* rows, std::uint32_t per_row,
+                    std::int16_t* texels) {
+  for_each_moved(g, t, [&](std::uint32_t slot, const std::int16_t* records, std::uint32_t lane) {
+    std::int16_t* texel = texels + std::size_t{4} * per_row * (rows[slot] - 1);
+    for (std::uint32_t attribute = 0; attribute < per_row; ++attribute, texel += 4) {
+      if ((t.attributes >> attribute & 1u) == 0) continue;
+      for (int c = 0; c < 3; ++c) texel[c] = records[4 * c + static_cast<int>(lane)];
+      records += 12;
+    }
+  });
+}
+
+float magnitude(float x) {
+  return x < 0 ? -x : x;
+}
+
+}  // namespace
+
+std::size_t morph_scratch_bytes(const Geometry& g) {
+  if (g.targets.empty()) return 0;
+  // A rectangle's last line is less than the largest line.
+  return g.slot_count * (4 + texels_per_row(g) * kTexelBytes) + (kMaxTextureSize + kTexelsBehind) * kTexelBytes;
+}
+
+Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<std::byte> scratch, GpuMesh& out) {
+  if (g.targets.empty()) return Status::ok;
+  auto* const rows = reinterpret_cast<std::uint32_t*>(scratch.data);
+  auto* const texels = reinterpret_cast<std::int16_t*>(scratch.data + std::size_t{4} * g.slot_count);
+  const std::uint32_t per_row = texels_per_row(g);
+  const std::uint64_t needed = std::uint64_t{number_rows(g, rows)} * per_row + kTexelsBehind;
+  std::uint32_t shift = 0;
+  while (shift < 11 && (std::uint64_t{1} << shift) < needed) ++shift;
+  const std::uint64_t lines = (needed + (std::uint64_t{1} << shift) - 1) >> shift;
+  if (lines > kMaxTextureSize || lines * g.targets.size > kMaxTextureSize) return Status::unsupported;
+  const int width = 1 << shift, height = static_cast<int>(lines);
+  out.morph_texels = static_cast<std::uint32_t>(lines << shift);
+  out.morph_shift = static_cast<std::uint8_t>(shift);
+  out.morph_per_row = static_cast<std::uint8_t>(per_row);
+  out.morph_unit = 1 / half_extent;
+
+  api.GenBuffers(1, &out.morph_buffer);
+  api.BindBuffer(kGlArrayBuffer, out.morph_buffer);
+  api.BufferData(kGlArrayBuffer, std::ptrdiff_t{4} * g.slot_count, rows, kGlStaticDraw);
+  api.BindBuffer(kGlArrayBuffer, 0);
+  api.GenTextures(1, &out.morph_texture);
+  api.BindTexture(kGlTexture2d, out.morph_texture);
+  api.TexParameteri(kGlTexture2d, kGlTextureMinFilter, kGlNearest);
+  api.TexParameteri(kGlTexture2d, kGlTextureMagFilter, kGlNearest);
+  api.TexImage2D(kGlTexture2d, 0, kGlRgba16i, width, height * static_cast<int>(g.targets.size), 0, kGlRgbaInteger,
+                 kGlShort, nullptr);
+  for (std::size_t t = 0; t < g.targets.size; ++t) {
+    std::memset(texels, 0, std::size_t{out.morph_texels} * kTexelBytes);
+    fill_rectangle(g, g.targets[t], rows, per_row, texels);
+    api.TexSubImage2D(kGlTexture2d, 0, 0, height * static_cast<int>(t), width, height, kGlRgbaInteger, kGlShort,
+                      texels);
+  }
+  api.BindTexture(kGlTexture2d, 0);
+  return Status::ok;
+}
+
+Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
+                  std::uint32_t texture_unit, const Program& program) {
+  const Span<const MorphTarget> targets = mesh.geometry.targets;
+  if (gpu.morph_texture == 0 || program.morph_changes < 0 || weights.size < targets.size) return Status::bad_argument;
+  float values[kMorphTargets][4];
+  float reach[kMorphTargets];
+  std::uint32_t count = 0;
+  for (std::size_t t = 0; t < targets.size; ++t) {
+    const MorphTarget& target = targets[t];
+    const float w = weights[t];
+    if (!(w - w == 0)) return Status::bad_argument;
+    if (w == 0 || target.block_count == 0) continue;
+    // In the place of the one that moves least, if there is no room.
+    const float moves = magnitude(w) * (magnitude(target.position_step) + 1e-30f);
+    std::uint32_t at = count;
+    if (count == kMorphTargets) {
+      at = 0;
+      for (std::uint32_t i = 1; i < count; ++i)
+        if (reach[i] < reach[at]) at = i;
+      if (moves <= reach[at]) continue;
+    } else {
+      ++count;
+    }
+    reach[at] = moves;
+    values[at][0] = static_cast<float>(t * gpu.morph_texels);  // below 2^22
+    values[at][1] = w * target.position_step * gpu.morph_unit;
+    values[at][2] = w * target.normal_step;
+    values[at][3] = w * target.tangent_step;
+  }
+  api.ActiveTexture(kGlTexture0 + texture_unit);
+  api.BindTexture(kGlTexture2d, gpu.morph_texture);
+  api.Uniform1i(program.morph_changes, static_cast<int>(texture_unit));
+  api.Uniform1i(program.morph_count, static_cast<int>(count));
+  api.Uniform1i(program.morph_shift, gpu.morph_shift);
+  api.Uniform1i(program.morph_per_row, gpu.morph_per_row);
+  if (count > 0) api.Uniform4fv(program.morph_targets, static_cast<int>(count), values[0]);
+  return Status::ok;
+}
+
+}  // namespace marrow::gles3
