@@ -57,8 +57,8 @@ std::vector<std::pair<std::uint32_t, double>> largest_influences(const std::vect
   return kept;
 }
 
-Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSkin& skin, const BuiltSkeleton& skeleton,
-                     std::vector<Binding>& bindings) {
+Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSkin& skin,
+                     const std::vector<int>& joint_of_node, std::vector<Binding>& bindings) {
   Palette out;
   std::size_t dropped = 0, unbound = 0;
   std::vector<std::vector<std::pair<std::uint32_t, double>>> influences;
@@ -71,7 +71,7 @@ Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSk
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     if (entry_of_joint[j] == 0) continue;
     entry_of_joint[j] = static_cast<std::uint16_t>(out.joints.size());
-    out.joints.push_back(static_cast<std::uint16_t>(skeleton.joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
+    out.joints.push_back(static_cast<std::uint16_t>(joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
     out.inverse_bind.push_back(to_affine(skin.inverse_bind[j]));
   }
   for (const auto& vertex : influences) {
@@ -93,8 +93,7 @@ Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSk
 }
 
 // Hung rigidly: one joint, the nearest at or above the node.
-Palette bind_to_node(int node, const BuiltSkeleton& skeleton) {
-  const NearestJoint& nearest = skeleton.nearest[static_cast<std::size_t>(node)];
+Palette bind_to_node(const NearestJoint& nearest) {
   return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}};
 }
 
@@ -218,7 +217,7 @@ Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const C
   Bound bound;
   std::vector<Binding> bindings;
   if (skin != kNone) {
-    bound.palette = bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], out.skeleton, bindings);
+    bound.palette = bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], out.joint_of_node, bindings);
   } else {
     bindings.assign(primitive.positions.size(), {{0}, {}});
   }
@@ -233,9 +232,13 @@ Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const C
 }
 
 BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
-                     const Bound& bound, bool skinned, const BuiltSkeleton& skeleton) {
-  const Palette palette = skinned ? bound.palette : bind_to_node(instance.node, skeleton);
+                     const Bound& bound, int skin, const BuiltScene& built) {
+  // All joints of a skin are of one skeleton.
+  const int follows = skin == kNone ? instance.node : scene.skins[static_cast<std::size_t>(skin)].joints.front();
+  const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(follows)];
+  const Palette palette = skin == kNone ? bind_to_node(nearest) : bound.palette;
   BuiltMesh mesh;
+  mesh.skeleton = static_cast<std::uint32_t>(nearest.skeleton);
   mesh.name = scene.meshes[static_cast<std::size_t>(instance.mesh)].name;
   if (mesh.name.empty()) mesh.name = scene.nodes[static_cast<std::size_t>(instance.node)].name;
   mesh.material = primitive.material;
@@ -261,7 +264,7 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
       auto found = bound.find(key);
       if (found == bound.end())
         found = bound.emplace(key, bind_primitive(scene, primitives[i], skin, options, out)).first;
-      out.meshes.push_back(build_mesh(scene, instance, primitives[i], found->second, skinned, out.skeleton));
+      out.meshes.push_back(build_mesh(scene, instance, primitives[i], found->second, skin, out));
     }
   }
 }

@@ -85,6 +85,7 @@ struct RawChannel {
 // A number that a clip moves and that is no part of a joint: a morph target's weight, a property in `extras`.
 struct RawScalar {
   std::string name;
+  int node = kNone;  // whose mesh has the morph target; kNone: another number
   float rest = 0;  // as in the file, where no clip moves it
   RawInterpolation interpolation = RawInterpolation::linear;
   std::vector<float> times_s;  // as in RawChannel

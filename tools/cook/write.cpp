@@ -3,6 +3,7 @@
 #include <cstring>
 #include <map>
 
+#include "asset/skeleton_hash.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
 
@@ -59,6 +60,21 @@ Section write_skeleton(const BuiltSkeleton& s, Names& names) {
   return out;
 }
 
+Section write_reference(const BuiltSkeleton& s, Names& names) {
+  Section out;
+  Fnv64 hash;
+  std::vector<std::uint32_t> rest_hashes;
+  for (std::size_t j = 0; j < s.parents.size(); ++j) {
+    add_joint(hash, s.joint_names[j].c_str(), s.parents[j], s.rest.data(), j);
+    rest_hashes.push_back(rest_hash(s.rest.data(), j));
+  }
+  out.add(format::ReferenceHeader{names.add(s.name), static_cast<std::uint32_t>(s.parents.size()), hash.value()});
+  for (const std::string& name : s.joint_names) out.add(names.add(name));
+  out.add_all(rest_hashes);
+  out.add_all(s.parents);
+  return out;
+}
+
 void add_coded(const BuiltCoded& coded, Section& out) {
   out.codec = format::kCodecSegments;
   out.add(coded.header);
@@ -70,7 +86,7 @@ void add_coded(const BuiltCoded& coded, Section& out) {
 
 Section write_clip(const BuiltClip& c, Names& names) {
   Section out;
-  out.add(format::ClipHeader{names.add(c.name), 0, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
+  out.add(format::ClipHeader{names.add(c.name), c.skeleton, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
                              static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
                              static_cast<std::uint32_t>(c.channels.size()),
                              static_cast<std::uint16_t>(c.additive.empty() ? 0 : 1),
@@ -110,6 +126,7 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   format::MeshHeader h{};
   h.name = names.add(m.name);
   h.material = names.add(m.material);
+  h.skeleton = m.skeleton;
   h.geometry = m.geometry;
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.flags = m.double_sided ? format::kDoubleSided : 0u;
@@ -153,7 +170,12 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   Names names;
   WrittenFile out;
   std::vector<std::pair<format::Kind, Section>> sections;
-  sections.emplace_back(format::kSkeletons, write_skeleton(scene.skeleton, names));
+  for (const BuiltSkeleton& skeleton : scene.skeletons)
+    if (scene.is_pack) {
+      sections.emplace_back(format::kReferences, write_reference(skeleton, names));
+    } else {
+      sections.emplace_back(format::kSkeletons, write_skeleton(skeleton, names));
+    }
   for (const BuiltClip& clip : scene.clips) {
     sections.emplace_back(format::kClips, write_clip(clip, names));
     out.clip_bytes.push_back(sections.back().second.bytes().size());

@@ -30,6 +30,23 @@ std::optional<Deformer> parse_deformer(const std::string& name) {
   return std::nullopt;
 }
 
+Play play_alone(const Clip& clip, std::uint32_t skeleton) {
+  return {{{skeleton, clip}}, clip.duration_s};
+}
+
+Play play_together(const File& file, std::uint32_t clip) {
+  const Clip first = file.clip(clip);
+  Play play = play_alone(first, first.skeleton);
+  if (*first.name == '\0') return play;  // clips without a name have nothing to do with one another
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
+    const std::uint32_t other = file.find_clip(first.name, i);
+    if (i == first.skeleton || other == file.clip_count()) continue;
+    play.parts.push_back({i, file.clip(other)});
+    play.duration_s = std::max(play.duration_s, play.parts.back().clip.duration_s);
+  }
+  return play;
+}
+
 Character::Character(const File& file) : file_(file) {
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     local_.emplace_back(file_.skeleton(i).soa_size());
@@ -41,15 +58,15 @@ Character::Character(const File& file) : file_(file) {
     coordinates_.emplace_back(as_coordinate_count(mesh.geometry));
     check(as_coordinates(mesh.geometry, coordinates_.back()));
   }
-  pose(std::nullopt, 0);
+  pose({}, 0);
 }
 
-void Character::pose(std::optional<std::uint32_t> clip_index, float time_s) {
+void Character::pose(const Play& play, float time_s) {
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     const Skeleton skeleton = file_.skeleton(i);
-    const Clip clip = clip_index ? file_.clip(*clip_index) : Clip{};
-    if (clip_index && clip.skeleton == i) {
-      sample_either(skeleton, clip, time_s, local_[i]);
+    const auto part = std::ranges::find(play.parts, i, &Play::Part::skeleton);
+    if (part != play.parts.end()) {
+      sample_either(skeleton, part->clip, time_s, local_[i]);
     } else {
       std::copy_n(skeleton.rest, skeleton.soa_size(), local_[i].begin());
     }

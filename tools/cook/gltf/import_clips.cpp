@@ -21,6 +21,7 @@ struct Key {
 struct ScalarTarget {
   std::string name;
   float rest;
+  int node = kNone;  // of a morph target's mesh
 };
 
 class ChannelImporter {
@@ -56,6 +57,7 @@ class ChannelImporter {
       RawScalar raw;
       raw.name = clean_name(targets[t].name, where_, report_);
       raw.rest = targets[t].rest;
+      raw.node = targets[t].node;
       raw.interpolation = interpolation_of(sampler);
       const std::size_t parts = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
       for (const Key& key : keys) {
@@ -182,7 +184,8 @@ std::vector<ScalarTarget> morph_weights(const Document& document, const std::vec
     const double rest = node.weights.size() == count   ? node.weights[i]
                         : mesh.weights.size() == count ? mesh.weights[i]
                                                        : 0.0;
-    out.push_back({owner + (named ? '.' + names[i] : ".weights[" + std::to_string(i) + ']'), static_cast<float>(rest)});
+    out.push_back({owner + (named ? '.' + names[i] : ".weights[" + std::to_string(i) + ']'), static_cast<float>(rest),
+                   node_index});
   }
   return out;
 }
