@@ -56,16 +56,16 @@ class Grouping {
 
 void Grouping::find_tops() {
   std::vector<int> top(scene_.nodes.size(), kNone);
-  std::vector<int> way;
+  std::vector<std::size_t> way;
   for (std::size_t n = 0; n < top.size(); ++n) {
-    int at = static_cast<int>(n);
-    for (; top[static_cast<std::size_t>(at)] == kNone; at = scene_.nodes[static_cast<std::size_t>(at)].parent) {
+    std::size_t at = n;
+    while (top[at] == kNone && scene_.nodes[at].parent != kNone) {
       way.push_back(at);
-      if (scene_.nodes[static_cast<std::size_t>(at)].parent == kNone) top[static_cast<std::size_t>(at)] = at;
+      at = static_cast<std::size_t>(scene_.nodes[at].parent);
     }
-    const int found = top[static_cast<std::size_t>(at)];
-    for (; !way.empty(); way.pop_back()) top[static_cast<std::size_t>(way.back())] = found;
-    if (tree_of_node_[n] != kNone) top_[static_cast<std::size_t>(tree_of_node_[n])] = found;
+    if (top[at] == kNone) top[at] = static_cast<int>(at);
+    for (; !way.empty(); way.pop_back()) top[way.back()] = top[at];
+    if (tree_of_node_[n] != kNone) top_[static_cast<std::size_t>(tree_of_node_[n])] = top[n];
   }
 }
 
