@@ -47,7 +47,8 @@ void add_choice(CLI::App* command, Choice& choice) {
                    "clip by name: all of that name, one a skeleton; or one clip by index; without it the rest pose")
       ->type_name("C");
   command->add_option("--clips", choice.clips, "take the clip from this clip pack")->type_name("PACK.mrw");
-  command->add_option("--time", choice.time_s, "seconds from the clip's start; outside the clip its first or last moment")
+  command
+      ->add_option("--time", choice.time_s, "seconds from the clip's start; outside the clip its first or last moment")
       ->type_name("S")
       ->check(CLI::Validator(finite, ""));
 }

@@ -37,10 +37,8 @@ TEST_F(CliClipPack, PlaysAsTheClipsCookedWithTheirCharacter) {
   run({"cook", in("newt.glb"), "-o", in("newt.mrw")});
   run({"cook", in("newt.glb"), "-o", in("pack.mrw"), "--clips-only"});
   run({"cook", in("newt.glb"), "-o", in("onto.mrw"), "--clips-only", "--skeleton", in("newt.mrw")});
-  run({"cook", in("newt.glb"), "-o", in("onto_gltf.mrw"), "--clips-only", "--skeleton", in("newt.glb")});
   const std::string pack = read_text(in("pack.mrw"));
   EXPECT_EQ(read_text(in("onto.mrw")), pack);
-  EXPECT_EQ(read_text(in("onto_gltf.mrw")), pack);
   EXPECT_LT(pack.size(), read_text(in("newt.mrw")).size());
   const auto whole_info = nlohmann::json::parse(run_marrow({"info", in("newt.mrw"), "--json"}).out);
   const auto info = nlohmann::json::parse(run_marrow({"info", in("pack.mrw"), "--json"}).out);
@@ -110,12 +108,14 @@ TEST_F(CliClipPack, WrongCallsSayWhatToDo) {
   run({"cook", tiny_gltf(), "-o", in("arm.mrw")});
   run({"cook", tiny_gltf(), "-o", in("pack.mrw"), "--clips-only"});
   const std::string out = in("p.bin");
+  run({"cook", tiny_gltf(), "-o", in("onto_gltf.mrw"), "--clips-only", "--skeleton", tiny_gltf()});
+  EXPECT_EQ(read_text(in("onto_gltf.mrw")), read_text(in("pack.mrw"))) << "a character need not be cooked yet";
   EXPECT_NE(complaint({"pose", in("pack.mrw"), "-o", out}, 3).find("--clips"), std::string::npos);
   EXPECT_NE(complaint({"pose", in("arm.mrw"), "--clips", in("pack.mrw"), "-o", out}, 1).find("--clip"),
             std::string::npos);
-  EXPECT_NE(complaint({"pose", in("arm.mrw"), "--clips", in("arm.mrw"), "--clip", "wave", "-o", out}, 3)
-                .find("--clips-only"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint({"pose", in("arm.mrw"), "--clips", in("arm.mrw"), "--clip", "wave", "-o", out}, 3).find("--clips-only"),
+      std::string::npos);
   EXPECT_NE(complaint({"pose", in("arm.mrw"), "--clips", in("pack.mrw"), "--clip", "fly", "-o", out}, 1).find("wave"),
             std::string::npos);
   EXPECT_NE(complaint({"cook", tiny_gltf(), "-o", out, "--skeleton", in("arm.mrw")}, 1).find("--clips-only"),

@@ -22,7 +22,8 @@ inline constexpr std::uint64_t kHashStart = 14695981039346656037u;
 
 enum class Deformer { rigid, ssd, as };
 
-// Clip, time → vertices of one mesh, which plays the clip of that name for its skeleton. clip ≥ clip_count(): the rest pose. Expects every stage to succeed.
+// Clip, time → vertices of one mesh, which plays the clip of that name for its skeleton. clip ≥ clip_count(): the rest
+// pose. Expects every stage to succeed.
 PosedMesh pose_mesh(const File& file, std::uint32_t clip, float time_s, std::uint32_t mesh, Deformer deformer);
 
 // Every clip at a few moments, every mesh, every deformer; reads every name and index. Returns a hash of all of it.

@@ -56,8 +56,8 @@ bool has_triangles(const RawScene& scene) {
   });
 }
 
-// What a person of 2 m would get, scaled where the unit is clearly not the metre: `largest` skeleton of the file is over
-// 20 or under 0.2 across.
+// What a person of 2 m would get, scaled where the unit is clearly not the metre: `largest` skeleton of the file is
+// over 20 or under 0.2 across.
 Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double largest, const CookOptions& options) {
   const double scale = largest < 0.2 || largest > 20 ? largest / kPerson : 1.0;
   const double size = rig.diagonal_m > 0 ? rig.diagonal_m : largest;  // one joint has no extent

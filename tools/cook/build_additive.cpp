@@ -29,9 +29,8 @@ std::vector<SoaTransform> reference_pose(const BuiltScene& scene, const BuiltCli
   if (reference == "rest") return {};
   if (reference != "first" && std::ranges::find(scene.clips, reference, &BuiltClip::name) == scene.clips.end())
     no_such_clip(reference);
-  const auto other = std::ranges::find_if(scene.clips, [&](const BuiltClip& c) {
-    return c.name == reference && c.skeleton == clip.skeleton;
-  });
+  const auto other = std::ranges::find_if(
+      scene.clips, [&](const BuiltClip& c) { return c.name == reference && c.skeleton == clip.skeleton; });
   if (reference != "first" && other == scene.clips.end()) return {};  // it leaves this skeleton at rest
   std::vector<SoaTransform> pose = first_frame(scene, reference == "first" ? clip : *other);
   const std::vector<SoaTransform>& rest = scene.skeletons[clip.skeleton].rest;

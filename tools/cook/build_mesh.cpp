@@ -217,7 +217,8 @@ Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const C
   Bound bound;
   std::vector<Binding> bindings;
   if (skin != kNone) {
-    bound.palette = bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], out.joint_of_node, bindings);
+    bound.palette =
+        bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], out.joint_of_node, bindings);
   } else {
     bindings.assign(primitive.positions.size(), {{0}, {}});
   }

@@ -1,6 +1,6 @@
-// Which nodes become joints of which skeleton. A joint is a node that a skin names, that a clip moves, that lies between
-// two such nodes, or that carries a mesh with nothing of the kind above it. Nodes above the joints never move: their
-// product is kept a root.
+// Which nodes become joints of which skeleton. A joint is a node that a skin names, that a clip moves, that lies
+// between two such nodes, or that carries a mesh with nothing of the kind above it. Nodes above the joints never move:
+// their product is kept a root.
 #include <algorithm>
 
 #include "common/failure.h"
@@ -103,9 +103,9 @@ void number_joints(const RawScene& scene, const std::vector<std::vector<int>>& s
   out.nearest.assign(scene.nodes.size(), {});
   for (std::size_t s = 0; s < skeletons.size(); ++s) {
     if (skeletons[s].size() > kMaxJoints)
-      throw tools::Failure(tools::Exit::unsupported, scene.source, "/nodes", "too-many-joints",
-                           std::to_string(skeletons[s].size()) + " joints in one skeleton; the most is " +
-                               std::to_string(kMaxJoints));
+      throw tools::Failure(
+          tools::Exit::unsupported, scene.source, "/nodes", "too-many-joints",
+          std::to_string(skeletons[s].size()) + " joints in one skeleton; the most is " + std::to_string(kMaxJoints));
     for (std::size_t j = 0; j < skeletons[s].size(); ++j) {
       const auto node = static_cast<std::size_t>(skeletons[s][j]);
       out.joint_of_node[node] = static_cast<int>(j);
@@ -142,8 +142,7 @@ void build_skeletons(const RawScene& scene, BuiltScene& out) {
   const std::vector<std::size_t> order = parents_first(scene);
   const std::vector<std::vector<int>> skeletons = breadth_first(scene, choose_joints(scene, order), order);
   number_joints(scene, skeletons, order, out);
-  for (const std::vector<int>& joints : skeletons)
-    out.skeletons.push_back(build_skeleton(scene, joints, out.nearest));
+  for (const std::vector<int>& joints : skeletons) out.skeletons.push_back(build_skeleton(scene, joints, out.nearest));
   std::vector<char> named(out.skeletons.size(), 0);
   for (const RawSkin* const skin : skins_in_use(scene)) {
     const auto s = static_cast<std::size_t>(out.nearest[static_cast<std::size_t>(skin->joints.front())].skeleton);

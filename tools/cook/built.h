@@ -87,9 +87,9 @@ struct BuiltMesh {
 struct BuiltScene {
   bool is_pack = false;  // the skeletons are only referred to
   std::vector<BuiltSkeleton> skeletons;
-  std::vector<int> joint_of_node;     // in its skeleton; kNone for nodes that are no joints
-  std::vector<NearestJoint> nearest;  // a node
-  std::vector<BuiltClip> clips;       // clip by clip of the source, in each skeleton by skeleton
+  std::vector<int> joint_of_node;         // in its skeleton; kNone for nodes that are no joints
+  std::vector<NearestJoint> nearest;      // a node
+  std::vector<BuiltClip> clips;           // clip by clip of the source, in each skeleton by skeleton
   std::vector<BuiltGeometry> geometries;  // no two the same
   std::vector<BuiltMesh> meshes;          // node by node, primitive by primitive
 };

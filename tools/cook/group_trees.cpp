@@ -71,7 +71,9 @@ void Grouping::find_tops() {
 
 void Grouping::join_skins() {
   for (const RawSkin* const skin : skins_in_use(scene_)) {
-    const auto tree = [&](int joint) { return static_cast<std::size_t>(tree_of_node_[static_cast<std::size_t>(joint)]); };
+    const auto tree = [&](int joint) {
+      return static_cast<std::size_t>(tree_of_node_[static_cast<std::size_t>(joint)]);
+    };
     for (const int joint : skin->joints) {
       kind_[tree(joint)] = kSkinned;
       sets_.unite(tree(skin->joints.front()), tree(joint));

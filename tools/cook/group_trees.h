@@ -12,7 +12,8 @@ namespace marrow::cook {
 // scene.
 std::vector<const RawSkin*> skins_in_use(const RawScene& scene);
 
-// The node whose joint decides which skeleton a morph target's weight belongs to: of the skin of its mesh, else its own.
+// The node whose joint decides which skeleton a morph target's weight belongs to: of the skin of its mesh, else its
+// own.
 int node_of_weights(const RawScene& scene, int mesh_node);
 
 // tree_of_node: the tree of the joint at or above each node; kNone: none. trees: how many there are.

@@ -142,7 +142,8 @@ void Matching::drop_strangers() {
   std::erase_if(scene_.clips, [&](const RawClip& clip) {
     const bool empty = clip.channels.empty() && clip.scalars.empty();
     if (empty)
-      scene_.warnings.push_back({"/animations", "clip-dropped", '"' + clip.name + "\" moves no joint of the character"});
+      scene_.warnings.push_back(
+          {"/animations", "clip-dropped", '"' + clip.name + "\" moves no joint of the character"});
     return empty;
   });
 }

@@ -86,7 +86,7 @@ struct RawChannel {
 struct RawScalar {
   std::string name;
   int node = kNone;  // whose mesh has the morph target; kNone: another number
-  float rest = 0;  // as in the file, where no clip moves it
+  float rest = 0;    // as in the file, where no clip moves it
   RawInterpolation interpolation = RawInterpolation::linear;
   std::vector<float> times_s;  // as in RawChannel
   std::vector<float> values;   // one a key; three for cubic_spline: in-tangent, value, out-tangent

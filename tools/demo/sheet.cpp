@@ -184,7 +184,8 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
   }
   for (int column = 0; column < kMoments; ++column) {
     const float x = as_float(kMargin + column * (kCellWidth + kGap));
-    draw_text(image, x, as_float(y + 24), 11, kQuiet, moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
+    draw_text(image, x, as_float(y + 24), 11, kQuiet,
+              moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
   }
   return sheet;
 }

@@ -59,12 +59,11 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
     for (std::uint32_t j = 0; j < s.joint_count; ++j)
       joints.push_back({{"name", file.text(s.names[j])},
                         {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
-    r["skeletons"].push_back(
-        {{"name", s.name},
-         {"joints", s.joint_count},
-         {"roots", s.root_count},
-         {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
-         {"joint_list", joints}});
+    r["skeletons"].push_back({{"name", s.name},
+                              {"joints", s.joint_count},
+                              {"roots", s.root_count},
+                              {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
+                              {"joint_list", joints}});
   }
   r["references"] = ordered_json::array();
   for (std::uint32_t i = 0; i < file.reference_count(); ++i) {
@@ -127,7 +126,8 @@ void print(const ordered_json& r) {
     const auto& m = r["meshes"][i];
     fmt::print("mesh {} \"{}\": {} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}{}\n", i,
                text(m["name"]), m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
-               m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]), of_skeleton(m));
+               m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
+               of_skeleton(m));
   }
   for (const auto& s : r["sections"])
     fmt::print("section {} at {}: {} bytes\n", text(s["type"]), s["offset"].get<int>(), s["bytes"].get<int>());

@@ -18,8 +18,8 @@ std::string describe(const File& pack, std::uint32_t reference, const File& file
   std::string text;
   for (std::size_t i = 0; i < std::min(count, kMostListed); ++i) {
     const JointMisfit& m = misfits[i];
-    const std::uint32_t* const names = m.how == Misfit::extra ? file.skeleton(skeleton).names
-                                                              : pack.reference(reference).names;
+    const std::uint32_t* const names =
+        m.how == Misfit::extra ? file.skeleton(skeleton).names : pack.reference(reference).names;
     text.append(i > 0 ? ", " : "").append("\"");
     text.append((m.how == Misfit::extra ? file : pack).text(names[m.joint])).append("\"");
     text.append(m.how == Misfit::missing        ? " is missing"
@@ -37,8 +37,8 @@ std::size_t count_misfits(const File& pack, std::uint32_t reference, const File&
   return bind_clips(pack, reference, file, skeleton, {}, &count) == Status::ok ? 0 : std::max<std::size_t>(count, 1);
 }
 
-// The skeleton that the clips of a reference fit: of several the one of its name, else the first that plays nothing yet.
-// Throws Failure with what keeps it from the one that is closest.
+// The skeleton that the clips of a reference fit: of several the one of its name, else the first that plays nothing
+// yet. Throws Failure with what keeps it from the one that is closest.
 std::uint32_t fitting_skeleton(const std::string& pack_path, const File& pack, std::uint32_t reference,
                                const std::string& path, const File& file, const Play& play) {
   const std::string name = pack.reference(reference).name;
@@ -69,7 +69,7 @@ Play play_pack(const std::string& pack_path, const File& pack, const std::string
   const bool by_name = pack.clip(first).name == wanted;
   Play play;
   for (std::uint32_t r = 0; r < pack.reference_count(); ++r) {
-    const std::uint32_t index = by_name ? pack.find_clip(wanted.c_str(), r)
+    const std::uint32_t index = by_name                          ? pack.find_clip(wanted.c_str(), r)
                                 : pack.clip(first).skeleton == r ? first
                                                                  : pack.clip_count();
     if (index == pack.clip_count()) continue;

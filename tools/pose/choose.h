@@ -16,12 +16,12 @@ struct Choice {
 };
 
 struct Chosen {
-  Play play;  // empty: the rest pose
+  Play play;                       // empty: the rest pose
   std::optional<LoadedFile> pack;  // holds the clips
 };
 
-// Throws Failure: invalid if `file` has no mesh; usage if there is no such clip; invalid, with the joints that are in the way, if a clip of the pack
-// fits no skeleton of `file`; what load_mrw() throws of the pack.
+// Throws Failure: invalid if `file` has no mesh; usage if there is no such clip; invalid, with the joints that are in
+// the way, if a clip of the pack fits no skeleton of `file`; what load_mrw() throws of the pack.
 Chosen choose(const std::string& path, const File& file, const Choice& choice);
 
 }  // namespace marrow::tools

@@ -12,8 +12,8 @@ inline constexpr std::uint32_t kMaxJoints = 32767;
 inline constexpr std::uint32_t kMaxInfluences = 8;
 inline constexpr std::uint16_t kNoParent = 0xFFFF;
 
-// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent comes before its
-// children and the roots come first.
+// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
+// comes before its children and the roots come first.
 struct Skeleton {
   const char* name = "";
   std::uint32_t joint_count = 0;
@@ -161,8 +161,8 @@ class File {
 
   // Index of the first skeleton with this name, or skeleton_count().
   std::uint32_t find_skeleton(const char* name) const;
-  // Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation of
-  // several skeletons is a clip each, with the same name and duration.
+  // Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+  // of several skeletons is a clip each, with the same name and duration.
   std::uint32_t find_clip(const char* name) const;
   std::uint32_t find_clip(const char* name, std::uint32_t skeleton) const;
   // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not

@@ -32,9 +32,8 @@ class SceneDocument {
   // Four vertices hung rigidly on a node.
   void prop(int on) {
     if (prop_mesh_ < 0) {
-      b.root["meshes"].push_back({{"name", "prop"},
-                                  {"primitives",
-                                   {{{"attributes", {{"POSITION", b.curve(4)}}}, {"indices", quad()}}}}});
+      b.root["meshes"].push_back(
+          {{"name", "prop"}, {"primitives", {{{"attributes", {{"POSITION", b.curve(4)}}}, {"indices", quad()}}}}});
       prop_mesh_ = static_cast<int>(b.root["meshes"].size()) - 1;
     }
     b.root["nodes"][static_cast<std::size_t>(on)]["mesh"] = prop_mesh_;
