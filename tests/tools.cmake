@@ -1,6 +1,7 @@
 # Tests of the cooker and of the program; included where the tools are built.
-set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/cook/gltf_geometry_test.cpp unit/cook/gltf_morphs_test.cpp
-  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp)
+set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/cook/gltf_geometry_test.cpp
+  unit/cook/gltf_morphs_test.cpp unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/packs_test.cpp
+  unit/cook/skeletons_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
@@ -8,6 +9,7 @@ set_source_files_properties(${gltf_tests} PROPERTIES COMPILE_OPTIONS -O0)
 marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
 marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
 marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
+marrow_embed(marrow_cook_tests pack_v1 golden/pack_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
@@ -23,12 +25,13 @@ target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVA
 marrow_warnings(marrow_reference)
 
 marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/codec_test.cpp road/cooked.cpp)
+  road/channels_test.cpp road/codec_test.cpp road/cooked.cpp road/characters_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
 
-marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp)
+marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
+  cli/clip_pack_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")

@@ -34,7 +34,7 @@ void add_input(CLI::App* command, std::string& to) {
   command->add_option("file", to, "the cooked file")->required()->type_name("FILE");
 }
 
-void add_moment(CLI::App* command, std::string& clip, float& time_s) {
+void add_choice(CLI::App* command, Choice& choice) {
   const auto finite = [](const std::string& text) {
     float value = 0;
     const char* const end = text.data() + text.size();
@@ -42,8 +42,13 @@ void add_moment(CLI::App* command, std::string& clip, float& time_s) {
     const bool good = error == std::errc() && stop == end && std::isfinite(value);
     return good ? std::string() : "not a finite number of seconds: " + text;
   };
-  command->add_option("--clip", clip, "clip by name or index; without it the rest pose")->type_name("C");
-  command->add_option("--time", time_s, "seconds from the clip's start; outside the clip its first or last moment")
+  command
+      ->add_option("--clip", choice.clip,
+                   "clip by name: all of that name, one a skeleton; or one clip by index; without it the rest pose")
+      ->type_name("C");
+  command->add_option("--clips", choice.clips, "take the clip from this clip pack")->type_name("PACK.mrw");
+  command
+      ->add_option("--time", choice.time_s, "seconds from the clip's start; outside the clip its first or last moment")
       ->type_name("S")
       ->check(CLI::Validator(finite, ""));
 }
@@ -99,6 +104,12 @@ void add_cook(CLI::App& app) {
   command->add_option("--weight-error", a.options.precision.weight_error, "how far it may change weights")
       ->check(CLI::Range(2e-5, 0.5))
       ->capture_default_str();
+  command->add_flag("--clips-only", a.options.clips_only,
+                    "a clip pack: only the clips, for the skeletons of this file or of --skeleton");
+  command
+      ->add_option("--skeleton", a.skeleton,
+                   "the character, cooked or glTF, that a clip pack is for; nodes are matched with its joints by name")
+      ->type_name("CHARACTER");
   command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
                     "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
   command->callback([&a] { run_cook(a); });
@@ -116,7 +127,7 @@ void add_pose(CLI::App& app) {
   PoseArguments& a = arguments_of<PoseArguments>();
   CLI::App* const command = app.add_subcommand("pose", "Write a character's vertices at a moment of a clip");
   add_input(command, a.in);
-  add_moment(command, a.clip, a.time_s);
+  add_choice(command, a.choice);
   add_deformer(command, a.deformer);
   command
       ->add_option("-o,--output", a.out, "P.bin: little-endian float32 x y z a vertex, scene space; P.obj: Wavefront")
@@ -155,7 +166,7 @@ void add_render(CLI::App& app) {
   RenderArguments& a = arguments_of<RenderArguments>();
   CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip");
   add_input(command, a.file);
-  add_moment(command, a.clip, a.time_s);
+  add_choice(command, a.choice);
   add_deformer(command, a.deformer);
   command->add_option("--path", a.path, "cpu: skinned by the processor; ubo: by the vertex shader")
       ->check(CLI::IsMember({"cpu", "ubo"}))

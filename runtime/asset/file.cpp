@@ -42,6 +42,20 @@ Skeleton File::skeleton(std::uint32_t index) const {
   return s;
 }
 
+SkeletonReference File::reference(std::uint32_t index) const {
+  const std::byte* const base = section(format::kReferences, index);
+  const auto& header = *at<format::ReferenceHeader>(base, 0);
+  const format::ReferenceLayout l = layout(header);
+  SkeletonReference r;
+  r.name = text(header.name);
+  r.joint_count = header.joint_count;
+  r.hash = header.hash;
+  r.names = at<std::uint32_t>(base, l.names);
+  r.rest_hashes = at<std::uint32_t>(base, l.rest_hashes);
+  r.parents = at<std::uint16_t>(base, l.parents);
+  return r;
+}
+
 Clip File::clip(std::uint32_t index) const {
   const std::byte* const base = section(format::kClips, index);
   const auto& header = *at<format::ClipHeader>(base, 0);
@@ -56,8 +70,9 @@ Clip File::clip(std::uint32_t index) const {
   c.channels = {at<Channel>(base, l.channels), header.channel_count};
   c.times_s = at<float>(base, l.times);
   c.values = at<float>(base, l.values);
-  const auto& joints = *at<format::SkeletonHeader>(section(format::kSkeletons, header.skeleton), 0);
-  c.joint_count = joints.joint_count;
+  c.joint_count = reference_count() > 0
+                      ? at<format::ReferenceHeader>(section(format::kReferences, header.skeleton), 0)->joint_count
+                      : at<format::SkeletonHeader>(section(format::kSkeletons, header.skeleton), 0)->joint_count;
   if (sections_[first_[format::kClips] + index].codec == format::kCodecSegments) {
     const auto& coded = *at<format::CodedHeader>(base, l.bytes);
     const format::CodedLayout k = layout(coded, l.bytes, c.joint_count);
@@ -119,6 +134,18 @@ Mesh File::mesh(std::uint32_t index) const {
   m.targets = {at<MeshTarget>(base, l.targets), header.target_count};
   m.geometry = geometry(header.geometry);
   return m;
+}
+
+std::uint32_t File::find_skeleton(const char* name) const {
+  std::uint32_t i = 0;
+  while (i < skeleton_count() && std::strcmp(skeleton(i).name, name) != 0) ++i;
+  return i;
+}
+
+std::uint32_t File::find_clip(const char* name, std::uint32_t of_skeleton) const {
+  std::uint32_t i = 0;
+  while (i < clip_count() && (clip(i).skeleton != of_skeleton || std::strcmp(clip(i).name, name) != 0)) ++i;
+  return i;
 }
 
 std::uint32_t File::find_clip(const char* name) const {

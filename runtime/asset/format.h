@@ -24,10 +24,10 @@ inline constexpr std::uint32_t kCodecRaw = 0;
 inline constexpr std::uint32_t kCodecSegments = 1;  // clips only
 
 // Kinds of sections in the order in which they stand in a file. Every kind but names may occur any number of times.
-enum Kind : std::uint32_t { kSkeletons, kClips, kGeometries, kMeshes, kNames, kKindCount };
-inline constexpr std::uint32_t kTypes[kKindCount] = {four_characters("SKEL"), four_characters("CLIP"),
-                                                     four_characters("GEOM"), four_characters("MESH"),
-                                                     four_characters("NAME")};
+enum Kind : std::uint32_t { kSkeletons, kReferences, kClips, kGeometries, kMeshes, kNames, kKindCount };
+inline constexpr std::uint32_t kTypes[kKindCount] = {four_characters("SKEL"), four_characters("SREF"),
+                                                     four_characters("CLIP"), four_characters("GEOM"),
+                                                     four_characters("MESH"), four_characters("NAME")};
 
 struct Header {
   std::uint32_t magic;
@@ -47,6 +47,13 @@ struct SkeletonHeader {
   std::uint32_t reserved;  // 0
 };
 static_assert(sizeof(SkeletonHeader) == 16);
+
+struct ReferenceHeader {
+  std::uint32_t name;
+  std::uint32_t joint_count;
+  std::uint64_t hash;  // of joints, see docs/format.md
+};
+static_assert(sizeof(ReferenceHeader) == 16);
 
 struct ClipHeader {
   std::uint32_t name;
@@ -175,6 +182,18 @@ constexpr SkeletonLayout layout(const SkeletonHeader& h) {
   l.rest = l.roots + std::uint64_t{h.root_count} * sizeof(Affine);
   l.names = l.rest + (std::uint64_t{h.joint_count} + 3) / 4 * sizeof(SoaTransform);
   l.parents = l.names + std::uint64_t{h.joint_count} * 4;
+  l.bytes = l.parents + std::uint64_t{h.joint_count} * 2;
+  return l;
+}
+
+struct ReferenceLayout {
+  std::uint64_t names, rest_hashes, parents, bytes;
+};
+constexpr ReferenceLayout layout(const ReferenceHeader& h) {
+  ReferenceLayout l{};
+  l.names = sizeof(ReferenceHeader);
+  l.rest_hashes = l.names + std::uint64_t{h.joint_count} * 4;
+  l.parents = l.rest_hashes + std::uint64_t{h.joint_count} * 4;
   l.bytes = l.parents + std::uint64_t{h.joint_count} * 2;
   return l;
 }

@@ -48,6 +48,10 @@ class Checker {
   bool finite(const void* first, std::uint64_t bytes);
   bool names(const File::Section& s);
   bool skeleton(const File::Section& s);
+  bool reference(const File::Section& s);
+  bool joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
+              std::uint32_t root_count);
+  std::uint32_t joint_count_of(const format::ClipHeader& h) const;
   bool clip(const File::Section& s);
   bool clip_header(const File::Section& s);
   bool tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count);
@@ -112,13 +116,39 @@ bool Checker::skeleton(const File::Section& s) {
   const format::SkeletonLayout l = layout(*h);
   const auto* parents = at<std::uint16_t>(s, l.parents);
   const auto* joint_names = at<std::uint32_t>(s, l.names);
-  for (std::uint32_t j = 0; j < h->joint_count; ++j) {
-    const bool root = j < h->root_count;
+  return joints(parents, joint_names, h->joint_count, h->root_count) && name(h->name) &&
+         finite(at<float>(s, l.roots), l.names - l.roots);
+}
+
+bool Checker::joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
+                     std::uint32_t root_count) {
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const bool root = j < root_count;
     if (root ? parents[j] != kNoParent : parents[j] >= j) return fail(parents + j, "parents come before children");
-    if (j > h->root_count && parents[j] < parents[j - 1]) return fail(parents + j, "joints are breadth-first");
+    if (j > root_count && parents[j] < parents[j - 1]) return fail(parents + j, "joints are breadth-first");
     if (!name(joint_names[j])) return false;
   }
-  return name(h->name) && finite(at<float>(s, l.roots), l.names - l.roots);
+  return true;
+}
+
+bool Checker::reference(const File::Section& s) {
+  const auto* h = header<format::ReferenceHeader>(s);
+  if (h == nullptr) return false;
+  if (counts_[format::kSkeletons] != 0) return fail(h, "skeletons or references, not both");
+  if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
+  const format::ReferenceLayout l = layout(*h);
+  const auto* parents = at<std::uint16_t>(s, l.parents);
+  std::uint32_t roots = 0;
+  while (roots < h->joint_count && parents[roots] == kNoParent) ++roots;
+  if (roots == 0) return fail(parents, "the first joint has no parent");
+  return joints(parents, at<std::uint32_t>(s, l.names), h->joint_count, roots) && name(h->name);
+}
+
+// Of the skeleton or the reference that a clip is for; the number is in range.
+std::uint32_t Checker::joint_count_of(const format::ClipHeader& h) const {
+  if (counts_[format::kReferences] != 0)
+    return at<format::ReferenceHeader>(nth(format::kReferences, h.skeleton), 0)->joint_count;
+  return at<format::SkeletonHeader>(nth(format::kSkeletons, h.skeleton), 0)->joint_count;
 }
 
 // A track's or a channel's keys.
@@ -217,11 +247,12 @@ bool Checker::clip_header(const File::Section& s) {
   const std::uint64_t raw_bytes = layout(*h).bytes;
   if (s.codec == format::kCodecRaw ? raw_bytes != s.bytes : raw_bytes > s.bytes)
     return fail(h, "section size differs from its counts");
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  const auto* joints = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  // One of the two is 0.
+  if (h->skeleton >= counts_[format::kSkeletons] + counts_[format::kReferences])
+    return fail(&h->skeleton, "no such skeleton");
   if (h->additive > 1) return fail(&h->additive, "additive is 0 or 1");
   const bool has_reference = h->reference_groups != 0;
-  if (has_reference && (h->additive == 0 || h->reference_groups != soa_count(joints->joint_count)))
+  if (has_reference && (h->additive == 0 || h->reference_groups != soa_count(joint_count_of(*h))))
     return fail(&h->reference_groups, "a reference is an additive clip's and has all joints");
   if (!finite(at<float>(s, sizeof *h), std::uint64_t{h->reference_groups} * sizeof(SoaTransform))) return false;
   if (!name(h->name) || !finite(&h->duration_s, 4)) return false;
@@ -278,9 +309,9 @@ bool Checker::clip(const File::Section& s) {
   if (!clip_header(s)) return false;
   const auto* h = at<format::ClipHeader>(s, 0);
   const format::ClipLayout l = layout(*h);
-  const auto* joints = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
-  return finite(at<float>(s, l.times), l.bytes - l.times) && tracks(s, *h, joints->joint_count) &&
-         (s.codec == format::kCodecRaw || coded(s, l.bytes, joints->joint_count));
+  const std::uint32_t joint_count = joint_count_of(*h);
+  return finite(at<float>(s, l.times), l.bytes - l.times) && tracks(s, *h, joint_count) &&
+         (s.codec == format::kCodecRaw || coded(s, l.bytes, joint_count));
 }
 
 bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets) {
@@ -411,6 +442,7 @@ bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
   for (const File::Section& s : sections_) {
     const bool good = s.type == format::kTypes[format::kSkeletons]    ? skeleton(s)
+                      : s.type == format::kTypes[format::kReferences] ? reference(s)
                       : s.type == format::kTypes[format::kClips]      ? clip(s)
                       : s.type == format::kTypes[format::kGeometries] ? geometry(s)
                       : s.type == format::kTypes[format::kMeshes]     ? mesh(s)
@@ -445,7 +477,7 @@ DataError check_container(Span<const std::byte> block) {
     File::Section s;
     std::memcpy(&s, block.data + entry, sizeof s);
     while (kind < format::kKindCount && s.type != format::kTypes[kind]) ++kind;
-    if (kind == format::kKindCount) return bad(entry, "section types in order: SKEL CLIP GEOM MESH NAME");
+    if (kind == format::kKindCount) return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH NAME");
     if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
     if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
     for (std::uint64_t pad = end; pad < s.offset; ++pad)

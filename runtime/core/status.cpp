@@ -22,6 +22,8 @@ const char* to_string(Status status) noexcept {
       return "unsupported";
     case Status::gl_error:
       return "OpenGL error";
+    case Status::mismatch:
+      return "does not fit";
   }
   return "unknown status";
 }

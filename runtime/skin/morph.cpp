@@ -141,10 +141,11 @@ void add_target(const MorphTarget& t, const Index* blocks, float weight, const M
 
 }  // namespace
 
-Status find_weight_channels(const File& file, const Mesh& mesh, const Clip& clip, Span<std::uint32_t> out) {
+Status find_weight_channels(const File& file, const Mesh& mesh, const File& clips, const Clip& clip,
+                            Span<std::uint32_t> out) {
   MARROW_REQUIRE(out.size >= mesh.targets.size);
   for (std::size_t t = 0; t < mesh.targets.size; ++t) {
-    const std::uint32_t found = file.find_channel(clip, file.text(mesh.targets[t].channel));
+    const std::uint32_t found = clips.find_channel(clip, file.text(mesh.targets[t].channel));
     out[t] = found < clip.channels.size ? found : kNoChannel;
   }
   return Status::ok;

@@ -62,8 +62,8 @@ Tally read_back(const Model& model) {
     for (std::uint32_t clip = 0; clip <= file.clip_count(); ++clip) {
       const bool rest = clip == file.clip_count();
       for (int moment = 0; moment < (rest ? 1 : kMoments); ++moment) {
-        const float time_s = rest ? 0 : file.clip(clip).duration_s * static_cast<float>(moment) / (kMoments - 1);
-        character.pose(rest ? std::nullopt : std::optional(clip), time_s);
+        const tools::Play play = rest ? tools::Play{} : tools::play_together(file, clip);
+        character.pose(play, play.duration_s * static_cast<float>(moment) / (kMoments - 1));
         tally.rigid.add(compare_mesh(mesh, character, m, feedback, tools::Deformer::rigid, diagonal));
         tally.ssd.add(compare_mesh(mesh, character, m, feedback, tools::Deformer::ssd, diagonal));
         tally.as.add(compare_mesh(mesh, character, m, feedback, tools::Deformer::as, diagonal));

@@ -30,6 +30,10 @@ TEST(GoldenCook, GivesTheGoldenBytes) {
   expect_golden(cook_file("tiny.gltf", true), test::golden_copy());
   expect_golden(cook_file("dance.gltf", false), test::golden_coded_copy());
   expect_golden(cook_file("face.gltf", false, {{"speak", "first"}}), test::golden_channels_copy());
+  cook::CookOptions pack;
+  pack.clips_only = true;
+  expect_golden(cook::cook_file(std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf", pack),
+                test::golden_pack_copy());
 }
 
 TEST(GoldenCook, TwiceGivesTheSameBytes) {

@@ -64,12 +64,32 @@ double diagonal_of(const Skeleton& skeleton, Span<SoaTransform> rest, Span<Affin
   return std::sqrt(squared);
 }
 
-// The animations that become clips.
-std::vector<std::size_t> moving(const Source& source) {
-  std::vector<std::size_t> out;
+// For each clip the animation that it is of: one becomes a clip a skeleton, in ascending order.
+std::vector<std::size_t> animations_of(const cook::BuiltScene& built, const Source& source) {
+  std::vector<std::size_t> moving, out;
   for (std::size_t a = 0; a < source.animations.size(); ++a)
-    if (!source.animations[a].channels.empty() || !source.animations[a].weights.empty()) out.push_back(a);
+    if (!source.animations[a].channels.empty() || !source.animations[a].weights.empty()) moving.push_back(a);
+  std::size_t next = 0;
+  for (std::size_t c = 0; c < built.clips.size(); ++c) {
+    const bool same = c > 0 && built.clips[c].name == built.clips[c - 1].name &&
+                      built.clips[c].skeleton > built.clips[c - 1].skeleton;
+    if (!same) ++next;
+    out.push_back(moving.at(next - 1));
+  }
+  EXPECT_EQ(next, moving.size());
   return out;
+}
+
+// Of the largest skeleton that a clip moves, the unit that the promise is in.
+double scale_of(const cook::BuiltScene& built) {
+  double largest = 0;
+  for (const cook::BuiltClip& clip : built.clips) {
+    const Skeleton skeleton = cook::view(built.skeletons[clip.skeleton]);
+    std::vector<SoaTransform> local(skeleton.soa_size());
+    std::vector<Affine> scene(skeleton.joint_count);
+    largest = std::max(largest, diagonal_of(skeleton, local, scene));
+  }
+  return largest > 0 && (largest < 0.2 || largest > 20) ? largest / kPerson : 1.0;
 }
 
 class Clips : public ::testing::TestWithParam<std::string> {};
@@ -85,16 +105,15 @@ TEST_P(Clips, KeepTheirPromise) {
   cook::RawScene raw = cook::read_gltf(GetParam());
   const cook::BuiltScene built = cook::build_scene(raw, without_meshes());
   const Reference reference(GetParam());
-  const std::vector<std::size_t> animations = moving(reference.source());
-  ASSERT_EQ(built.clips.size(), animations.size());
-  const Skeleton skeleton = cook::view(built.skeleton);
-  std::vector<SoaTransform> local(skeleton.soa_size());
-  std::vector<Affine> scene(skeleton.joint_count);
-  const double diagonal = diagonal_of(skeleton, local, scene);
-  const double scale = diagonal > 0 && (diagonal < 0.2 || diagonal > 20) ? diagonal / kPerson : 1.0;
+  const std::vector<std::size_t> animations = animations_of(built, reference.source());
+  const double scale = scale_of(built);
   double worst = 0;
   std::size_t coded = 0, bytes = 0, compared = 0;
   for (std::size_t c = 0; c < built.clips.size(); ++c) {
+    const cook::BuiltSkeleton& joints = built.skeletons[built.clips[c].skeleton];
+    const Skeleton skeleton = cook::view(joints);
+    std::vector<SoaTransform> local(skeleton.soa_size());
+    std::vector<Affine> scene(skeleton.joint_count);
     const Clip clip = cook::view(built.clips[c], skeleton);
     if (clip.coded.frame_count == 0) continue;
     ++coded;
@@ -107,7 +126,7 @@ TEST_P(Clips, KeepTheirPromise) {
       ASSERT_EQ(local_to_model(skeleton, local, scene), Status::ok);
       const std::vector<Map> want = reference.nodes_at(animations[c], static_cast<double>(time_s));
       for (std::size_t j = 0; j < skeleton.joint_count; ++j, ++compared) {
-        const Map& source = want[static_cast<std::size_t>(built.skeleton.node_of_joint[j])];
+        const Map& source = want[static_cast<std::size_t>(joints.node_of_joint[j])];
         worst = std::max(worst, shell_distance(source, scene[j], kShell * scale));
       }
     }
@@ -127,16 +146,17 @@ TEST_P(Clips, InPartsAreTheSame) {
   if (std::filesystem::file_size(GetParam()) > kMostBytes) GTEST_SKIP() << "thinned under sanitizers";
   cook::RawScene raw = cook::read_gltf(GetParam());
   const cook::BuiltScene built = cook::build_scene(raw, without_meshes());
-  const Skeleton skeleton = cook::view(built.skeleton);
-  std::vector<SoaTransform> whole(skeleton.soa_size()), kept(skeleton.soa_size()), part(skeleton.soa_size());
   const auto lane = [](const SoaTransform& t, std::size_t n) {
     std::vector<std::uint32_t> bits(10);
     for (std::size_t i = 0; i < 10; ++i) std::memcpy(&bits[i], reinterpret_cast<const float*>(&t) + 4 * i + n, 4);
     return bits;
   };
   std::mt19937 random(7);
-  std::size_t compared = 0;
+  std::size_t compared = 0, joints_of_clips = 0;
   for (const cook::BuiltClip& one : built.clips) {
+    const Skeleton skeleton = cook::view(built.skeletons[one.skeleton]);
+    std::vector<SoaTransform> whole(skeleton.soa_size()), kept(skeleton.soa_size()), part(skeleton.soa_size());
+    joints_of_clips += skeleton.joint_count;
     const Clip clip = cook::view(one, skeleton);
     ASSERT_EQ(sample(skeleton, clip, clip.duration_s / 3, kept), Status::ok);
     for (int i = 0; i < 5; ++i) {
@@ -155,7 +175,7 @@ TEST_P(Clips, InPartsAreTheSame) {
       }
     }
   }
-  EXPECT_EQ(compared, 5 * built.clips.size() * skeleton.joint_count);
+  EXPECT_EQ(compared, 5 * joints_of_clips);
 }
 
 TEST(ClipPromise, IsOverriddenByJoint) {
@@ -167,7 +187,8 @@ TEST(ClipPromise, IsOverriddenByJoint) {
   options.clip_error.push_back({"j*3", kStrict, false});
   const cook::BuiltScene built = cook::build_scene(raw, options);
   const Reference reference(path);
-  const Skeleton skeleton = cook::view(built.skeleton);
+  const cook::BuiltSkeleton& joints = built.skeletons.at(0);
+  const Skeleton skeleton = cook::view(joints);
   const Clip clip = cook::view(built.clips.at(0), skeleton);
   ASSERT_GT(clip.coded.frame_count, 1u);
   std::vector<SoaTransform> local(skeleton.soa_size());
@@ -179,10 +200,10 @@ TEST(ClipPromise, IsOverriddenByJoint) {
     ASSERT_EQ(local_to_model(skeleton, local, scene), Status::ok);
     const std::vector<Map> want = reference.nodes_at(0, static_cast<double>(time_s));
     for (std::size_t j = 0; j < skeleton.joint_count; ++j) {
-      const Map& source = want[static_cast<std::size_t>(built.skeleton.node_of_joint[j])];
+      const Map& source = want[static_cast<std::size_t>(joints.node_of_joint[j])];
       const double error = shell_distance(source, scene[j], kShell);
       worst = std::max(worst, error);
-      if (built.skeleton.joint_names[j] == "joint3") worst_there = std::max(worst_there, error);
+      if (joints.joint_names[j] == "joint3") worst_there = std::max(worst_there, error);
     }
   }
   EXPECT_GT(worst_there, 0);

@@ -1,5 +1,6 @@
 #include "road/cooked.h"
 
+#include <cstring>
 #include <stdexcept>
 
 #include "common/unpack_mrw.h"
@@ -13,6 +14,17 @@ Vec3 three(const std::vector<float>& v, std::size_t first) {
 }
 
 }  // namespace
+
+std::uint32_t next_animation(const File& file, std::uint32_t clip) {
+  const Clip first = file.clip(clip);
+  std::uint32_t last = first.skeleton;
+  while (++clip < file.clip_count()) {
+    const Clip next = file.clip(clip);
+    if (std::strcmp(next.name, first.name) != 0 || next.skeleton <= last) break;
+    last = next.skeleton;
+  }
+  return clip;
+}
 
 Cooked::Cooked(const std::string& path, cook::MeshCodec codec) {
   cook::CookOptions options;

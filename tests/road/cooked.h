@@ -20,6 +20,9 @@ struct CookedPose {
   std::vector<bool> used;               // by a triangle; what is not is left out
 };
 
+// The first clip behind those that the cooker made of the same animation as `clip`: one a skeleton, ascending.
+std::uint32_t next_animation(const File& file, std::uint32_t clip);
+
 class Cooked {
  public:
   // Cooks with the vertex order kept; throws what the cooker throws.

@@ -12,6 +12,8 @@ extern const unsigned char dance_v1[];
 extern const unsigned long long dance_v1_size;
 extern const unsigned char face_v1[];
 extern const unsigned long long face_v1_size;
+extern const unsigned char pack_v1[];
+extern const unsigned long long pack_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -28,6 +30,11 @@ inline AlignedBlock golden_coded_copy() {
 // A file whose clip has channels and is additive.
 inline AlignedBlock golden_channels_copy() {
   return AlignedBlock(embedded::face_v1, static_cast<std::size_t>(embedded::face_v1_size));
+}
+
+// A clip pack.
+inline AlignedBlock golden_pack_copy() {
+  return AlignedBlock(embedded::pack_v1, static_cast<std::size_t>(embedded::pack_v1_size));
 }
 
 }  // namespace marrow::test

@@ -29,7 +29,7 @@ std::uint64_t hash_geometry(std::uint64_t state, const Geometry& g) {
                                                   : static_cast<const std::uint32_t*>(g.indices)[i];
     require(slot < g.slot_count);
   }
-  for (const std::uint32_t slot : g.source_slots) require(slot < g.slot_count);
+  for (const std::uint32_t slot : g.source_slots) require(slot < g.slot_count || slot == kNoSlot);
   if (g.uvs != nullptr) state = hash(state, g.uvs, g.slot_count * std::size_t{8});
   if (g.colours != nullptr) state = hash(state, g.colours, g.slot_count * std::size_t{4});
   return state;
@@ -64,7 +64,7 @@ struct Morphed {
     std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
     std::vector<float> values(clip != nullptr ? clip->channels.size : 0);
     if (clip != nullptr) {
-      require(find_weight_channels(file, mesh, *clip, channels) == Status::ok);
+      require(find_weight_channels(file, mesh, file, *clip, channels) == Status::ok);
       require(sample_channels(*clip, time_s, values) == Status::ok);
     }
     require(morph_weights(mesh, channels, values, weights) == Status::ok);
@@ -78,6 +78,29 @@ struct Morphed {
   std::vector<float> weights;
   MorphedGeometry morphed;
 };
+// Clips are played on what they are for, as far as a pack says what that is.
+std::uint64_t hash_reference(std::uint64_t state, const File& pack, std::uint32_t index) {
+  const SkeletonReference reference = pack.reference(index);
+  state = hash_text(hash(state, &reference.hash, sizeof reference.hash), reference.name);
+  for (std::uint32_t j = 0; j < reference.joint_count; ++j) state = hash_text(state, pack.text(reference.names[j]));
+  constexpr SoaTransform kIdentity = {{}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}};
+  const std::vector<SoaTransform> rest(soa_count(reference.joint_count), kIdentity);
+  Skeleton skeleton;
+  skeleton.joint_count = reference.joint_count;
+  skeleton.rest = rest.data();
+  skeleton.parents = reference.parents;
+  std::vector<SoaTransform> local(rest.size());
+  for (std::uint32_t c = 0; c < pack.clip_count(); ++c) {
+    const Clip clip = pack.clip(c);
+    require(clip.skeleton < pack.reference_count());
+    if (clip.skeleton != index) continue;
+    for (const float part : {0.0f, 0.4f, 1.0f}) {
+      sample_either(skeleton, clip, part * clip.duration_s, local);
+      state = hash_all(state, local);
+    }
+  }
+  return state;
+}
 
 }  // namespace
 
@@ -97,11 +120,12 @@ PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, st
                     Deformer deformer, const std::vector<float>& cycle) {
   Mesh mesh = file.mesh(mesh_index);
   const Skeleton skeleton = file.skeleton(mesh.skeleton);
+  if (clip_index < file.clip_count() && file.clip(clip_index).skeleton != mesh.skeleton)
+    clip_index = file.find_clip(file.clip(clip_index).name, mesh.skeleton);
   const Clip clip = clip_index < file.clip_count() ? file.clip(clip_index) : Clip{};
   Morphed m(file, mesh, clip_index < file.clip_count() ? &clip : nullptr, time_s, cycle);
   std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
-  if (clip_index < file.clip_count() && file.clip(clip_index).skeleton == mesh.skeleton)
-    sample_either(skeleton, file.clip(clip_index), time_s, local);
+  if (clip_index < file.clip_count()) sample_either(skeleton, file.clip(clip_index), time_s, local);
   std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
   require(local_to_model(skeleton, local, model) == Status::ok);
   require(build_palette(mesh, model, palette) == Status::ok);
@@ -132,6 +156,7 @@ std::uint64_t exercise(const File& file) {
     state = hash_text(state, skeleton.name);
     for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) state = hash_text(state, file.text(skeleton.names[j]));
   }
+  for (std::uint32_t r = 0; r < file.reference_count(); ++r) state = hash_reference(state, file, r);
   require(file.find_clip("no clip has such a name") <= file.clip_count());
   for (std::uint32_t c = 0; c < file.clip_count(); ++c) state = hash_channels(state, file, file.clip(c));
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {

@@ -1,11 +1,13 @@
 #include "cook/build.h"
 
 #include <algorithm>
+#include <map>
 
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "common/pattern.h"
 #include "cook/clip/compress.h"
+#include "cook/group_trees.h"
 
 namespace marrow::cook {
 
@@ -25,6 +27,8 @@ Affine to_affine(const glm::dmat4& m) {
 
 namespace {
 
+constexpr double kPerson = 2.0;  // metres
+
 // A file may be a library: meshes that no node draws. Each is hung on a node of its own then.
 void place_unplaced_meshes(RawScene& scene) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
@@ -38,58 +42,96 @@ void place_unplaced_meshes(RawScene& scene) {
     scene.warnings.push_back({"/nodes", "meshes-without-nodes", "no node draws a mesh; each is placed at the origin"});
 }
 
+// Nodes that would be joints in a file without meshes.
+bool has_joints(const RawScene& scene) {
+  return !skins_in_use(scene).empty() || std::ranges::any_of(scene.clips, [&](const RawClip& clip) {
+    return std::ranges::any_of(clip.channels, [&](const RawChannel& channel) {
+      return scene.nodes[static_cast<std::size_t>(channel.node)].in_scene;
+    });
+  });
+}
+
 bool has_triangles(const RawScene& scene) {
   return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const RawInstance& instance) {
     return !scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives.empty();
   });
 }
 
-// A unit that is clearly not the metre makes skeletons of 20 m or 20 cm; then what a person of 2 m would get is scaled.
-Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, const CookOptions& options) {
-  constexpr double kPerson = 2.0;
+// What a person of 2 m would get, scaled where the unit is clearly not the metre: `largest` skeleton of the file is
+// over 20 or under 0.2 across.
+Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double largest, const CookOptions& options) {
+  const double scale = largest < 0.2 || largest > 20 ? largest / kPerson : 1.0;
+  const double size = rig.diagonal_m > 0 ? rig.diagonal_m : largest;  // one joint has no extent
   Promise promise;
-  const double size = rig.diagonal_m > 0 ? rig.diagonal_m : kPerson;  // one joint has no extent
-  const double scale = size < 0.2 || size > 20 ? size / kPerson : 1.0;
   promise.shell *= scale;
   promise.error.resize(rig.size());
+  for (const ClipErrorRule& rule : options.clip_error)
+    for (std::size_t j = 0; j < rig.size(); ++j)
+      if (rule.joints.empty() || tools::fits(rule.joints, skeleton.joint_names[j]))
+        promise.error[j] = rule.error * (rule.is_share ? size : scale);
+  return promise;
+}
+
+void check_clip_error_rules(const BuiltScene& scene, const CookOptions& options) {
   for (const ClipErrorRule& rule : options.clip_error) {
-    std::size_t found = 0;
-    for (std::size_t j = 0; j < rig.size(); ++j) {
-      if (!rule.joints.empty() && !tools::fits(rule.joints, skeleton.joint_names[j])) continue;
-      promise.error[j] = rule.error * (rule.is_share ? size : scale);
-      ++found;
-    }
-    if (found == 0)
+    const auto fits = [&](const std::string& joint) { return tools::fits(rule.joints, joint); };
+    if (!rule.joints.empty() && std::ranges::none_of(scene.skeletons, [&](const BuiltSkeleton& skeleton) {
+          return std::ranges::any_of(skeleton.joint_names, fits);
+        }))
       throw tools::Failure(tools::Exit::usage, "--clip-error", "", "no joint is called \"" + rule.joints + "\"",
                            "give JOINT=E with names as `marrow info --json` lists them");
   }
-  return promise;
+}
+
+void compress_clips(const CookOptions& options, BuiltScene& scene) {
+  check_clip_error_rules(scene, options);
+  std::map<std::uint32_t, Rig> rigs;
+  for (const BuiltClip& clip : scene.clips) rigs.try_emplace(clip.skeleton, scene.skeletons[clip.skeleton]);
+  double largest = 0;
+  for (const auto& [skeleton, rig] : rigs) largest = std::max(largest, rig.diagonal_m);
+  if (!(largest > 0)) largest = kPerson;
+  std::map<std::uint32_t, Promise> promises;
+  for (const auto& [skeleton, rig] : rigs)
+    promises.emplace(skeleton, make_promise(scene.skeletons[skeleton], rig, largest, options));
+  tools::for_each_in_parallel(scene.clips.size(), [&](std::size_t i) {
+    const std::uint32_t skeleton = scene.clips[i].skeleton;
+    compress_clip(scene.clips[i], scene.skeletons[skeleton], rigs.at(skeleton), promises.at(skeleton));
+  });
 }
 
 }  // namespace
 
-BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
-  BuiltScene out;
-  if (scene.instances.empty()) place_unplaced_meshes(scene);
-  if (scene.instances.empty())
-    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes", "the file has no mesh to cook");
-  if (!has_triangles(scene))
-    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
-                         "no mesh in the scene has triangles to cook");
-  out.skeleton = build_skeleton(scene);
-  for (const RawClip& clip : scene.clips) out.clips.push_back(build_clip(clip, out.skeleton));
-  const std::vector<AdditiveReference> references = additive_references(out, options.additive);
-  if (!options.raw_clips) {
-    const Rig rig(out.skeleton);
-    const Promise promise = make_promise(out.skeleton, rig, options);
-    tools::for_each_in_parallel(out.clips.size(),
-                                [&](std::size_t i) { compress_clip(out.clips[i], out.skeleton, rig, promise); });
+void build_clips(const RawScene& scene, const CookOptions& options, BuiltScene& out) {
+  const std::vector<ClipPart> parts = split_clips(scene, out);
+  for (const ClipPart& part : parts) {
+    out.clips.push_back(build_clip(part.clip, out.joint_of_node));
+    out.clips.back().skeleton = part.skeleton;
+    out.clips.back().duration_s = part.duration_s;
   }
+  const std::vector<AdditiveReference> references = additive_references(out, options.additive);
+  if (!options.raw_clips) compress_clips(options, out);
   for (std::size_t i = 0; i < out.clips.size(); ++i) {
-    add_channels(scene.clips[i], options.raw_clips, out.clips[i]);
+    add_channels(parts[i].clip, options.raw_clips, out.clips[i]);
     out.clips[i].additive = references[i].name;
     out.clips[i].reference = references[i].pose;
   }
+}
+
+BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
+  if (options.clips_only) return build_pack(scene, options);
+  BuiltScene out;
+  if (scene.instances.empty()) place_unplaced_meshes(scene);
+  if (scene.instances.empty() && !has_joints(scene))
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes",
+                         "the file has no mesh, no skin and no node that moves");
+  if (scene.instances.empty()) {
+    scene.warnings.push_back(
+        {"/meshes", "no-meshes", "only skeletons and clips are cooked; --clips-only makes a clip pack of them"});
+  } else if (!has_triangles(scene))
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
+                         "no mesh in the scene has triangles to cook");
+  build_skeletons(scene, out);
+  build_clips(scene, options, out);
   build_meshes(scene, options, out);
   return out;
 }

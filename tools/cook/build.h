@@ -2,6 +2,7 @@
 // blocks.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct ClipErrorRule {
   bool is_share = false;
 };
 
+struct Character;
 enum class MeshCodec { draco, meshopt, none };
 
 struct CookOptions {
@@ -34,16 +36,30 @@ struct CookOptions {
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
+  bool clips_only = false;                       // a clip pack
+  std::shared_ptr<const Character> onto;         // that the pack is for; null: the file's own skeletons
   bool keep_vertex_order = false;                // remember where every vertex of the source went
 };
 
 // Adds to scene.warnings what it mends or leaves out. Throws tools::Failure (invalid: nothing to cook; unsupported: a
 // limit of the format).
 BuiltScene build_scene(RawScene& scene, const CookOptions& options);
+BuiltScene build_pack(RawScene& scene, const CookOptions& options);
 
 // The stages of build_scene, each in a file of its own.
-BuiltSkeleton build_skeleton(RawScene& scene);
-BuiltClip build_clip(const RawClip& clip, const BuiltSkeleton& skeleton);
+void build_skeletons(const RawScene& scene, BuiltScene& out);
+// What a clip of the source moves in one skeleton.
+struct ClipPart {
+  std::uint32_t skeleton;
+  RawClip clip;
+  float duration_s;  // of the whole clip, so that its parts stay in step
+};
+// At least one part a clip, in the order of clips, in each of skeletons.
+std::vector<ClipPart> split_clips(const RawScene& scene, const BuiltScene& built);
+// Of channels that all belong to one skeleton, or to none: those are left out.
+BuiltClip build_clip(const RawClip& clip, const std::vector<int>& joint_of_node);
+// Splits, builds, compresses. Throws tools::Failure (usage) if an option names what there is not.
+void build_clips(const RawScene& scene, const CookOptions& options, BuiltScene& out);
 // Behind the tracks, which must be final. all_keys: keep those too that others make superfluous.
 void add_channels(const RawClip& raw, bool all_keys, BuiltClip& clip);
 // For each clip its reference, or none; of clips not yet compressed. Throws tools::Failure (usage) if a rule fits no

@@ -17,7 +17,7 @@ namespace {
 }
 
 std::vector<SoaTransform> first_frame(const BuiltScene& scene, const BuiltClip& clip) {
-  const Skeleton skeleton = view(scene.skeleton);
+  const Skeleton skeleton = view(scene.skeletons[clip.skeleton]);
   std::vector<SoaTransform> pose(skeleton.soa_size());
   if (sample(skeleton, view(clip, skeleton), 0.0f, pose) != Status::ok)
     throw tools::Failure(tools::Exit::internal, "--additive", "", "no pose of \"" + clip.name + "\"",
@@ -27,10 +27,14 @@ std::vector<SoaTransform> first_frame(const BuiltScene& scene, const BuiltClip& 
 
 std::vector<SoaTransform> reference_pose(const BuiltScene& scene, const BuiltClip& clip, const std::string& reference) {
   if (reference == "rest") return {};
-  const auto other = std::ranges::find(scene.clips, reference, &BuiltClip::name);
-  if (reference != "first" && other == scene.clips.end()) no_such_clip(reference);
+  if (reference != "first" && std::ranges::find(scene.clips, reference, &BuiltClip::name) == scene.clips.end())
+    no_such_clip(reference);
+  const auto other = std::ranges::find_if(
+      scene.clips, [&](const BuiltClip& c) { return c.name == reference && c.skeleton == clip.skeleton; });
+  if (reference != "first" && other == scene.clips.end()) return {};  // it leaves this skeleton at rest
   std::vector<SoaTransform> pose = first_frame(scene, reference == "first" ? clip : *other);
-  if (std::memcmp(pose.data(), scene.skeleton.rest.data(), pose.size() * sizeof(SoaTransform)) == 0) pose.clear();
+  const std::vector<SoaTransform>& rest = scene.skeletons[clip.skeleton].rest;
+  if (std::memcmp(pose.data(), rest.data(), pose.size() * sizeof(SoaTransform)) == 0) pose.clear();
   return pose;
 }
 

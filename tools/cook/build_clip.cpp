@@ -29,11 +29,11 @@ struct ListedChannel {
   const RawChannel* channel;
 };
 
-std::vector<ListedChannel> by_list(const RawClip& clip, const BuiltSkeleton& skeleton) {
+std::vector<ListedChannel> by_list(const RawClip& clip, const std::vector<int>& joint_of_node) {
   std::map<std::vector<float>, std::size_t> lists;
   std::vector<ListedChannel> out;
   for (const RawChannel& channel : clip.channels) {
-    const int joint = skeleton.joint_of_node[static_cast<std::size_t>(channel.node)];
+    const int joint = joint_of_node[static_cast<std::size_t>(channel.node)];
     if (joint == kNone) continue;  // outside the scene; the reader has said so
     const std::size_t list = lists.try_emplace(channel.times_s, lists.size()).first->second;
     out.push_back({list, static_cast<std::uint16_t>(joint), &channel});
@@ -48,10 +48,10 @@ std::vector<ListedChannel> by_list(const RawClip& clip, const BuiltSkeleton& ske
 
 }  // namespace
 
-BuiltClip build_clip(const RawClip& clip, const BuiltSkeleton& skeleton) {
+BuiltClip build_clip(const RawClip& clip, const std::vector<int>& joint_of_node) {
   BuiltClip out;
   out.name = clip.name;
-  const std::vector<ListedChannel> channels = by_list(clip, skeleton);
+  const std::vector<ListedChannel> channels = by_list(clip, joint_of_node);
   std::uint32_t first_time = 0;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const RawChannel& channel = *channels[i].channel;

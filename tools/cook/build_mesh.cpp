@@ -50,8 +50,8 @@ std::vector<std::pair<std::uint32_t, double>> largest_influences(const std::vect
   return kept;
 }
 
-Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSkin& skin, const BuiltSkeleton& skeleton,
-                     std::vector<Binding>& bindings) {
+Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSkin& skin,
+                     const std::vector<int>& joint_of_node, std::vector<Binding>& bindings) {
   Palette out;
   std::size_t dropped = 0, unbound = 0;
   std::vector<std::vector<std::pair<std::uint32_t, double>>> influences;
@@ -64,7 +64,7 @@ Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSk
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     if (entry_of_joint[j] == 0) continue;
     entry_of_joint[j] = static_cast<std::uint16_t>(out.joints.size());
-    out.joints.push_back(static_cast<std::uint16_t>(skeleton.joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
+    out.joints.push_back(static_cast<std::uint16_t>(joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
     out.inverse_bind.push_back(to_affine(skin.inverse_bind[j]));
   }
   for (const auto& vertex : influences) {
@@ -85,8 +85,7 @@ Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSk
 }
 
 // Hung rigidly: one joint, the nearest at or above the node.
-Palette bind_to_node(int node, const BuiltSkeleton& skeleton) {
-  const NearestJoint& nearest = skeleton.nearest[static_cast<std::size_t>(node)];
+Palette bind_to_node(const NearestJoint& nearest) {
   return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}};
 }
 
@@ -121,7 +120,8 @@ struct Task {
   MeshGrid grid;
 };
 
-Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const BuiltSkeleton& skeleton, Task& task) {
+Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const std::vector<int>& joint_of_node,
+                     Task& task) {
   if (primitive.normals.empty()) {
     generate_normals(primitive);
     generate_target_normals(primitive);
@@ -130,7 +130,7 @@ Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const B
   Bound bound;
   if (skin != kNone) {
     bound.palette =
-        bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], skeleton, task.bindings);
+        bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], joint_of_node, task.bindings);
   } else {
     task.bindings.assign(primitive.positions.size(), {{0}, {1.0}});
   }
@@ -161,9 +161,13 @@ std::vector<std::uint32_t> build_geometries(const std::vector<Task>& tasks, cons
 }
 
 BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
-                     const Bound& bound, bool skinned, const BuiltSkeleton& skeleton) {
-  const Palette palette = skinned ? bound.palette : bind_to_node(instance.node, skeleton);
+                     const Bound& bound, int skin, const BuiltScene& built) {
+  // All joints of a skin are of one skeleton.
+  const int follows = skin == kNone ? instance.node : scene.skins[static_cast<std::size_t>(skin)].joints.front();
+  const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(follows)];
+  const Palette palette = skin == kNone ? bind_to_node(nearest) : bound.palette;
   BuiltMesh mesh;
+  mesh.skeleton = static_cast<std::uint32_t>(nearest.skeleton);
   mesh.name = scene.meshes[static_cast<std::size_t>(instance.mesh)].name;
   if (mesh.name.empty()) mesh.name = scene.nodes[static_cast<std::size_t>(instance.node)].name;
   mesh.material = primitive.material;
@@ -191,13 +195,13 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
       auto found = bound.find(key);
       if (found == bound.end()) {
         Task task;
-        Bound fresh = bind_primitive(scene, primitive, skin, out.skeleton, task);
+        Bound fresh = bind_primitive(scene, primitive, skin, out.joint_of_node, task);
         fresh.task = static_cast<std::uint32_t>(tasks.size());
         task.grid = mesh_grid(source, options);
         tasks.push_back(std::move(task));
         found = bound.emplace(key, std::move(fresh)).first;
       }
-      out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skinned, out.skeleton));
+      out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skin, out));
     }
   }
   const std::vector<std::uint32_t> geometries = build_geometries(tasks, options, out);

@@ -1,10 +1,11 @@
-// Which nodes become joints. A joint is a node that a skin names, that a clip moves, that lies between two such nodes,
-// or that carries a mesh with nothing of the kind above it. Nodes above the joints never move: their product is kept a
-// root.
+// Which nodes become joints of which skeleton. A joint is a node that a skin names, that a clip moves, that lies
+// between two such nodes, or that carries a mesh with nothing of the kind above it. Nodes above the joints never move:
+// their product is kept a root.
 #include <algorithm>
 
 #include "common/failure.h"
 #include "cook/build.h"
+#include "cook/group_trees.h"
 
 namespace marrow::cook {
 namespace {
@@ -24,10 +25,8 @@ std::vector<std::size_t> parents_first(const RawScene& scene) {
 
 std::vector<char> named_or_moved(const RawScene& scene) {
   std::vector<char> joint(scene.nodes.size(), 0);
-  for (const RawInstance& instance : scene.instances)
-    if (instance.skin != kNone)
-      for (const int node : scene.skins[static_cast<std::size_t>(instance.skin)].joints)
-        joint[static_cast<std::size_t>(node)] = 1;
+  for (const RawSkin* const skin : skins_in_use(scene))
+    for (const int node : skin->joints) joint[static_cast<std::size_t>(node)] = 1;
   for (const RawClip& clip : scene.clips)
     for (const RawChannel& channel : clip.channels)
       if (scene.nodes[static_cast<std::size_t>(channel.node)].in_scene)
@@ -56,21 +55,34 @@ std::vector<char> choose_joints(const RawScene& scene, const std::vector<std::si
   return joint;
 }
 
-// Roots first, then their children, then theirs; within a level by parent, within a parent by node number.
-std::vector<int> breadth_first(const RawScene& scene, const std::vector<char>& joint) {
+// Joints of each skeleton: roots first, then their children, then theirs; within a level by parent, within a parent by
+// node number.
+std::vector<std::vector<int>> breadth_first(const RawScene& scene, const std::vector<char>& joint,
+                                            const std::vector<std::size_t>& order) {
   std::vector<std::vector<int>> children(scene.nodes.size());
-  std::vector<int> order;
+  std::vector<int> roots, tree_of_node(scene.nodes.size(), kNone);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (!joint[i]) continue;
     const int parent = scene.nodes[i].parent;
     const bool root = parent == kNone || !joint[static_cast<std::size_t>(parent)];
-    (root ? order : children[static_cast<std::size_t>(parent)]).push_back(static_cast<int>(i));
+    if (root) tree_of_node[i] = static_cast<int>(roots.size());
+    (root ? roots : children[static_cast<std::size_t>(parent)]).push_back(static_cast<int>(i));
   }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::vector<int>& next = children[static_cast<std::size_t>(order[i])];
-    order.insert(order.end(), next.begin(), next.end());
+  for (const std::size_t n : order)
+    if (tree_of_node[n] == kNone && scene.nodes[n].parent != kNone)
+      tree_of_node[n] = tree_of_node[static_cast<std::size_t>(scene.nodes[n].parent)];
+  const std::vector<std::size_t> skeleton_of_tree = group_trees(scene, tree_of_node, roots.size());
+  std::vector<std::vector<int>> out;
+  for (std::size_t tree = 0; tree < roots.size(); ++tree) {
+    out.resize(std::max(out.size(), skeleton_of_tree[tree] + 1));
+    out[skeleton_of_tree[tree]].push_back(roots[tree]);
   }
-  return order;
+  for (std::vector<int>& joints : out)
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const std::vector<int>& next = children[static_cast<std::size_t>(joints[i])];
+      joints.insert(joints.end(), next.begin(), next.end());
+    }
+  return out;
 }
 
 void set_rest(const RawNode& node, std::size_t lane, SoaTransform& four) {
@@ -85,45 +97,59 @@ void set_rest(const RawNode& node, std::size_t lane, SoaTransform& four) {
 
 constexpr SoaTransform kIdentity = {{}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}};
 
-}  // namespace
-
-BuiltSkeleton build_skeleton(RawScene& scene) {
-  BuiltSkeleton out;
-  const std::vector<std::size_t> order = parents_first(scene);
-  const std::vector<char> joint = choose_joints(scene, order);
-  out.node_of_joint = breadth_first(scene, joint);
-  const std::size_t count = out.node_of_joint.size();
-  if (count > kMaxJoints)
-    throw tools::Failure(tools::Exit::unsupported, scene.source, "/nodes", "too-many-joints",
-                         std::to_string(count) + " joints; the most is " + std::to_string(kMaxJoints));
+void number_joints(const RawScene& scene, const std::vector<std::vector<int>>& skeletons,
+                   const std::vector<std::size_t>& order, BuiltScene& out) {
   out.joint_of_node.assign(scene.nodes.size(), kNone);
-  for (std::size_t j = 0; j < count; ++j)
-    out.joint_of_node[static_cast<std::size_t>(out.node_of_joint[j])] = static_cast<int>(j);
-  out.nearest.resize(scene.nodes.size());
-  for (const std::size_t n : order) {
-    const RawNode& node = scene.nodes[n];
-    if (joint[n]) {
-      out.nearest[n] = {out.joint_of_node[n], glm::dmat4(1.0)};
-    } else {
-      const NearestJoint up =
-          node.parent == kNone ? NearestJoint{} : out.nearest[static_cast<std::size_t>(node.parent)];
-      out.nearest[n] = {up.joint, up.joint_from_node * local_matrix(node)};
+  out.nearest.assign(scene.nodes.size(), {});
+  for (std::size_t s = 0; s < skeletons.size(); ++s) {
+    if (skeletons[s].size() > kMaxJoints)
+      throw tools::Failure(
+          tools::Exit::unsupported, scene.source, "/nodes", "too-many-joints",
+          std::to_string(skeletons[s].size()) + " joints in one skeleton; the most is " + std::to_string(kMaxJoints));
+    for (std::size_t j = 0; j < skeletons[s].size(); ++j) {
+      const auto node = static_cast<std::size_t>(skeletons[s][j]);
+      out.joint_of_node[node] = static_cast<int>(j);
+      out.nearest[node] = {static_cast<int>(s), static_cast<int>(j), glm::dmat4(1.0)};
     }
   }
-  out.rest.assign(soa_count(count), kIdentity);
-  for (std::size_t j = 0; j < count; ++j) {
-    const RawNode& node = scene.nodes[static_cast<std::size_t>(out.node_of_joint[j])];
-    const NearestJoint up = node.parent == kNone ? NearestJoint{} : out.nearest[static_cast<std::size_t>(node.parent)];
+  for (const std::size_t n : order) {
+    const RawNode& node = scene.nodes[n];
+    if (out.joint_of_node[n] != kNone) continue;
+    if (node.parent != kNone) out.nearest[n] = out.nearest[static_cast<std::size_t>(node.parent)];
+    out.nearest[n].joint_from_node = out.nearest[n].joint_from_node * local_matrix(node);
+  }
+}
+
+BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, const std::vector<NearestJoint>& nearest) {
+  BuiltSkeleton out;
+  out.rest.assign(soa_count(joints.size()), kIdentity);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const RawNode& node = scene.nodes[static_cast<std::size_t>(joints[j])];
+    const NearestJoint up = node.parent == kNone ? NearestJoint{} : nearest[static_cast<std::size_t>(node.parent)];
     out.joint_names.push_back(node.name);
     out.parents.push_back(up.joint == kNone ? kNoParent : static_cast<std::uint16_t>(up.joint));
     if (up.joint == kNone) out.scene_from_root.push_back(to_affine(up.joint_from_node));
     set_rest(node, j % 4, out.rest[j / 4]);
   }
-  for (const RawInstance& instance : scene.instances)
-    if (instance.skin != kNone && out.name.empty())
-      out.name = scene.skins[static_cast<std::size_t>(instance.skin)].name;
-  if (out.name.empty()) out.name = out.joint_names.front();
+  out.node_of_joint = std::move(joints);
+  out.name = out.joint_names.front();
   return out;
+}
+
+}  // namespace
+
+void build_skeletons(const RawScene& scene, BuiltScene& out) {
+  const std::vector<std::size_t> order = parents_first(scene);
+  const std::vector<std::vector<int>> skeletons = breadth_first(scene, choose_joints(scene, order), order);
+  number_joints(scene, skeletons, order, out);
+  for (const std::vector<int>& joints : skeletons) out.skeletons.push_back(build_skeleton(scene, joints, out.nearest));
+  std::vector<char> named(out.skeletons.size(), 0);
+  for (const RawSkin* const skin : skins_in_use(scene)) {
+    const auto s = static_cast<std::size_t>(out.nearest[static_cast<std::size_t>(skin->joints.front())].skeleton);
+    if (named[s] != 0 || skin->name.empty()) continue;
+    out.skeletons[s].name = skin->name;
+    named[s] = 1;
+  }
 }
 
 }  // namespace marrow::cook

@@ -17,7 +17,8 @@ namespace marrow::cook {
 
 // The joint at or above a node, and what lies between, which never moves.
 struct NearestJoint {
-  int joint = kNone;  // kNone: none above; the matrix is from the scene then
+  int skeleton = kNone;
+  int joint = kNone;  // of that skeleton; kNone: none above; the matrix is from the scene then
   glm::dmat4 joint_from_node{1.0};
 };
 
@@ -27,10 +28,7 @@ struct BuiltSkeleton {
   std::vector<std::uint16_t> parents;
   std::vector<Affine> scene_from_root;
   std::vector<SoaTransform> rest;
-  // The way back to the source.
-  std::vector<int> node_of_joint;
-  std::vector<int> joint_of_node;     // kNone for nodes that are no joints
-  std::vector<NearestJoint> nearest;  // a node
+  std::vector<int> node_of_joint;  // the way back to the source
 };
 
 // A clip's tracks in segments, as format::CodedHeader has them; frame_count is 0 without.
@@ -52,6 +50,7 @@ struct ClipError {
 
 struct BuiltClip {
   std::string name;
+  std::uint32_t skeleton = 0;
   float duration_s = 0;
   std::uint32_t most_keys = 0;  // of any track
   std::vector<Track> tracks;
@@ -79,6 +78,7 @@ struct BuiltGeometry {
 struct BuiltMesh {
   std::string name;
   std::string material;
+  std::uint32_t skeleton = 0;
   std::uint32_t geometry = 0;
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
@@ -88,8 +88,11 @@ struct BuiltMesh {
 };
 
 struct BuiltScene {
-  BuiltSkeleton skeleton;
-  std::vector<BuiltClip> clips;
+  bool is_pack = false;  // the skeletons are only referred to
+  std::vector<BuiltSkeleton> skeletons;
+  std::vector<int> joint_of_node;         // in its skeleton; kNone for nodes that are no joints
+  std::vector<NearestJoint> nearest;      // a node
+  std::vector<BuiltClip> clips;           // clip by clip of the source, in each skeleton by skeleton
   std::vector<BuiltGeometry> geometries;  // no two the same
   std::vector<BuiltMesh> meshes;          // node by node, primitive by primitive
 };

@@ -9,7 +9,9 @@
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/load_mrw.h"
 #include "cook/cook.h"
+#include "cook/match_skeletons.h"
 
 namespace marrow::tools {
 namespace {
@@ -78,6 +80,12 @@ cook::AdditiveRule read_additive(const std::string& text) {
   return rule;
 }
 
+cook::Character read_character(const std::string& path) {
+  if (!path.ends_with(".mrw")) return cook::read_character(path);
+  const LoadedFile loaded = load_mrw(path);
+  return cook::view_character(path, loaded.file);
+}
+
 }  // namespace
 
 void run_cook(const CookArguments& a) {
@@ -89,6 +97,9 @@ void run_cook(const CookArguments& a) {
   read_position_error(a.position_error, options);
   for (const std::string& text : a.clip_error) options.clip_error.push_back(read_clip_error(text));
   for (const std::string& text : a.additive) options.additive.push_back(read_additive(text));
+  if (!a.skeleton.empty() && !options.clips_only)
+    throw Failure(Exit::usage, "--skeleton", "", "no clip pack", "give --clips-only too");
+  if (!a.skeleton.empty()) options.onto = std::make_shared<cook::Character>(read_character(a.skeleton));
   const cook::CookResult result = cook::cook_file(a.in, options);
   for (const auto& w : result.report["warnings"])
     fmt::print(stderr, "{}: {}: warning: {}: {}\n", a.in, w["pointer"].get<std::string>(), w["rule"].get<std::string>(),

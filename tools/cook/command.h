@@ -16,6 +16,7 @@ struct CookArguments {
   std::vector<std::string> additive;
   std::string mesh_codec = "draco";
   std::string position_error;
+  std::string skeleton;       // a character's file
   cook::CookOptions options;  // but for what the texts say
 };
 

@@ -56,15 +56,20 @@ ordered_json make_report(const RawScene& scene, const BuiltScene& built, const W
   ordered_json r;
   r["source"] = {{"file", scene.source}, {"bytes", scene.source_bytes}};
   r["output"] = {{"bytes", written.bytes.size()}, {"sections", report_sections(written)}};
-  const std::size_t joints = built.skeleton.parents.size();
-  r["skeletons"] = ordered_json::array({{{"name", built.skeleton.name}, {"joints", joints}}});
+  r["clip_pack"] = built.is_pack;
+  r["skeletons"] = ordered_json::array();
+  for (const BuiltSkeleton& skeleton : built.skeletons)
+    r["skeletons"].push_back({{"name", skeleton.name}, {"joints", skeleton.parents.size()}});
   r["meshes"] = report_meshes(built, written);
   r["clips"] = ordered_json::array();
   for (std::size_t i = 0; i < built.clips.size(); ++i) {
     const BuiltClip& clip = built.clips[i];
+    const BuiltSkeleton& skeleton = built.skeletons[clip.skeleton];
+    const std::size_t joints = skeleton.parents.size();
     const std::uint64_t raw_bytes = std::uint64_t{clip.most_keys} * joints * 40, bytes = written.clip_bytes[i];
     r["clips"].push_back(
         {{"name", clip.name},
+         {"skeleton", clip.skeleton},
          {"duration_s", clip.duration_s},
          {"codec", clip.coded.header.frame_count > 0 ? "segments" : "raw"},
          {"raw_bytes", raw_bytes},
@@ -74,7 +79,7 @@ ordered_json make_report(const RawScene& scene, const BuiltScene& built, const W
          {"additive", clip.additive.empty() ? ordered_json() : ordered_json(clip.additive)},
          {"channels", clip.channel_names},
          {"max_error_m", clip.error.error_m},
-         {"max_error_joint", built.skeleton.joint_names.empty() ? "" : built.skeleton.joint_names[clip.error.joint]},
+         {"max_error_joint", skeleton.joint_names[clip.error.joint]},
          {"max_error_time_s", clip.error.time_s}});
   }
   r["warnings"] = ordered_json::array();

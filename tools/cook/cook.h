@@ -13,10 +13,10 @@ namespace marrow::cook {
 
 struct CookResult {
   std::vector<std::byte> file;
-  // {source {file, bytes}, output {bytes, sections [{type, bytes}]}, skeletons [{name, joints}], meshes [{name,
-  // vertices, triangles, influences, codec, bytes, max_position_error_m}], clips [{name, duration_s, raw_bytes, bytes,
-  // additive, channels [name], max_error_m}], warnings [{pointer, rule, text}]}; docs/architecture.md says what each
-  // means.
+  // {source {file, bytes}, output {bytes, sections [{type, bytes}]}, clip_pack, skeletons [{name, joints}], meshes
+  // [{name, vertices, triangles, influences, codec, bytes, max_position_error_m}], clips [{name, skeleton, duration_s,
+  // raw_bytes, bytes, additive, channels [name], max_error_m}], warnings [{pointer, rule, text}]}; docs/architecture.md
+  // says what each means.
   nlohmann::ordered_json report;
 };
 

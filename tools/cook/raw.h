@@ -102,7 +102,8 @@ struct RawChannel {
 // A number that a clip moves and that is no part of a joint: a morph target's weight, a property in `extras`.
 struct RawScalar {
   std::string name;
-  float rest = 0;  // as in the file, where no clip moves it
+  int node = kNone;  // whose mesh has the morph target; kNone: another number
+  float rest = 0;    // as in the file, where no clip moves it
   RawInterpolation interpolation = RawInterpolation::linear;
   std::vector<float> times_s;  // as in RawChannel
   std::vector<float> values;   // one a key; three for cubic_spline: in-tangent, value, out-tangent

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 
+#include "asset/skeleton_hash.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
@@ -62,6 +63,21 @@ Section write_skeleton(const BuiltSkeleton& s, Names& names) {
   return out;
 }
 
+Section write_reference(const BuiltSkeleton& s, Names& names) {
+  Section out;
+  Fnv64 hash;
+  std::vector<std::uint32_t> rest_hashes;
+  for (std::size_t j = 0; j < s.parents.size(); ++j) {
+    add_joint(hash, s.joint_names[j].c_str(), s.parents[j], s.rest.data(), j);
+    rest_hashes.push_back(rest_hash(s.rest.data(), j));
+  }
+  out.add(format::ReferenceHeader{names.add(s.name), static_cast<std::uint32_t>(s.parents.size()), hash.value()});
+  for (const std::string& name : s.joint_names) out.add(names.add(name));
+  out.add_all(rest_hashes);
+  out.add_all(s.parents);
+  return out;
+}
+
 void add_coded(const BuiltCoded& coded, Section& out) {
   out.codec = format::kCodecSegments;
   out.add(coded.header);
@@ -73,7 +89,7 @@ void add_coded(const BuiltCoded& coded, Section& out) {
 
 Section write_clip(const BuiltClip& c, Names& names) {
   Section out;
-  out.add(format::ClipHeader{names.add(c.name), 0, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
+  out.add(format::ClipHeader{names.add(c.name), c.skeleton, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
                              static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
                              static_cast<std::uint32_t>(c.channels.size()),
                              static_cast<std::uint16_t>(c.additive.empty() ? 0 : 1),
@@ -96,6 +112,7 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   format::MeshHeader h{};
   h.name = names.add(m.name);
   h.material = names.add(m.material);
+  h.skeleton = m.skeleton;
   h.geometry = m.geometry;
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.flags = m.double_sided ? format::kDoubleSided : 0u;
@@ -188,7 +205,7 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   Names names;
   WrittenFile out;
   std::vector<Section> sections;  // their bytes stay where they are
-  sections.reserve(scene.clips.size() + scene.meshes.size() + 2);
+  sections.reserve(scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + 1);
   std::vector<Entry> entries;
   const auto add = [&](format::Kind kind, Section section) {
     const Section& kept = sections.emplace_back(std::move(section));
@@ -197,7 +214,9 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   };
   std::uint64_t scratch_bytes = 0;
   bool is_packed = false;
-  add(format::kSkeletons, write_skeleton(scene.skeleton, names));
+  for (const BuiltSkeleton& skeleton : scene.skeletons)
+    scene.is_pack ? add(format::kReferences, write_reference(skeleton, names))
+                  : add(format::kSkeletons, write_skeleton(skeleton, names));
   for (const BuiltClip& clip : scene.clips) out.clip_bytes.push_back(add(format::kClips, write_clip(clip, names)));
   for (const BuiltGeometry& g : scene.geometries) {
     const std::span<const std::byte> section(g.section.data(), g.section.size());

@@ -56,15 +56,16 @@ struct Bench {
 Timings measure(const File& file, std::optional<std::uint32_t> clip_index) {
   Timings timings;
   Character character(file);
-  const float duration_s = clip_index ? file.clip(*clip_index).duration_s : 0;
-  const auto moment = [&](int run) { return duration_s * static_cast<float>(run) / kRuns; };
-  if (clip_index) {
-    const Clip clip = file.clip(*clip_index);
-    const Skeleton skeleton = file.skeleton(clip.skeleton);
-    std::vector<SoaTransform> local(skeleton.soa_size());
-    timings.sample_us = median_us([&](int run) { check(sample(skeleton, clip, moment(run), local)); });
-  }
-  character.pose(clip_index, moment(kRuns / 3));
+  const Play play = clip_index ? play_together(file, *clip_index) : Play{};
+  const auto moment = [&](int run) { return play.duration_s * static_cast<float>(run) / kRuns; };
+  std::vector<std::vector<SoaTransform>> local;
+  for (const Play::Part& part : play.parts) local.emplace_back(file.skeleton(part.skeleton).soa_size());
+  if (clip_index)
+    timings.sample_us = median_us([&](int run) {
+      for (std::size_t i = 0; i < local.size(); ++i)
+        check(sample(file.skeleton(play.parts[i].skeleton), play.parts[i].clip, moment(run), local[i]));
+    });
+  character.pose(play, moment(kRuns / 3));
   Bench bench(file);
   const auto palette = [&](std::size_t mesh) {
     return Span<const Affine>(character.palette(static_cast<std::uint32_t>(mesh)));

@@ -9,7 +9,7 @@
 namespace marrow::tools {
 
 struct Timings {
-  double sample_us = 0;  // one clip at one moment, every joint of its skeleton
+  double sample_us = 0;  // the clips of one name at one moment, every joint of their skeletons
   double ssd_us = 0;     // every mesh, positions and normals
   double as_us = 0;
 };

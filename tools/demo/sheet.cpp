@@ -39,9 +39,9 @@ struct Moment {
   float turn_rad = 0;
 };
 
-Moment moment_at(std::optional<std::uint32_t> clip, float duration_s, int column) {
+Moment moment_at(float duration_s, int column) {
   const float part = as_float(column) / kMoments;
-  return clip && duration_s > 0 ? Moment{duration_s * part, 0} : Moment{0, 6.2831853f * part};
+  return duration_s > 0 ? Moment{duration_s * part, 0} : Moment{0, 6.2831853f * part};
 }
 
 // Metres in a unit that reads well; models need not be in metres, which is for the reader to know.
@@ -58,28 +58,28 @@ struct Rows {
 };
 
 // The largest distance over all moments first: one ramp serves the whole row.
-float largest_over(const File& file, Character& character, std::optional<std::uint32_t> clip, float duration_s) {
+float largest_over(const File& file, Character& character, const Play& play) {
   float largest = 0;
   for (int column = 0; column < kMoments; ++column) {
-    character.pose(clip, moment_at(clip, duration_s, column).time_s);
+    character.pose(play, moment_at(play.duration_s, column).time_s);
     largest = std::max(
         largest, largest_distance(skin_all(file, character, Deformer::ssd), skin_all(file, character, Deformer::as)));
   }
   return largest;
 }
 
-Rows shoot_rows(const Gl& gl, const File& file, std::optional<std::uint32_t> clip) {
+Rows shoot_rows(const Gl& gl, const File& file, const Play& play) {
   Character character(file);
-  const Performance performance(file, character, clip);
+  const Performance performance(file, character, play);
   Figure figure(gl, file);
   Studio studio(gl, kCellWidth, kCellHeight);
   Rows rows;
   rows.on_gpu = !figure.too_large();
-  rows.largest_m = largest_over(file, character, clip, performance.duration_s());
+  rows.largest_m = largest_over(file, character, play);
   rows.full_scale_m = sensible_scale(rows.largest_m, performance.diagonal());
   for (int column = 0; column < kMoments; ++column) {
-    const Moment moment = moment_at(clip, performance.duration_s(), column);
-    character.pose(clip, moment.time_s);
+    const Moment moment = moment_at(play.duration_s, column);
+    character.pose(play, moment.time_s);
     const std::vector<PosedMesh> ssd = skin_all(file, character, Deformer::ssd);
     const std::vector<PosedMesh> as = skin_all(file, character, Deformer::as);
     Shot shot = performance.shot(character, as_float(kCellWidth) / kCellHeight, 0.05f, moment.turn_rad);
@@ -131,15 +131,15 @@ std::optional<std::uint32_t> liveliest_clip(const File& file) {
   double most = -1;
   Character character(file);
   for (std::uint32_t clip = 0; clip < file.clip_count(); ++clip) {
-    const float duration_s = file.clip(clip).duration_s;
+    const Play play = play_together(file, clip);
     double bending = 0;
     for (int m = 0; m < kMoments; ++m) {
-      character.pose(clip, duration_s * as_float(m) / kMoments);
+      character.pose(play, play.duration_s * as_float(m) / kMoments);
       const std::vector<PosedMesh> rigid = skin_all(file, character, Deformer::rigid);
       bending += static_cast<double>(largest_distance(rigid, skin_all(file, character, Deformer::ssd)));
     }
     // A clip that does not move is the last choice; the first of equals the best.
-    if (duration_s <= 0) bending = -0.5;
+    if (play.duration_s <= 0) bending = -0.5;
     if (bending > most * 1.001) {
       most = bending;
       best = clip;
@@ -149,9 +149,8 @@ std::optional<std::uint32_t> liveliest_clip(const File& file) {
 }
 
 Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> clip, const std::string& title) {
-  const Rows rows = shoot_rows(gl, file, clip);
-  const float duration_s = clip ? file.clip(*clip).duration_s : 0;
-  const bool moving = clip && duration_s > 0;
+  const Play play = clip ? play_together(file, *clip) : Play{};
+  const Rows rows = shoot_rows(gl, file, play);
   std::uint64_t vertices = 0, joints = 0;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) vertices += file.mesh(i).geometry.vertex_count;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;
@@ -160,7 +159,7 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
   Image& image = sheet.image;
   const float title_end = draw_text(image, kMargin, 50, 24, kBright, title);
   const std::string scene =
-      clip ? fmt::format("clip \"{}\", {:.2f} s", file.clip(*clip).name, static_cast<double>(duration_s))
+      clip ? fmt::format("clip \"{}\", {:.2f} s", file.clip(*clip).name, static_cast<double>(play.duration_s))
            : std::string("rest pose");
   draw_text(image, title_end + 24, 50, 13, kQuiet, scene);
   draw_right(image, kWidth - kMargin, 50, 13, kQuiet, fmt::format("{} joints   {} vertices", joints, vertices));
@@ -185,7 +184,8 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
   }
   for (int column = 0; column < kMoments; ++column) {
     const float x = as_float(kMargin + column * (kCellWidth + kGap));
-    draw_text(image, x, as_float(y + 24), 11, kQuiet, moment_text(moment_at(clip, duration_s, column), moving));
+    draw_text(image, x, as_float(y + 24), 11, kQuiet,
+              moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
   }
   return sheet;
 }

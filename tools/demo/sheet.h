@@ -20,7 +20,8 @@ struct Sheet {
 // The clip that bends joints most, the one worth showing; nullopt if the file has none.
 std::optional<std::uint32_t> liveliest_clip(const File& file);
 
-// title: what the file is called. Without a clip the rest pose is shown from six sides.
+// title: what the file is called. All clips of the name of `clip` play, one a skeleton. Without a clip the rest pose is
+// shown from six sides.
 Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> clip, const std::string& title);
 
 }  // namespace marrow::tools

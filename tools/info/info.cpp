@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/load_mrw.h"
+#include "marrow/clip_pack.h"
 
 namespace marrow::tools {
 namespace {
@@ -27,6 +28,7 @@ ordered_json describe_mesh(const Mesh& mesh) {
   if (g.colours != nullptr) attributes.push_back("colour");
   return {{"name", mesh.name},
           {"material", mesh.material},
+          {"skeleton", mesh.skeleton},
           {"vertices", g.vertex_count},
           {"slots", g.slot_count},
           {"triangles", g.index_count / 3},
@@ -58,8 +60,23 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
     for (std::uint32_t j = 0; j < s.joint_count; ++j)
       joints.push_back({{"name", file.text(s.names[j])},
                         {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
-    r["skeletons"].push_back(
-        {{"name", s.name}, {"joints", s.joint_count}, {"roots", s.root_count}, {"joint_list", joints}});
+    r["skeletons"].push_back({{"name", s.name},
+                              {"joints", s.joint_count},
+                              {"roots", s.root_count},
+                              {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
+                              {"joint_list", joints}});
+  }
+  r["references"] = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.reference_count(); ++i) {
+    const SkeletonReference s = file.reference(i);
+    ordered_json joints = ordered_json::array();
+    for (std::uint32_t j = 0; j < s.joint_count; ++j)
+      joints.push_back({{"name", file.text(s.names[j])},
+                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
+    r["references"].push_back({{"name", s.name},
+                               {"joints", s.joint_count},
+                               {"hash", fmt::format("{:016x}", s.hash)},
+                               {"joint_list", joints}});
   }
   r["meshes"] = ordered_json::array();
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) r["meshes"].push_back(describe_mesh(file.mesh(i)));
@@ -70,6 +87,7 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
     ordered_json channels = ordered_json::array();
     for (const Channel& channel : c.channels) channels.push_back(file.text(channel.name));
     r["clips"].push_back({{"name", c.name},
+                          {"skeleton", c.skeleton},
                           {"duration_s", c.duration_s},
                           {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
                           {"codec", coded.frame_count > 0 ? "segments" : "raw"},
@@ -88,21 +106,30 @@ void print(const ordered_json& r) {
   for (const auto& s : r["skeletons"])
     fmt::print("skeleton \"{}\": {} joints, {} roots\n", text(s["name"]), s["joints"].get<int>(),
                s["roots"].get<int>());
+  for (const auto& s : r["references"])
+    fmt::print("clip pack for skeleton \"{}\": {} joints, hash {}\n", text(s["name"]), s["joints"].get<int>(),
+               text(s["hash"]));
+  // Which skeleton, where there are several.
+  const bool several = r["skeletons"].size() + r["references"].size() > 1;
+  const auto of_skeleton = [&](const ordered_json& o) {
+    return several ? fmt::format(", skeleton {}", o["skeleton"].get<int>()) : std::string();
+  };
   for (std::size_t i = 0; i < r["clips"].size(); ++i) {
     const auto& c = r["clips"][i];
     const char* const kind = !c["additive"].get<bool>()       ? ""
                              : text(c["reference"]) == "rest" ? ", additive over the rest pose"
                                                               : ", additive over a reference of its own";
-    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks, {}{}\n", i, text(c["name"]), c["duration_s"].get<double>(),
-               c["tracks"].get<int>(), text(c["codec"]), kind);
+    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks, {}{}{}\n", i, text(c["name"]), c["duration_s"].get<double>(),
+               c["tracks"].get<int>(), text(c["codec"]), kind, of_skeleton(c));
     for (const auto& channel : c["channels"]) fmt::print("  channel \"{}\"\n", text(channel));
   }
   for (std::size_t i = 0; i < r["meshes"].size(); ++i) {
     const auto& m = r["meshes"][i];
-    fmt::print("mesh {} \"{}\": {} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}{}\n", i,
+    fmt::print("mesh {} \"{}\": {} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}{}{}\n", i,
                text(m["name"]), m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
                m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
-               m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "");
+               m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
+               of_skeleton(m));
   }
   for (const auto& s : r["sections"])
     fmt::print("section {} at {}: {} bytes\n", text(s["type"]), s["offset"].get<int>(), s["bytes"].get<int>());

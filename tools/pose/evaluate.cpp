@@ -30,6 +30,23 @@ std::optional<Deformer> parse_deformer(const std::string& name) {
   return std::nullopt;
 }
 
+Play play_alone(const File& clips, const Clip& clip, std::uint32_t skeleton) {
+  return {{{skeleton, clip, clips}}, clip.duration_s};
+}
+
+Play play_together(const File& file, std::uint32_t clip) {
+  const Clip first = file.clip(clip);
+  Play play = play_alone(file, first, first.skeleton);
+  if (*first.name == '\0') return play;  // clips without a name have nothing to do with one another
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
+    const std::uint32_t other = file.find_clip(first.name, i);
+    if (i == first.skeleton || other == file.clip_count()) continue;
+    play.parts.push_back({i, file.clip(other), file});
+    play.duration_s = std::max(play.duration_s, play.parts.back().clip.duration_s);
+  }
+  return play;
+}
+
 Character::Character(const File& file) : file_(file) {
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     local_.emplace_back(file_.skeleton(i).soa_size());
@@ -47,15 +64,15 @@ Character::Character(const File& file) : file_(file) {
                        {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)},
                        morphed_.emplace_back()));
   }
-  pose(std::nullopt, 0);
+  pose({}, 0);
 }
 
-void Character::pose(std::optional<std::uint32_t> clip_index, float time_s) {
+void Character::pose(const Play& play, float time_s) {
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     const Skeleton skeleton = file_.skeleton(i);
-    const Clip clip = clip_index ? file_.clip(*clip_index) : Clip{};
-    if (clip_index && clip.skeleton == i) {
-      sample_either(skeleton, clip, time_s, local_[i]);
+    const auto part = std::ranges::find(play.parts, i, &Play::Part::skeleton);
+    if (part != play.parts.end()) {
+      sample_either(skeleton, part->clip, time_s, local_[i]);
     } else {
       std::copy_n(skeleton.rest, skeleton.soa_size(), local_[i].begin());
     }
@@ -65,18 +82,21 @@ void Character::pose(std::optional<std::uint32_t> clip_index, float time_s) {
     const Mesh mesh = file_.mesh(i);
     check(build_palette(mesh, model_[mesh.skeleton], palettes_[i]));
   }
-  const Clip clip = clip_index ? file_.clip(*clip_index) : Clip{};
-  morph_all(clip_index ? &clip : nullptr, time_s);
+  morph_all(play, time_s);
 }
 
-void Character::morph_all(const Clip* clip, float time_s) {
-  std::vector<float> values(clip != nullptr ? clip->channels.size : 0);
-  if (clip != nullptr) check(sample_channels(*clip, time_s, values));
+void Character::morph_all(const Play& play, float time_s) {
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
     const Mesh mesh = file_.mesh(i);
     if (mesh.targets.empty()) continue;
     std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
-    if (clip != nullptr) check(find_weight_channels(file_, mesh, *clip, channels));
+    std::vector<float> values;
+    const auto part = std::ranges::find(play.parts, mesh.skeleton, &Play::Part::skeleton);
+    if (part != play.parts.end()) {
+      values.resize(part->clip.channels.size);
+      check(sample_channels(part->clip, time_s, values));
+      check(find_weight_channels(file_, mesh, part->clips, part->clip, channels));
+    }
     check(morph_weights(mesh, channels, values, weights_[i]));
     check(morph(weights_[i], morphed_[i]));
     check(morph_coordinates(morphed_[i], coordinates_[i]));

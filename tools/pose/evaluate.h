@@ -22,16 +22,30 @@ struct PosedMesh {
   std::vector<float> tangents;   // 4 a slot; empty if the mesh has none
 };
 
-// Everything that one character needs beside the file, allocated once. Skeletons are posed together: a clip moves its
-// own skeleton and leaves the others at rest.
+// What the skeletons of a file play together: at most one clip each; those without rest.
+struct Play {
+  struct Part {
+    std::uint32_t skeleton;
+    Clip clip;
+    File clips;  // that the clip is from
+  };
+  std::vector<Part> parts;
+  float duration_s = 0;  // of the longest
+};
+
+// A clip alone, for one of the skeletons it was made for.
+Play play_alone(const File& clips, const Clip& clip, std::uint32_t skeleton);
+// A clip, and of each other skeleton the first one with the same name, which the cooker made of the same animation.
+Play play_together(const File& file, std::uint32_t clip);
+
+// Everything that the skeletons and meshes of a file need beside it, allocated once.
 class Character {
  public:
   explicit Character(const File& file);
   Character(const Character&) = delete;
   Character& operator=(const Character&) = delete;
 
-  // nullopt: the rest pose.
-  void pose(std::optional<std::uint32_t> clip, float time_s);
+  void pose(const Play& play, float time_s);
   // Deforms one mesh, morphed, in the pose of the last call to pose().
   void skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) const;
 
@@ -41,7 +55,7 @@ class Character {
   std::span<const Affine> palette(std::uint32_t mesh) const { return palettes_[mesh]; }
 
  private:
-  void morph_all(const Clip* clip, float time_s);
+  void morph_all(const Play& play, float time_s);
 
   File file_;
   std::vector<std::vector<SoaTransform>> local_;  // a skeleton

@@ -87,10 +87,9 @@ void run_pose(const PoseArguments& a) {
   if (!obj && !a.out.ends_with(".bin"))
     throw Failure(Exit::usage, a.out, "", "unknown format", "the output's name ends with .obj or .bin");
   const LoadedFile loaded = load_mrw(a.in);
-  std::optional<std::uint32_t> clip;
-  if (!a.clip.empty()) clip = find_clip(a.in, loaded.file, a.clip);
+  const Chosen chosen = choose(a.in, loaded.file, a.choice);
   Character character(loaded.file);
-  character.pose(clip, a.time_s);
+  character.pose(chosen.play, a.choice.time_s);
   write_file_atomically(a.out,
                         obj ? to_obj(loaded.file, character, *deformer) : to_bin(loaded.file, character, *deformer));
 }

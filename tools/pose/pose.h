@@ -3,11 +3,13 @@
 
 #include <string>
 
+#include "pose/choose.h"
+
 namespace marrow::tools {
 
 struct PoseArguments {
-  std::string in, out, clip, deformer = "ssd";
-  float time_s = 0;
+  std::string in, out, deformer = "ssd";
+  Choice choice;
 };
 
 // Throws Failure.

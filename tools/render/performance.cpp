@@ -43,17 +43,17 @@ glm::vec3 Performance::anchor(const Character& character) const {
   return count > 0 ? glm::vec3(sum / count) : glm::vec3(0);
 }
 
-Performance::Performance(const File& file, Character& character, std::optional<std::uint32_t> clip) : file_(file) {
-  character.pose(std::nullopt, 0);
+Performance::Performance(const File& file, Character& character, const Play& play) : file_(file) {
+  character.pose({}, 0);
   diagonal_ = 2 * box_of(skin_all(file, character, Deformer::ssd)).radius();
-  duration_s_ = clip ? file.clip(*clip).duration_s : 0;
-  const int moments = clip && duration_s_ > 0 ? kMoments : 1;
+  duration_s_ = play.duration_s;
+  const int moments = duration_s_ > 0 ? kMoments : 1;
   std::vector<glm::vec3> anchors;
   std::vector<std::vector<glm::vec3>> points;
   Box ground, trail;
   radius_ = 0;
   for (int m = 0; m < moments; ++m) {
-    character.pose(clip, duration_s_ * static_cast<float>(m) / static_cast<float>(moments));
+    character.pose(play, duration_s_ * static_cast<float>(m) / static_cast<float>(moments));
     const std::vector<PosedMesh> posed = skin_all(file, character, Deformer::ssd);
     const Box box = box_of(posed);
     ground.add(box.min);

@@ -1,8 +1,6 @@
 // A clip as the camera sees it: where the character is over the whole of it, and how to frame that.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "pose/evaluate.h"
@@ -13,8 +11,8 @@ namespace marrow::tools {
 
 class Performance {
  public:
-  // Looks at 16 moments of the clip, or at the rest pose. Leaves `character` in some pose.
-  Performance(const File& file, Character& character, std::optional<std::uint32_t> clip);
+  // Looks at 16 moments of what is played, or at the rest pose. Leaves `character` in some pose.
+  Performance(const File& file, Character& character, const Play& play);
 
   float duration_s() const { return duration_s_; }
   // Diagonal of the rest pose's box, scene units.

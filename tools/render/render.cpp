@@ -61,12 +61,11 @@ void run_render(const RenderArguments& arguments) {
   if (!arguments.heatmap.empty()) pair = parse_pair(arguments.heatmap);
   const LoadedFile loaded = load_mrw(arguments.file);
   const File& file = loaded.file;
-  std::optional<std::uint32_t> clip;
-  if (!arguments.clip.empty()) clip = find_clip(arguments.file, file, arguments.clip);
+  const Chosen chosen = choose(arguments.file, file, arguments.choice);
 
   Character character(file);
-  const Performance performance(file, character, clip);
-  character.pose(clip, arguments.time_s);
+  const Performance performance(file, character, chosen.play);
+  character.pose(chosen.play, arguments.choice.time_s);
   const Gl gl;
   Figure figure(gl, file);
   Studio studio(gl, size.width, size.height);

@@ -3,14 +3,16 @@
 
 #include <string>
 
+#include "pose/choose.h"
+
 namespace marrow::tools {
 
 struct RenderArguments {
-  std::string file, clip, heatmap, output;
+  std::string file, heatmap, output;
   std::string deformer = "ssd";
   std::string path = "ubo";
   std::string size = "960x720";
-  float time_s = 0;
+  Choice choice;
 };
 
 // Throws Failure.

@@ -13,8 +13,8 @@ inline constexpr std::uint32_t kMaxInfluences = 8;
 inline constexpr std::uint16_t kNoParent = 0xFFFF;
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 
-// The joints that one or more meshes and clips share: a forest in breadth-first order, so a parent comes before its
-// children and the roots come first.
+// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
+// comes before its children and the roots come first.
 struct Skeleton {
   const char* name = "";
   std::uint32_t joint_count = 0;
@@ -25,6 +25,16 @@ struct Skeleton {
   const std::uint32_t* names = nullptr;     // joint_count; see File::text
 
   std::size_t soa_size() const { return soa_count(joint_count); }
+};
+
+// In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
+struct SkeletonReference {
+  const char* name = "";
+  std::uint32_t joint_count = 0;
+  std::uint64_t hash = 0;                      // skeleton_hash() of the skeleton
+  const std::uint32_t* names = nullptr;        // joint_count; see File::text
+  const std::uint32_t* rest_hashes = nullptr;  // joint_count; of each joint's rest pose
+  const std::uint16_t* parents = nullptr;      // joint_count; kNoParent for roots
 };
 
 enum class Path : std::uint8_t { translation, rotation, scale };
@@ -80,7 +90,7 @@ struct CodedTracks {
 // An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
 struct Clip {
   const char* name = "";
-  std::uint32_t skeleton = 0;               // which skeleton of the file
+  std::uint32_t skeleton = 0;               // which skeleton of the file; in a clip pack, which reference
   std::uint32_t joint_count = 0;            // of that skeleton
   float duration_s = 0;                     // time of the last key; ≥ 0
   bool additive = false;                    // for sample_additive(), not for sample()
@@ -168,16 +178,22 @@ struct Mesh {
 class File {
  public:
   std::uint32_t skeleton_count() const { return counts_[0]; }
-  std::uint32_t clip_count() const { return counts_[1]; }
-  std::uint32_t mesh_count() const { return counts_[3]; }
+  std::uint32_t reference_count() const { return counts_[1]; }  // 0 but in clip packs, which have no skeletons
+  std::uint32_t clip_count() const { return counts_[2]; }
+  std::uint32_t mesh_count() const { return counts_[4]; }
 
   // Precondition: index below the count. Cost: a few loads.
   Skeleton skeleton(std::uint32_t index) const;
+  SkeletonReference reference(std::uint32_t index) const;
   Clip clip(std::uint32_t index) const;
   Mesh mesh(std::uint32_t index) const;
 
-  // Index of the first clip with this name, or clip_count().
+  // Index of the first skeleton with this name, or skeleton_count().
+  std::uint32_t find_skeleton(const char* name) const;
+  // Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+  // of several skeletons is a clip each, with the same name and duration.
   std::uint32_t find_clip(const char* name) const;
+  std::uint32_t find_clip(const char* name, std::uint32_t skeleton) const;
   // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
   // a frame.
   std::uint32_t find_channel(const Clip& clip, const char* name) const;
@@ -200,8 +216,9 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_;
-  std::uint32_t first_[5] = {};  // skeletons, clips, geometries, meshes, names: first section of each kind
-  std::uint32_t counts_[5] = {};
+  // Skeletons, references, clips, geometries, meshes, names: first section of each kind.
+  std::uint32_t first_[6] = {};
+  std::uint32_t counts_[6] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "marrow/blend.h"           //    between them    several poses → one
+#include "marrow/clip_pack.h"       //    beside it       clips of another file
 #include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh
 #include "marrow/local_to_model.h"  // 3. local to model  local pose → scene-space joints

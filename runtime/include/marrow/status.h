@@ -15,6 +15,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     bad_data,      // breaks a rule of docs/format.md
     unsupported,   // legal, but needs what this build or this device lacks
     gl_error,      // the driver refused
+    mismatch,      // both are good, but not made for each other
 };
 
 // One word or two in English, never null.

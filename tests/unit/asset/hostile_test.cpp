@@ -13,10 +13,11 @@ namespace {
 
 using test::AlignedBlock;
 
-// Clips raw, coded, and additive with channels.
+// Clips raw, coded, additive with channels, and in a pack of their own.
 class Hostile : public ::testing::TestWithParam<AlignedBlock (*)()> {};
 INSTANTIATE_TEST_SUITE_P(Golden, Hostile,
-                         ::testing::Values(&test::golden_copy, &test::golden_coded_copy, &test::golden_channels_copy));
+                         ::testing::Values(&test::golden_copy, &test::golden_coded_copy, &test::golden_channels_copy,
+                                           &test::golden_pack_copy));
 
 // Each in a block of its own size, so that a sanitizer sees a read past the end.
 TEST_P(Hostile, EveryPrefixIsRefused) {
@@ -96,7 +97,8 @@ TEST_P(Hostile, EveryForgedByteIsRefusedOrHarmless) {
     }
   });
   // Both happen: names, colours and most low bits of numbers are free; counts, indices and reserved bytes are not.
-  EXPECT_GT(refused, 1000u);
+  // The pack is the shortest and most of it is frames, whose bits are free.
+  EXPECT_GT(refused, 700u);
   EXPECT_GT(harmless, 1000u);
   EXPECT_NE(sum, 0u);
   RecordProperty("refused", static_cast<int>(refused));

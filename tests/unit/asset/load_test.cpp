@@ -259,6 +259,29 @@ TEST_F(LoadCoded, Clips) {
   EXPECT_EQ(refused_, 23);
 }
 
+class LoadPack : public Load {
+ protected:
+  LoadPack() : Load(&test::golden_pack_copy) {}
+};
+
+TEST_F(LoadPack, References) {
+  const std::size_t base = at(format::kReferences);
+  const auto h = header<format::ReferenceHeader>(format::kReferences);
+  const format::ReferenceLayout l = layout(h);
+  ASSERT_EQ(h.joint_count, 7u);
+  refuse(base, std::uint32_t{100000}, "name");
+  refuse(base + 4, std::uint32_t{0}, "no joints");
+  refuse(base + 4, h.joint_count - 1, "a joint fewer");
+  refuse(base + 4, std::uint32_t{0xFFFFFFFF}, "too many joints");
+  refuse(base + l.names + 8, std::uint32_t{100000}, "a joint's name");
+  refuse(base + l.parents, std::uint16_t{0}, "no root");
+  refuse(base + l.parents + 2 * 3, std::uint16_t{3}, "a joint below itself");
+  refuse(base + l.parents + 2 * 3, std::uint16_t{0xFFFF}, "a root behind children");
+  refuse(base + l.parents + 2 * 6, std::uint16_t{0}, "not breadth-first");
+  refuse(at(format::kClips) + 4, std::uint32_t{1}, "another reference");
+  EXPECT_EQ(refused_, 10);
+}
+
 TEST_F(Load, Geometries) {
   const std::size_t base = at(format::kGeometries);
   const auto h = header<format::GeometryHeader>(format::kGeometries);

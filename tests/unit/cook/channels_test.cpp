@@ -91,9 +91,7 @@ TEST(Channels, ShareTheListOfTheLastTrack) {
   RawClip raw;
   raw.scalars = {scalar(RawInterpolation::linear, {0, 2}, {0, 1}), scalar(RawInterpolation::linear, {0, 1}, {0, 1})};
   raw.channels.push_back({0, RawPath::translation, RawInterpolation::linear, {0, 1}, {{}, {}}});
-  BuiltSkeleton skeleton;
-  skeleton.joint_of_node = {0};
-  BuiltClip clip = build_clip(raw, skeleton);
+  BuiltClip clip = build_clip(raw, {0});
   add_channels(raw, true, clip);
   EXPECT_EQ(clip.times_s, (std::vector<float>{0, 1, 0, 2}));
   EXPECT_EQ(clip.channels[0].first_time, clip.tracks[0].first_time);

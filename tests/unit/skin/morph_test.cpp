@@ -286,7 +286,7 @@ TEST(Morph, ChannelsAreFoundOnceAndWeightsTaken) {
     ASSERT_EQ(mesh.targets.size, 2u);
     ASSERT_EQ(mesh.geometry.targets.size, 2u);
     std::vector<std::uint32_t> found(2);
-    ASSERT_EQ(find_weight_channels(file, mesh, clip, found), Status::ok);
+    ASSERT_EQ(find_weight_channels(file, mesh, file, clip, found), Status::ok);
     std::vector<float> values(clip.channels.size), weights(2), defaults(2);
     ASSERT_EQ(sample_channels(clip, 0.4f, values), Status::ok);
     ASSERT_EQ(morph_weights(mesh, found, values, weights), Status::ok);
@@ -307,7 +307,7 @@ TEST(Morph, ChannelsAreFoundOnceAndWeightsTaken) {
     EXPECT_EQ(morph_weights(mesh, found, values, weights), Status::bad_argument);
     EXPECT_EQ(morph_weights(mesh, {found.data(), 1}, values, weights), Status::bad_argument);
     EXPECT_EQ(morph_weights(mesh, {}, {}, {weights.data(), 1}), Status::bad_argument);
-    EXPECT_EQ(find_weight_channels(file, mesh, clip, {found.data(), 1}), Status::bad_argument);
+    EXPECT_EQ(find_weight_channels(file, mesh, file, clip, {found.data(), 1}), Status::bad_argument);
   }
 }
 

@@ -95,6 +95,7 @@ std::vector<Grid> grids(const BuiltClip& clip) {
 BuiltClip keep_jumping(const BuiltClip& clip) {
   BuiltClip out;
   out.name = clip.name;
+  out.skeleton = clip.skeleton;
   out.duration_s = clip.duration_s;
   out.most_keys = clip.most_keys;
   std::uint32_t list = UINT32_MAX, moved = 0;

@@ -37,10 +37,10 @@ class ChannelImporter {
     return raw;
   }
 
-  // One number a target; a key holds those of all targets, for a spline first their in-tangents, then their values,
+  // One number a target of the mesh at `node`, or one of no node; a key holds those of all targets, for a spline first their in-tangents, then their values,
   // then their out-tangents (glTF 2.0, section 3.11).
   std::vector<RawScalar> import_scalars(const tinygltf::AnimationChannel& channel,
-                                        const std::vector<RawTargetWeight>& targets) {
+                                        const std::vector<RawTargetWeight>& targets, int node) {
     const tinygltf::AnimationSampler& sampler = sampler_of(channel);
     const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
     const std::vector<float> all =
@@ -50,6 +50,7 @@ class ChannelImporter {
       RawScalar raw;
       raw.name = clean_name(targets[t].channel, where_, report_);
       raw.rest = targets[t].rest;
+      raw.node = node;
       raw.interpolation = interpolation_of(sampler);
       const std::size_t parts = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
       for (const Key& key : keys) {
@@ -177,10 +178,12 @@ std::vector<RawClip> import_clips(const Document& document, const std::vector<Ra
       if (channel.target_path.empty()) continue;
       const auto number = document.user_numbers.find({a, c});
       if (number != document.user_numbers.end() || channel.target_path == "weights") {
+        const bool is_weights = number == document.user_numbers.end();
         std::vector<RawScalar> scalars = importer.import_scalars(
-            channel, number != document.user_numbers.end()
-                         ? std::vector<RawTargetWeight>{{"", number->second.name, number->second.rest}}
-                         : node_weights(document, owners, channel.target_node, where, report));
+            channel,
+            is_weights ? node_weights(document, owners, channel.target_node, where, report)
+                       : std::vector<RawTargetWeight>{{"", number->second.name, number->second.rest}},
+            is_weights ? channel.target_node : kNone);
         for (RawScalar& scalar : scalars) clip.scalars.push_back(std::move(scalar));
         continue;
       }

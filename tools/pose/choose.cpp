@@ -1,0 +1,104 @@
+#include "pose/choose.h"
+
+#include <algorithm>
+
+#include "common/failure.h"
+#include "marrow/clip_pack.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr std::size_t kMostListed = 12;
+
+// "hand_l" is missing, …
+std::string describe(const File& pack, std::uint32_t reference, const File& file, std::uint32_t skeleton) {
+  std::vector<JointMisfit> misfits(kMostListed);
+  std::size_t count = 0;
+  if (bind_clips(pack, reference, file, skeleton, misfits, &count) == Status::ok) return {};
+  std::string text;
+  for (std::size_t i = 0; i < std::min(count, kMostListed); ++i) {
+    const JointMisfit& m = misfits[i];
+    const std::uint32_t* const names =
+        m.how == Misfit::extra ? file.skeleton(skeleton).names : pack.reference(reference).names;
+    text.append(i > 0 ? ", " : "").append("\"");
+    text.append((m.how == Misfit::extra ? file : pack).text(names[m.joint])).append("\"");
+    text.append(m.how == Misfit::missing        ? " is missing"
+                : m.how == Misfit::other_parent ? " has another parent"
+                : m.how == Misfit::other_rest   ? " has another rest pose"
+                : m.how == Misfit::extra        ? " is not in the pack"
+                                                : " stands elsewhere");
+  }
+  if (count > kMostListed) text.append(", and ").append(std::to_string(count - kMostListed)).append(" more");
+  return text;
+}
+
+std::size_t count_misfits(const File& pack, std::uint32_t reference, const File& file, std::uint32_t skeleton) {
+  std::size_t count = 0;
+  return bind_clips(pack, reference, file, skeleton, {}, &count) == Status::ok ? 0 : std::max<std::size_t>(count, 1);
+}
+
+// The skeleton that the clips of a reference fit: of several the one of its name, else the first that plays nothing
+// yet. Throws Failure with what keeps it from the one that is closest.
+std::uint32_t fitting_skeleton(const std::string& pack_path, const File& pack, std::uint32_t reference,
+                               const std::string& path, const File& file, const Play& play) {
+  const std::string name = pack.reference(reference).name;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i)
+    if (std::ranges::find(play.parts, i, &Play::Part::skeleton) == play.parts.end()) order.push_back(i);
+  std::ranges::stable_partition(order, [&](std::uint32_t i) { return file.skeleton(i).name == name; });
+  std::size_t fewest = SIZE_MAX;
+  std::uint32_t closest = 0;
+  for (const std::uint32_t i : order) {
+    const std::size_t count = count_misfits(pack, reference, file, i);
+    if (count == 0) return i;
+    if (count < fewest) closest = i;
+    fewest = std::min(fewest, count);
+  }
+  const std::string rule = "skeleton \"" + name + "\" does not fit " + path;
+  if (order.empty()) throw Failure(Exit::invalid, pack_path, "", rule, "all its skeletons play another clip");
+  throw Failure(Exit::invalid, pack_path, "", rule,
+                "in \"" + std::string(file.skeleton(closest).name) + "\" " + describe(pack, reference, file, closest) +
+                    "; cook the pack again with --skeleton");
+}
+
+Play play_pack(const std::string& pack_path, const File& pack, const std::string& wanted, const std::string& path,
+               const File& file) {
+  if (pack.reference_count() == 0)
+    throw Failure(Exit::invalid, pack_path, "", "not a clip pack", "cook it with --clips-only");
+  const std::uint32_t first = find_clip(pack_path, pack, wanted);
+  const bool by_name = pack.clip(first).name == wanted;
+  Play play;
+  for (std::uint32_t r = 0; r < pack.reference_count(); ++r) {
+    const std::uint32_t index = by_name                          ? pack.find_clip(wanted.c_str(), r)
+                                : pack.clip(first).skeleton == r ? first
+                                                                 : pack.clip_count();
+    if (index == pack.clip_count()) continue;
+    const Clip clip = pack.clip(index);
+    play.parts.push_back({fitting_skeleton(pack_path, pack, r, path, file, play), clip, pack});
+    play.duration_s = std::max(play.duration_s, clip.duration_s);
+  }
+  return play;
+}
+
+}  // namespace
+
+Chosen choose(const std::string& path, const File& file, const Choice& choice) {
+  if (file.reference_count() > 0)
+    throw Failure(Exit::invalid, path, "", "a clip pack has nothing to move",
+                  "name the character's file, and this one with --clips");
+  if (file.mesh_count() == 0) throw Failure(Exit::invalid, path, "", "no mesh", "name a file that has one");
+  Chosen out;
+  if (!choice.clips.empty()) {
+    if (choice.clip.empty())
+      throw Failure(Exit::usage, "--clips", "", "no clip is named", "give --clip too, by name or number");
+    out.pack = load_mrw(choice.clips);
+    out.play = play_pack(choice.clips, out.pack->file, choice.clip, path, file);
+  } else if (!choice.clip.empty()) {
+    const std::uint32_t index = find_clip(path, file, choice.clip);
+    const Clip clip = file.clip(index);
+    out.play = clip.name == choice.clip ? play_together(file, index) : play_alone(file, clip, clip.skeleton);
+  }
+  return out;
+}
+
+}  // namespace marrow::tools

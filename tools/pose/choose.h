@@ -1,0 +1,27 @@
+// What --clip, --clips and --time say: what is played on a cooked file, and when.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/load_mrw.h"
+#include "pose/evaluate.h"
+
+namespace marrow::tools {
+
+struct Choice {
+  std::string clip;   // by name, which all clips of that name play, one a skeleton; or one by number; empty: none
+  std::string clips;  // a clip pack that it comes from; empty: the file itself
+  float time_s = 0;
+};
+
+struct Chosen {
+  Play play;                       // empty: the rest pose
+  std::optional<LoadedFile> pack;  // holds the clips
+};
+
+// Throws Failure: invalid if `file` has no mesh; usage if there is no such clip; invalid, with the joints that are in
+// the way, if a clip of the pack fits no skeleton of `file`; what load_mrw() throws of the pack.
+Chosen choose(const std::string& path, const File& file, const Choice& choice);
+
+}  // namespace marrow::tools
