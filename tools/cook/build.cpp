@@ -90,6 +90,8 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
     out.clips[i].reference = references[i].pose;
   }
   build_meshes(scene, options, out);
+  build_materials(scene, options.images, out);
+  build_nodes(scene, options.keep, out);
   return out;
 }
 

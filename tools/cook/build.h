@@ -23,11 +23,16 @@ struct ClipErrorRule {
   bool is_share = false;
 };
 
+// What becomes of the source's images.
+enum class Images { reference, embed, none };
+
 struct CookOptions {
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
   bool keep_vertex_order = false;                // remember where every vertex of the source went
+  Images images = Images::reference;
+  std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
 };
 
 // Adds to scene.warnings what it mends or leaves out. Throws tools::Failure (invalid: nothing to cook; unsupported: a
@@ -47,6 +52,9 @@ struct AdditiveReference {
 };
 std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules);
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
+// Of meshes built before.
+void build_materials(RawScene& scene, Images images, BuiltScene& out);
+void build_nodes(RawScene& scene, const std::vector<std::string>& keep, BuiltScene& out);
 
 // node-to-parent matrix of one node, and rows of an affine matrix.
 glm::dmat4 local_matrix(const RawNode& node);

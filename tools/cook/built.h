@@ -76,6 +76,8 @@ struct BuiltGeometry {
 struct BuiltMesh {
   std::string name;
   std::string material;
+  int raw_material = kNone;            // index into RawScene::materials
+  std::uint32_t material_section = 0;  // as in format::MeshHeader
   std::uint32_t geometry = 0;
   std::uint32_t influences = 0;  // the most of any vertex
   std::vector<std::uint16_t> joints;
@@ -84,11 +86,37 @@ struct BuiltMesh {
   bool double_sided = false;
 };
 
+struct BuiltMaterial {
+  std::string name;
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  std::vector<Texture> textures;
+};
+
+// A node that --keep asked for.
+struct BuiltNode {
+  std::string name;
+  std::uint32_t skeleton = 0;
+  std::uint16_t joint = kNoJoint;
+  Affine joint_from_node;
+  std::vector<RawProperty> properties;
+};
+
+// What one GLOB of --keep fits.
+struct Kept {
+  std::string glob;
+  std::vector<std::string> nodes;
+};
+
 struct BuiltScene {
   BuiltSkeleton skeleton;
   std::vector<BuiltClip> clips;
   std::vector<BuiltGeometry> geometries;  // no two the same
   std::vector<BuiltMesh> meshes;          // node by node, primitive by primitive
+  std::vector<BuiltMaterial> materials;   // those with more than MESH says; no two the same
+  std::vector<RawImage> images;           // no two the same
+  std::vector<BuiltNode> nodes;           // in the source's order
+  std::vector<Kept> kept;                 // a GLOB
 };
 
 }  // namespace marrow::cook

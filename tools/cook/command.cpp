@@ -61,6 +61,9 @@ cook::AdditiveRule read_additive(const std::string& text) {
 void run_cook(const CookArguments& a) {
   cook::CookOptions options = a.options;
   options.raw_clips = a.clip_codec == "raw";
+  options.images = a.images == "embed"  ? cook::Images::embed
+                   : a.images == "none" ? cook::Images::none
+                                        : cook::Images::reference;
   for (const std::string& text : a.clip_error) options.clip_error.push_back(read_clip_error(text));
   for (const std::string& text : a.additive) options.additive.push_back(read_additive(text));
   const cook::CookResult result = cook::cook_file(a.in, options);

@@ -14,6 +14,7 @@ struct CookArguments {
   std::vector<std::string> clip_error;
   std::string clip_codec = "segments";
   std::vector<std::string> additive;
+  std::string images = "reference";
   cook::CookOptions options;  // but for what the texts say
 };
 

@@ -112,11 +112,47 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.material = names.add(m.material);
   h.geometry = m.geometry;
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
+  h.material_section = m.material_section;
   h.flags = m.double_sided ? format::kDoubleSided : 0u;
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
   out.add(h);
   out.add_all(m.inverse_bind);
   out.add_all(m.joints);
+  return out;
+}
+
+Section write_material(const BuiltMaterial& m, Names& names) {
+  Section out;
+  out.add(format::MaterialHeader{names.add(m.name), m.alpha_cutoff, m.alpha,
+                                 static_cast<std::uint8_t>(m.textures.size()), 0});
+  out.add_all(m.textures);
+  return out;
+}
+
+Section write_image(const RawImage& i, Names& names) {
+  Section out;
+  out.add(format::ImageHeader{
+      names.add(i.name), names.add(i.uri), static_cast<std::uint32_t>(i.bytes.size()), i.format, {}});
+  out.add_all(i.bytes);
+  return out;
+}
+
+Section write_node(const BuiltNode& n, Names& names) {
+  Section out;
+  out.add(format::NodeHeader{names.add(n.name), n.skeleton, static_cast<std::uint32_t>(n.properties.size()), n.joint, 0,
+                             n.joint_from_node});
+  for (const RawProperty& raw : n.properties) {
+    Property p{};
+    p.name = names.add(raw.name);
+    p.type = raw.type;
+    p.number = 0;  // all eight bytes
+    if (raw.type == PropertyType::text) {
+      p.text = names.add(raw.text);
+    } else {
+      p.number = raw.number;
+    }
+    out.add(p);
+  }
   return out;
 }
 
@@ -166,6 +202,10 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
     sections.emplace_back(format::kMeshes, write_mesh(mesh, names));
     out.mesh_bytes.push_back(sections.back().second.bytes().size());
   }
+  for (const BuiltMaterial& material : scene.materials)
+    sections.emplace_back(format::kMaterials, write_material(material, names));
+  for (const RawImage& image : scene.images) sections.emplace_back(format::kImages, write_image(image, names));
+  for (const BuiltNode& node : scene.nodes) sections.emplace_back(format::kNodes, write_node(node, names));
   Section pool;
   pool.add_all(names.pool());
   sections.emplace_back(format::kNames, std::move(pool));

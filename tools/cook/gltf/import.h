@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cook/gltf/materials.h"
 #include "cook/gltf/model.h"
 #include "cook/gltf/report.h"
 #include "cook/gltf/rules.h"
@@ -31,8 +32,13 @@ std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& gra
 
 std::vector<RawSkin> import_skins(const Document& document, const std::vector<RawNode>& nodes, Report& report);
 
+// Gives nodes what they carry for the game: nested members and elements get the path of their keys, escaped as in a
+// JSON pointer, as their name. Nulls, infinite numbers and texts with a zero character are left out and counted.
+void import_extras(const Document& document, std::vector<RawNode>& nodes, Budget& budget, Report& report);
+
 // One RawMesh a mesh of the document, in its order. Primitives that draw no triangles are left out.
-std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Report& report);
+std::vector<RawMesh> import_meshes(const Document& document, const Materials& materials, Budget& budget,
+                                   Report& report);
 
 // Also checks that every joint that a mesh uses exists in the skins that it is drawn with; influences that no skin
 // makes sense of are dropped.
