@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/load_mrw.h"
+#include "info/looks.h"
 
 namespace marrow::tools {
 namespace {
@@ -77,6 +78,8 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
                           {"reference", c.reference != nullptr ? "own" : "rest"},
                           {"channels", channels}});
   }
+  describe_looks(file, r);
+  describe_nodes(file, r);
   return r;
 }
 
@@ -102,6 +105,8 @@ void print(const ordered_json& r) {
                text(m["name"]), m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
                m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]));
   }
+  print_looks(r);
+  print_nodes(r);
   for (const auto& s : r["sections"])
     fmt::print("section {} at {}: {} bytes\n", text(s["type"]), s["offset"].get<int>(), s["bytes"].get<int>());
 }
