@@ -17,6 +17,7 @@
   X(void, BindRenderbuffer, (GLenum target, GLuint renderbuffer))                                                 \
   X(void, BindSampler, (GLuint unit, GLuint sampler))                                                             \
   X(void, BindTexture, (GLenum target, GLuint texture))                                                           \
+  X(void, BlendFunc, (GLenum source, GLenum destination))                                                         \
   X(void, BlitFramebuffer,                                                                                        \
     (GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0, GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, \
      GLenum filter))                                                                                              \
@@ -38,6 +39,7 @@
   X(void, GenRenderbuffers, (GLsizei count, GLuint * renderbuffers))                                              \
   X(void, GenSamplers, (GLsizei count, GLuint * samplers))                                                        \
   X(void, GenTextures, (GLsizei count, GLuint * textures))                                                        \
+  X(void, GenerateMipmap, (GLenum target))                                                                        \
   X(void, GetInternalformativ, (GLenum target, GLenum format, GLenum name, GLsizei size, GLint * values))         \
   X(void, PixelStorei, (GLenum name, GLint value))                                                                \
   X(void, PolygonOffset, (GLfloat factor, GLfloat units))                                                         \
@@ -46,6 +48,9 @@
     (GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height))                               \
   X(void, SamplerParameteri, (GLuint sampler, GLenum name, GLint value))                                          \
   X(void, TexStorage2D, (GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height))            \
+  X(void, TexSubImage2D,                                                                                          \
+    (GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,     \
+     const void* pixels))                                                                                         \
   X(void, Uniform1i, (GLint location, GLint value))                                                               \
   X(void, Uniform2fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, Uniform3fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
