@@ -221,8 +221,7 @@ void import_uvs(VertexSource& source, const UvMapping& mapping, RawPrimitive& ra
   const std::string carried = source.has(wanted) ? wanted : "TEXCOORD_0";
   for (const char* name : {"TEXCOORD_0", "TEXCOORD_1"})
     if (source.has(name) && name != carried)
-      report.warn(source.pointer_of(name), "extra-uvs-dropped",
-                  "only " + carried + ", which the material uses, is carried");
+      report.warn(source.pointer_of(name), "extra-uvs-dropped", "the mesh carries " + carried + " alone");
   if (!source.has(carried)) return;
   const std::vector<float> values = source.read(carried);
   const UvMapping used = source.has(wanted) ? mapping : UvMapping{};
