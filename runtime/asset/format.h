@@ -143,8 +143,8 @@ struct MeshHeader {
   std::uint32_t joint_count;
   std::uint32_t flags;
   float base_colour[4];
-  std::uint32_t material_section;  // 0: the material has no section; else 1 + which
   std::uint32_t reserved;          // 0
+  std::uint32_t material_section;  // 0: the material has no section; else 1 + which
 };
 static_assert(sizeof(MeshHeader) == 48);
 

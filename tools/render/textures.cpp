@@ -44,7 +44,7 @@ const Texture* base_colour(const Material& material) {
 // The bytes of an image by reference; nothing if it is not there.
 std::optional<std::vector<std::byte>> read_referenced(const std::string& uri, const std::string& folder,
                                                       const std::string& path, const std::string& where) {
-  const cook::gltf::Report report(path);
+  cook::gltf::Report report(path);
   if (uri.empty()) return std::nullopt;
   const std::string relative = cook::gltf::decode_relative_uri(uri, where, report);
   const std::string found = cook::gltf::resolve_in_folder(folder, relative, where, report);
