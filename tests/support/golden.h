@@ -12,6 +12,8 @@ extern const unsigned char dance_v1[];
 extern const unsigned long long dance_v1_size;
 extern const unsigned char face_v1[];
 extern const unsigned long long face_v1_size;
+extern const unsigned char looks_v1[];
+extern const unsigned long long looks_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -28,6 +30,11 @@ inline AlignedBlock golden_coded_copy() {
 // A file whose clip has channels and is additive.
 inline AlignedBlock golden_channels_copy() {
   return AlignedBlock(embedded::face_v1, static_cast<std::size_t>(embedded::face_v1_size));
+}
+
+// A file with materials, embedded images and kept nodes.
+inline AlignedBlock golden_looks_copy() {
+  return AlignedBlock(embedded::looks_v1, static_cast<std::size_t>(embedded::looks_v1_size));
 }
 
 }  // namespace marrow::test
