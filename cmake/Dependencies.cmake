@@ -11,4 +11,6 @@ FetchContent_Declare(TinyGLTF GIT_REPOSITORY https://github.com/syoyo/tinygltf.g
   FIND_PACKAGE_ARGS)
 FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm TinyGLTF)
 find_package(PNG REQUIRED)
+# tinygltf's repository has it too.
+find_path(MARROW_STB_INCLUDE stb_image.h PATH_SUFFIXES stb HINTS ${tinygltf_SOURCE_DIR} REQUIRED)
 find_package(Threads REQUIRED)

@@ -1,9 +1,14 @@
-// A character's skin: matte clay under a warm key, a cool sky and a rim light.
+// A character's skin: matte under a warm key, a cool sky and a rim light.
 uniform vec4 base_colour;   // linear
+uniform vec2 alpha_range;   // only what is at least as opaque as x and less than y is drawn
 uniform float shading;      // 1: lit; 0: the colour as it is (heat maps use something between)
 in vec3 position_scene;
 #if MARROW_NORMAL
 in vec3 normal_scene;
+#endif
+#if MARROW_UV
+uniform highp sampler2D base_texture;
+in vec2 uv;
 #endif
 #if MARROW_COLOUR
 in vec4 vertex_colour;
@@ -23,6 +28,14 @@ float gloss(vec3 n, vec3 v, vec3 l) {
 }
 
 void main() {
+  vec4 base = base_colour;
+#if MARROW_UV
+  base *= texture(base_texture, uv);
+#endif
+#if MARROW_COLOUR
+  base *= vertex_colour;
+#endif
+  bool drawn = base.a >= alpha_range.x && base.a < alpha_range.y;
   vec3 view = normalize(camera_position - position_scene);
   vec3 facet = normalize(cross(dFdx(position_scene), dFdy(position_scene)));
   if (dot(facet, view) < 0.0) facet = -facet;
@@ -35,10 +48,8 @@ void main() {
   vec3 normal = facet;
 #endif
 
-  vec3 albedo = base_colour.rgb;
-#if MARROW_COLOUR
-  albedo *= vertex_colour.rgb;
-#endif
+  if (!drawn) discard;  // not before: neighbours need the derivatives
+  vec3 albedo = base.rgb;
 
   float turn = noise(gl_FragCoord.xy);
   float cosine = dot(normal, key_direction);
@@ -54,13 +65,16 @@ void main() {
   vec3 fill_direction = normalize(vec3(-key_direction.x, 0.25, key_direction.z));
   vec3 fill = vec3(0.2, 0.27, 0.36) * max(dot(normal, fill_direction) * 0.6 + 0.4, 0.0);
 
-  vec3 light = albedo * (key * kKeyColour / 3.14159 * 1.25 + ambient * 0.62 + fill);
+  // Painters' white is 1, but no paint reflects more than about 0.8 of the light: whites would burn out.
+  float brightest = max(albedo.r, max(albedo.g, albedo.b));
+  vec3 paint = albedo * (1.0 - 0.22 * smoothstep(0.5, 1.0, brightest));
+  vec3 light = paint * (key * kKeyColour / 3.14159 * 1.25 + ambient * 0.62 + fill);
   light += kKeyColour * gloss(normal, view, key_direction) * visible * 0.55;
   // From behind, on the side away from the key.
   vec3 rim_direction = normalize(vec3(-key_direction.x, 0.55, -key_direction.z));
   float edge = pow(1.0 - max(dot(normal, view), 0.0), 3.0);
-  light += kRimColour * (albedo * 0.7 + 0.06) * edge * smoothstep(-0.1, 0.8, dot(normal, rim_direction)) * open;
+  light += kRimColour * (paint * 0.7 + 0.06) * edge * smoothstep(-0.1, 0.8, dot(normal, rim_direction)) * open;
 
   vec3 plain = albedo * (0.80 + 0.20 * max(dot(normal, view), 0.0));
-  frag_colour = vec4(dither(mix(plain, film(light), shading), gl_FragCoord.xy), 1.0);
+  frag_colour = vec4(dither(mix(plain, film(light), shading), gl_FragCoord.xy), base.a);
 }

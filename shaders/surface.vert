@@ -1,9 +1,12 @@
-// A character's vertices for the camera: skinned position and normal, colour passed on.
+// A character's vertices for the camera: skinned position and normal, colour and texture coordinates passed on.
 uniform mat4 clip_from_scene;
 
 out vec3 position_scene;
 #if MARROW_NORMAL
 out vec3 normal_scene;
+#endif
+#if MARROW_UV
+out vec2 uv;
 #endif
 #if MARROW_COLOUR
 out vec4 vertex_colour;
@@ -14,6 +17,9 @@ void main() {
   position_scene = v.position;
 #if MARROW_NORMAL
   normal_scene = v.normal;
+#endif
+#if MARROW_UV
+  uv = in_uv;
 #endif
 #if MARROW_COLOUR
   vertex_colour = in_colour;

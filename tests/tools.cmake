@@ -1,7 +1,7 @@
 # Tests of the cooker and of the program; included where the tools are built.
 set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/cook/gltf_geometry_test.cpp
-  unit/cook/gltf_morphs_test.cpp unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/packs_test.cpp
-  unit/cook/skeletons_test.cpp)
+  unit/cook/gltf_looks_test.cpp unit/cook/gltf_morphs_test.cpp unit/cook/gltf_refusals_test.cpp
+  unit/cook/gltf_scene_test.cpp unit/cook/keep_test.cpp unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
@@ -10,6 +10,7 @@ marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
 marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
 marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
 marrow_embed(marrow_cook_tests pack_v1 golden/pack_v1.mrw)
+marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
@@ -31,7 +32,7 @@ target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJEC
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
-  cli/clip_pack_test.cpp)
+  cli/clip_pack_test.cpp cli/looks_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")
@@ -45,7 +46,7 @@ add_executable(marrow_gltf_fuzz fuzz/gltf_fuzz.cpp fuzz/driver.cpp)
 target_link_libraries(marrow_gltf_fuzz PRIVATE marrow_test_support marrow_cook)
 marrow_warnings(marrow_gltf_fuzz)
 add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRENT_SOURCE_DIR}/golden/tiny.gltf
-  ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf)
+  ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf ${CMAKE_CURRENT_SOURCE_DIR}/golden/looks.gltf)
 set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
 
 # The README's first program, as printed there.

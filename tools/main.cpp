@@ -110,6 +110,19 @@ void add_cook(CLI::App& app) {
       ->add_option("--skeleton", a.skeleton,
                    "the character, cooked or glTF, that a clip pack is for; nodes are matched with its joints by name")
       ->type_name("CHARACTER");
+  command
+      ->add_option(
+          "--images", a.images,
+          "reference: materials name their images as the source does; embed: the PNG or JPEG files as they are; "
+          "none: neither")
+      ->check(CLI::IsMember({"reference", "embed", "none"}))
+      ->capture_default_str();
+  command
+      ->add_option("--keep", a.options.keep,
+                   "keep nodes by name, as sockets, and their extras; GLOB may have * and ?; repeatable")
+      ->type_name("GLOB")
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
                     "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
   command->callback([&a] { run_cook(a); });
@@ -174,6 +187,11 @@ void add_render(CLI::App& app) {
   command->add_option("--size", a.size, "pixels")->type_name("WxH")->capture_default_str();
   command->add_option("--heatmap", a.heatmap, "colour the distance between two deformers, as in ssd:as")
       ->type_name("A:B");
+  command
+      ->add_option("--images-from", a.images_from,
+                   "where images by reference are looked for, here and below; without it, the cooked file's folder")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
   command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
   command->callback([&a] { run_render(a); });
 }

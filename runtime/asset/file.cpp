@@ -124,6 +124,7 @@ Mesh File::mesh(std::uint32_t index) const {
   Mesh m;
   m.name = text(header.name);
   m.material = text(header.material);
+  if (header.material_section != 0) m.material_index = header.material_section - 1;
   m.skeleton = header.skeleton;
   m.geometry_index = header.geometry;
   m.joint_count = header.joint_count;
@@ -148,10 +149,56 @@ std::uint32_t File::find_clip(const char* name, std::uint32_t of_skeleton) const
   return i;
 }
 
+Material File::material(std::uint32_t index) const {
+  const std::byte* const base = section(format::kMaterials, index);
+  const auto& header = *at<format::MaterialHeader>(base, 0);
+  Material m;
+  m.name = text(header.name);
+  m.alpha = header.alpha;
+  m.alpha_cutoff = header.alpha_cutoff;
+  m.textures = {at<Texture>(base, layout(header).textures), header.texture_count};
+  return m;
+}
+
+Image File::image(std::uint32_t index) const {
+  const std::byte* const base = section(format::kImages, index);
+  const auto& header = *at<format::ImageHeader>(base, 0);
+  Image i;
+  i.name = text(header.name);
+  i.uri = text(header.uri);
+  i.format = header.format;
+  i.bytes = {base + layout(header).data, header.byte_count};
+  return i;
+}
+
+Node File::node(std::uint32_t index) const {
+  const std::byte* const base = section(format::kNodes, index);
+  const auto& header = *at<format::NodeHeader>(base, 0);
+  Node n;
+  n.name = text(header.name);
+  n.skeleton = header.skeleton;
+  n.joint = header.joint;
+  n.joint_from_node = &header.joint_from_node;
+  n.properties = {at<Property>(base, layout(header).properties), header.property_count};
+  return n;
+}
+
 std::uint32_t File::find_clip(const char* name) const {
   std::uint32_t i = 0;
   while (i < clip_count() && std::strcmp(clip(i).name, name) != 0) ++i;
   return i;
+}
+
+std::uint32_t File::find_node(const char* name) const {
+  std::uint32_t i = 0;
+  while (i < node_count() && std::strcmp(node(i).name, name) != 0) ++i;
+  return i;
+}
+
+const Property* File::node_property(const Node& node, const char* name) const {
+  for (const Property& p : node.properties)
+    if (std::strcmp(text(p.name), name) == 0) return &p;
+  return nullptr;
 }
 
 std::uint32_t File::find_channel(const Clip& clip, const char* name) const {

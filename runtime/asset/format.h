@@ -24,10 +24,22 @@ inline constexpr std::uint32_t kCodecRaw = 0;
 inline constexpr std::uint32_t kCodecSegments = 1;  // clips only
 
 // Kinds of sections in the order in which they stand in a file. Every kind but names may occur any number of times.
-enum Kind : std::uint32_t { kSkeletons, kReferences, kClips, kGeometries, kMeshes, kNames, kKindCount };
-inline constexpr std::uint32_t kTypes[kKindCount] = {four_characters("SKEL"), four_characters("SREF"),
-                                                     four_characters("CLIP"), four_characters("GEOM"),
-                                                     four_characters("MESH"), four_characters("NAME")};
+enum Kind : std::uint32_t {
+  kSkeletons,
+  kReferences,
+  kClips,
+  kGeometries,
+  kMeshes,
+  kMaterials,
+  kImages,
+  kNodes,
+  kNames,
+  kKindCount
+};
+inline constexpr std::uint32_t kTypes[kKindCount] = {
+    four_characters("SKEL"), four_characters("SREF"), four_characters("CLIP"),
+    four_characters("GEOM"), four_characters("MESH"), four_characters("MATL"),
+    four_characters("IMAG"), four_characters("NODE"), four_characters("NAME")};
 
 struct Header {
   std::uint32_t magic;
@@ -162,10 +174,38 @@ struct MeshHeader {
   std::uint32_t joint_count;
   std::uint32_t flags;
   float base_colour[4];
-  std::uint32_t target_count;  // the geometry's
-  std::uint32_t reserved;      // 0
+  std::uint32_t target_count;      // the geometry's
+  std::uint32_t material_section;  // 0: the material has no section; else 1 + which
 };
 static_assert(sizeof(MeshHeader) == 48);
+
+struct MaterialHeader {
+  std::uint32_t name;
+  float alpha_cutoff;
+  AlphaMode alpha;
+  std::uint8_t texture_count;
+  std::uint16_t reserved;  // 0
+};
+static_assert(sizeof(MaterialHeader) == 12);
+
+struct ImageHeader {
+  std::uint32_t name;
+  std::uint32_t uri;
+  std::uint32_t byte_count;  // 0: by reference
+  ImageFormat format;
+  std::uint8_t reserved[3];  // 0
+};
+static_assert(sizeof(ImageHeader) == 16);
+
+struct NodeHeader {
+  std::uint32_t name;
+  std::uint32_t skeleton;
+  std::uint32_t property_count;
+  std::uint16_t joint;     // kNoJoint: none
+  std::uint16_t reserved;  // 0
+  Affine joint_from_node;
+};
+static_assert(sizeof(NodeHeader) == 64);
 
 inline constexpr std::uint64_t align16(std::uint64_t n) {
   return (n + 15) & ~std::uint64_t{15};
@@ -281,6 +321,27 @@ constexpr MeshLayout layout(const MeshHeader& h) {
   l.joints = l.targets + std::uint64_t{h.target_count} * sizeof(MeshTarget);
   l.bytes = l.joints + std::uint64_t{h.joint_count} * 2;
   return l;
+}
+
+struct MaterialLayout {
+  std::uint64_t textures, bytes;
+};
+constexpr MaterialLayout layout(const MaterialHeader& h) {
+  return {sizeof h, sizeof h + std::uint64_t{h.texture_count} * sizeof(Texture)};
+}
+
+struct ImageLayout {
+  std::uint64_t data, bytes;
+};
+constexpr ImageLayout layout(const ImageHeader& h) {
+  return {sizeof h, sizeof h + std::uint64_t{h.byte_count}};
+}
+
+struct NodeLayout {
+  std::uint64_t properties, bytes;
+};
+constexpr NodeLayout layout(const NodeHeader& h) {
+  return {sizeof h, sizeof h + std::uint64_t{h.property_count} * sizeof(Property)};
 }
 
 // How many values a track's key has in Clip::values.

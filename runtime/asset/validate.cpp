@@ -71,6 +71,11 @@ class Checker {
   bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
   bool source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots);
   bool mesh(const File::Section& s);
+  bool material(const File::Section& s);
+  bool texture(const Texture& t, std::uint32_t& roles);
+  bool image(const File::Section& s);
+  bool node(const File::Section& s);
+  bool property(const Property& p);
 
   const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
 
@@ -418,6 +423,7 @@ bool Checker::mesh(const File::Section& s) {
   const auto* h = header<format::MeshHeader>(s);
   if (h == nullptr) return false;
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (h->material_section > counts_[format::kMaterials]) return fail(&h->material_section, "no such material");
   if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
   if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
@@ -437,6 +443,65 @@ bool Checker::mesh(const File::Section& s) {
          below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");
 }
 
+bool Checker::texture(const Texture& t, std::uint32_t& roles) {
+  if (t.image >= counts_[format::kImages]) return fail(&t, "no such image");
+  if (t.role > TextureRole::emissive) return fail(&t.role, "unknown role of a texture");
+  if (t.wrap_u > Wrap::mirrored_repeat || t.wrap_v > Wrap::mirrored_repeat) return fail(&t.wrap_u, "unknown wrap mode");
+  if (t.mag > MagFilter::linear || t.min > MinFilter::linear_mipmap_linear) return fail(&t.mag, "unknown filter");
+  if (t.reserved != 0) return fail(&t.reserved, "reserved must be 0");
+  const std::uint32_t role = 1u << static_cast<std::uint32_t>(t.role);
+  if ((roles & role) != 0) return fail(&t.role, "a role twice in one material");
+  roles |= role;
+  return true;
+}
+
+bool Checker::material(const File::Section& s) {
+  const auto* h = header<format::MaterialHeader>(s);
+  if (h == nullptr) return false;
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (h->alpha > AlphaMode::blend) return fail(&h->alpha, "unknown alpha mode");
+  if (!name(h->name) || !finite(&h->alpha_cutoff, 4)) return false;
+  if (!(h->alpha_cutoff >= 0)) return fail(&h->alpha_cutoff, "a cutoff is not negative");
+  std::uint32_t roles = 0;
+  for (const Texture& t : Span<const Texture>{at<Texture>(s, layout(*h).textures), h->texture_count})
+    if (!texture(t, roles)) return false;
+  return true;
+}
+
+bool Checker::image(const File::Section& s) {
+  const auto* h = header<format::ImageHeader>(s);
+  if (h == nullptr) return false;
+  if ((h->reserved[0] | h->reserved[1] | h->reserved[2]) != 0) return fail(h->reserved, "reserved must be 0");
+  if (h->format > ImageFormat::jpeg) return fail(&h->format, "unknown format of an image");
+  if (h->byte_count > 0 && h->format == ImageFormat::unknown) return fail(&h->format, "bytes of an unknown format");
+  return name(h->name) && name(h->uri);
+}
+
+bool Checker::property(const Property& p) {
+  if ((p.reserved[0] | p.reserved[1] | p.reserved[2]) != 0) return fail(p.reserved, "reserved must be 0");
+  if (p.type > PropertyType::text) return fail(&p.type, "unknown type of a property");
+  if (!name(p.name)) return false;
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &p.number, sizeof bits);
+  if (p.type == PropertyType::text) return bits >> 32 != 0 ? fail(&p.number, "reserved must be 0") : name(p.text);
+  if ((bits >> 52 & 0x7FF) == 0x7FF) return fail(&p.number, "a number that is not finite");
+  const bool truth = p.type == PropertyType::boolean;
+  return !truth || bits == 0 || p.number == 1 || fail(&p.number, "a boolean is 0 or 1");
+}
+
+bool Checker::node(const File::Section& s) {
+  const auto* h = header<format::NodeHeader>(s);
+  if (h == nullptr) return false;
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
+  const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  if (h->joint != kNoJoint && h->joint >= skeleton->joint_count) return fail(&h->joint, "a joint outside the skeleton");
+  if (!name(h->name) || !finite(&h->joint_from_node, sizeof h->joint_from_node)) return false;
+  for (const Property& p : Span<const Property>{at<Property>(s, layout(*h).properties), h->property_count})
+    if (!property(p)) return false;
+  return true;
+}
+
 // Kinds stand in ascending order, so a section may lean on those before it; names are checked first.
 bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
@@ -446,6 +511,9 @@ bool Checker::all() {
                       : s.type == format::kTypes[format::kClips]      ? clip(s)
                       : s.type == format::kTypes[format::kGeometries] ? geometry(s)
                       : s.type == format::kTypes[format::kMeshes]     ? mesh(s)
+                      : s.type == format::kTypes[format::kMaterials]  ? material(s)
+                      : s.type == format::kTypes[format::kImages]     ? image(s)
+                      : s.type == format::kTypes[format::kNodes]      ? node(s)
                                                                       : true;
     if (!good) return false;
   }
@@ -477,7 +545,8 @@ DataError check_container(Span<const std::byte> block) {
     File::Section s;
     std::memcpy(&s, block.data + entry, sizeof s);
     while (kind < format::kKindCount && s.type != format::kTypes[kind]) ++kind;
-    if (kind == format::kKindCount) return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH NAME");
+    if (kind == format::kKindCount)
+      return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE NAME");
     if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
     if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
     for (std::uint64_t pad = end; pad < s.offset; ++pad)

@@ -36,6 +36,14 @@ TEST(GoldenCook, GivesTheGoldenBytes) {
                 test::golden_pack_copy());
 }
 
+TEST(GoldenCook, GivesTheGoldenBytesOfLooks) {
+  cook::CookOptions options;
+  options.images = cook::Images::embed;
+  options.keep = {"*"};
+  expect_golden(cook::cook_file(std::string(MARROW_SOURCE_DIR) + "/tests/golden/looks.gltf", options),
+                test::golden_looks_copy());
+}
+
 TEST(GoldenCook, TwiceGivesTheSameBytes) {
   EXPECT_EQ(cook_file("dance.gltf", false).file, cook_file("dance.gltf", false).file);
 }

@@ -14,6 +14,8 @@ extern const unsigned char face_v1[];
 extern const unsigned long long face_v1_size;
 extern const unsigned char pack_v1[];
 extern const unsigned long long pack_v1_size;
+extern const unsigned char looks_v1[];
+extern const unsigned long long looks_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -35,6 +37,11 @@ inline AlignedBlock golden_channels_copy() {
 // A clip pack.
 inline AlignedBlock golden_pack_copy() {
   return AlignedBlock(embedded::pack_v1, static_cast<std::size_t>(embedded::pack_v1_size));
+}
+
+// A file with materials, embedded images and kept nodes.
+inline AlignedBlock golden_looks_copy() {
+  return AlignedBlock(embedded::looks_v1, static_cast<std::size_t>(embedded::looks_v1_size));
 }
 
 }  // namespace marrow::test

@@ -1,5 +1,6 @@
 #include "support/pose_file.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -149,6 +150,39 @@ PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, st
   return out;
 }
 
+// Every name and every byte that materials and images lead to.
+std::uint64_t hash_looks(std::uint64_t state, const File& file) {
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m)
+    require(file.mesh(m).material_index == kNoMaterial || file.mesh(m).material_index < file.material_count());
+  for (std::uint32_t m = 0; m < file.material_count(); ++m) {
+    const Material material = file.material(m);
+    state = hash_text(state, material.name);
+    for (const Texture& t : material.textures) state = hash_text(state, file.image(t.image).name);
+  }
+  for (std::uint32_t i = 0; i < file.image_count(); ++i) {
+    const Image image = file.image(i);
+    state = hash_text(hash_text(state, image.name), image.uri);
+    for (const std::byte b : image.bytes) state = state * 31 + std::to_integer<std::uint64_t>(b);
+  }
+  return state;
+}
+
+std::uint64_t hash_nodes(std::uint64_t state, const File& file) {
+  for (std::uint32_t n = 0; n < file.node_count(); ++n) {
+    const Node node = file.node(n);
+    state = hash_text(state, node.name);
+    require(file.find_node(node.name) <= n);
+    if (node.joint != kNoJoint) state = hash_text(state, file.text(file.skeleton(node.skeleton).names[node.joint]));
+    require(std::isfinite(node.joint_from_node->rows[2][3]));
+    for (const Property& p : node.properties) {
+      state = hash_text(state, file.text(p.name));
+      require(file.node_property(node, file.text(p.name)) != nullptr);
+      if (p.type == PropertyType::text) state = hash_text(state, file.text(p.text));
+    }
+  }
+  return state;
+}
+
 std::uint64_t exercise(const File& file) {
   std::uint64_t state = kHashStart;
   for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
@@ -157,6 +191,8 @@ std::uint64_t exercise(const File& file) {
     for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) state = hash_text(state, file.text(skeleton.names[j]));
   }
   for (std::uint32_t r = 0; r < file.reference_count(); ++r) state = hash_reference(state, file, r);
+  state = hash_looks(state, file);
+  state = hash_nodes(state, file);
   require(file.find_clip("no clip has such a name") <= file.clip_count());
   for (std::uint32_t c = 0; c < file.clip_count(); ++c) state = hash_channels(state, file, file.clip(c));
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {

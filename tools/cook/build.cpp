@@ -133,6 +133,8 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   build_skeletons(scene, out);
   build_clips(scene, options, out);
   build_meshes(scene, options, out);
+  build_materials(scene, options.images, out);
+  build_nodes(scene, options.keep, out);
   return out;
 }
 

@@ -26,6 +26,8 @@ struct ClipErrorRule {
 
 struct Character;
 enum class MeshCodec { draco, meshopt, none };
+// What becomes of the source's images.
+enum class Images { reference, embed, none };
 
 struct CookOptions {
   MeshCodec mesh_codec = MeshCodec::draco;
@@ -39,6 +41,8 @@ struct CookOptions {
   bool clips_only = false;                       // a clip pack
   std::shared_ptr<const Character> onto;         // that the pack is for; null: the file's own skeletons
   bool keep_vertex_order = false;                // remember where every vertex of the source went
+  Images images = Images::reference;
+  std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
 };
 
 // Adds to scene.warnings what it mends or leaves out. Throws tools::Failure (invalid: nothing to cook; unsupported: a
@@ -73,6 +77,9 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
 // One primitive's vertices: quantised, welded, in an order that GPUs like, encoded, decoded again.
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                              std::size_t joint_count, const MeshGrid& grid, const CookOptions& options);
+// Of meshes built before.
+void build_materials(RawScene& scene, Images images, BuiltScene& out);
+void build_nodes(RawScene& scene, const std::vector<std::string>& keep, BuiltScene& out);
 
 // node-to-parent matrix of one node, and rows of an affine matrix.
 glm::dmat4 local_matrix(const RawNode& node);

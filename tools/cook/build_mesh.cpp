@@ -170,13 +170,17 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.skeleton = static_cast<std::uint32_t>(nearest.skeleton);
   mesh.name = scene.meshes[static_cast<std::size_t>(instance.mesh)].name;
   if (mesh.name.empty()) mesh.name = scene.nodes[static_cast<std::size_t>(instance.node)].name;
-  mesh.material = primitive.material;
   mesh.geometry = bound.task;
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
   mesh.targets = instance.weights;
-  mesh.double_sided = primitive.double_sided;
-  for (int c = 0; c < 4; ++c) mesh.base_colour[c] = primitive.base_colour[c];
+  mesh.raw_material = primitive.material;
+  if (primitive.material != kNone) {
+    const RawMaterial& material = scene.materials[static_cast<std::size_t>(primitive.material)];
+    mesh.material = material.name;
+    mesh.double_sided = material.double_sided;
+    for (int c = 0; c < 4; ++c) mesh.base_colour[c] = material.base_colour[c];
+  }
   return mesh;
 }
 

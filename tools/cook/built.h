@@ -79,12 +79,36 @@ struct BuiltMesh {
   std::string name;
   std::string material;
   std::uint32_t skeleton = 0;
+  int raw_material = kNone;            // index into RawScene::materials
+  std::uint32_t material_section = 0;  // as in format::MeshHeader
   std::uint32_t geometry = 0;
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
   std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};
   bool double_sided = false;
+};
+
+struct BuiltMaterial {
+  std::string name;
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  std::vector<Texture> textures;
+};
+
+// A node that --keep asked for.
+struct BuiltNode {
+  std::string name;
+  std::uint32_t skeleton = 0;
+  std::uint16_t joint = kNoJoint;
+  Affine joint_from_node;
+  std::vector<RawProperty> properties;
+};
+
+// What one GLOB of --keep fits.
+struct Kept {
+  std::string glob;
+  std::vector<std::string> nodes;
 };
 
 struct BuiltScene {
@@ -95,6 +119,10 @@ struct BuiltScene {
   std::vector<BuiltClip> clips;           // clip by clip of the source, in each skeleton by skeleton
   std::vector<BuiltGeometry> geometries;  // no two the same
   std::vector<BuiltMesh> meshes;          // node by node, primitive by primitive
+  std::vector<BuiltMaterial> materials;   // those with more than MESH says; no two the same
+  std::vector<RawImage> images;           // no two the same
+  std::vector<BuiltNode> nodes;           // in the source's order
+  std::vector<Kept> kept;                 // a GLOB
 };
 
 }  // namespace marrow::cook

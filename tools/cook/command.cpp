@@ -95,6 +95,9 @@ void run_cook(const CookArguments& a) {
                        : a.mesh_codec == "meshopt" ? cook::MeshCodec::meshopt
                                                    : cook::MeshCodec::none;
   read_position_error(a.position_error, options);
+  options.images = a.images == "embed"  ? cook::Images::embed
+                   : a.images == "none" ? cook::Images::none
+                                        : cook::Images::reference;
   for (const std::string& text : a.clip_error) options.clip_error.push_back(read_clip_error(text));
   for (const std::string& text : a.additive) options.additive.push_back(read_additive(text));
   if (!a.skeleton.empty() && !options.clips_only)

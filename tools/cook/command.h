@@ -17,6 +17,7 @@ struct CookArguments {
   std::string mesh_codec = "draco";
   std::string position_error;
   std::string skeleton;       // a character's file
+  std::string images = "reference";
   cook::CookOptions options;  // but for what the texts say
 };
 

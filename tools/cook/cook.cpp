@@ -1,6 +1,7 @@
 #include "cook/cook.h"
 
 #include "cook/gltf/read.h"
+#include "cook/report.h"
 #include "cook/write.h"
 
 namespace marrow::cook {
@@ -82,6 +83,8 @@ ordered_json make_report(const RawScene& scene, const BuiltScene& built, const W
          {"max_error_joint", skeleton.joint_names[clip.error.joint]},
          {"max_error_time_s", clip.error.time_s}});
   }
+  report_looks(built, r);
+  report_nodes(built, r);
   r["warnings"] = ordered_json::array();
   for (const RawWarning& w : scene.warnings)
     r["warnings"].push_back({{"pointer", w.pointer}, {"rule", w.rule}, {"text", w.text}});
@@ -100,7 +103,7 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
 }
 
 CookResult cook_file(const std::string& path, const CookOptions& options) {
-  return cook_scene(read_gltf(path), options);
+  return cook_scene(read_gltf(path, {.image_bytes = options.images == Images::embed}), options);
 }
 
 }  // namespace marrow::cook

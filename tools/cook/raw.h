@@ -15,9 +15,19 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "marrow/file.h"
+
 namespace marrow::cook {
 
 inline constexpr int kNone = -1;
+
+// Something in a node's `extras`.
+struct RawProperty {
+  std::string name;  // keys from the outside in, with "/" between them
+  PropertyType type = PropertyType::number;
+  double number = 0;  // of a boolean 1 or 0
+  std::string text;
+};
 
 struct RawNode {
   std::string name;      // may be empty
@@ -27,6 +37,8 @@ struct RawNode {
   glm::dvec3 translation{0};
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 scale{1};
+  std::vector<RawProperty> extras;
+  std::size_t dropped_extras = 0;  // what cannot be carried
 };
 
 struct RawInfluence {
@@ -48,15 +60,13 @@ struct RawPrimitive {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;   // unit; empty if the file has none
   std::vector<glm::vec4> tangents;  // xyz unit, w = ±1
-  std::vector<glm::vec2> uvs;       // TEXCOORD_0
+  std::vector<glm::vec2> uvs;       // where the material's base colour texture is read
   std::vector<glm::vec4> colours;   // COLOR_0, linear, 0..1
   std::vector<std::vector<RawInfluence>>
       influences;                      // all sets; weights ≥ 0 as in the file, not yet normalised; empty if unskinned
   std::vector<RawTarget> targets;      // as many in all primitives of a mesh
   std::vector<std::uint32_t> indices;  // 3 a triangle; generated when the file has none
-  glm::vec4 base_colour{1};            // material's baseColorFactor
-  bool double_sided = false;
-  std::string material;  // material's name
+  int material = kNone;                // index into RawScene::materials
 };
 
 // What drives a morph target.
@@ -76,6 +86,22 @@ struct RawSkin {
   std::string name;
   std::vector<int> joints;               // node indices, distinct
   std::vector<glm::dmat4> inverse_bind;  // joint_from_mesh, one a joint (identity when the file has none)
+};
+
+struct RawMaterial {
+  std::string name;
+  glm::vec4 base_colour{1};  // baseColorFactor
+  bool double_sided = false;
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;      // of masks; else 0.5
+  std::vector<Texture> textures;  // their images are indices into RawScene::images
+};
+
+struct RawImage {
+  std::string name;  // never empty for an image that a material uses
+  std::string uri;   // as in the file, percent-encoded; empty if there is none
+  ImageFormat format = ImageFormat::unknown;
+  std::vector<std::byte> bytes;  // empty unless read_gltf() was asked for them
 };
 
 // A mesh drawn at a node. Listed in node order.
@@ -123,9 +149,11 @@ struct RawWarning {
 
 struct RawScene {
   std::string source;              // path as given
-  std::uint64_t source_bytes = 0;  // the file and every buffer it refers to, images left out
+  std::uint64_t source_bytes = 0;  // the file and whatever else was read for it
   std::vector<RawNode> nodes;
   std::vector<RawMesh> meshes;
+  std::vector<RawMaterial> materials;
+  std::vector<RawImage> images;  // those that no material uses are empty
   std::vector<RawSkin> skins;
   std::vector<RawInstance> instances;
   std::vector<RawClip> clips;

@@ -115,6 +115,7 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.skeleton = m.skeleton;
   h.geometry = m.geometry;
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
+  h.material_section = m.material_section;
   h.flags = m.double_sided ? format::kDoubleSided : 0u;
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
   h.target_count = static_cast<std::uint32_t>(m.targets.size());
@@ -122,6 +123,41 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   out.add_all(m.inverse_bind);
   for (const RawTargetWeight& t : m.targets) out.add(MeshTarget{names.add(t.target), names.add(t.channel), t.rest});
   out.add_all(m.joints);
+  return out;
+}
+
+Section write_material(const BuiltMaterial& m, Names& names) {
+  Section out;
+  out.add(format::MaterialHeader{names.add(m.name), m.alpha_cutoff, m.alpha,
+                                 static_cast<std::uint8_t>(m.textures.size()), 0});
+  out.add_all(m.textures);
+  return out;
+}
+
+Section write_image(const RawImage& i, Names& names) {
+  Section out;
+  out.add(format::ImageHeader{
+      names.add(i.name), names.add(i.uri), static_cast<std::uint32_t>(i.bytes.size()), i.format, {}});
+  out.add_all(i.bytes);
+  return out;
+}
+
+Section write_node(const BuiltNode& n, Names& names) {
+  Section out;
+  out.add(format::NodeHeader{names.add(n.name), n.skeleton, static_cast<std::uint32_t>(n.properties.size()), n.joint, 0,
+                             n.joint_from_node});
+  for (const RawProperty& raw : n.properties) {
+    Property p{};
+    p.name = names.add(raw.name);
+    p.type = raw.type;
+    p.number = 0;  // all eight bytes
+    if (raw.type == PropertyType::text) {
+      p.text = names.add(raw.text);
+    } else {
+      p.number = raw.number;
+    }
+    out.add(p);
+  }
   return out;
 }
 
@@ -205,7 +241,8 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   Names names;
   WrittenFile out;
   std::vector<Section> sections;  // their bytes stay where they are
-  sections.reserve(scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + 1);
+  sections.reserve(scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
+                   scene.images.size() + scene.nodes.size() + 1);
   std::vector<Entry> entries;
   const auto add = [&](format::Kind kind, Section section) {
     const Section& kept = sections.emplace_back(std::move(section));
@@ -228,6 +265,9 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
     is_packed = is_packed || has_record;
   }
   for (const BuiltMesh& mesh : scene.meshes) out.mesh_bytes.push_back(add(format::kMeshes, write_mesh(mesh, names)));
+  for (const BuiltMaterial& material : scene.materials) add(format::kMaterials, write_material(material, names));
+  for (const RawImage& image : scene.images) add(format::kImages, write_image(image, names));
+  for (const BuiltNode& node : scene.nodes) add(format::kNodes, write_node(node, names));
   Section pool;
   pool.add_all(names.pool());
   add(format::kNames, std::move(pool));

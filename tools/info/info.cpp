@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/load_mrw.h"
+#include "info/looks.h"
 #include "marrow/clip_pack.h"
 
 namespace marrow::tools {
@@ -96,6 +97,8 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
                           {"reference", c.reference != nullptr ? "own" : "rest"},
                           {"channels", channels}});
   }
+  describe_looks(file, r);
+  describe_nodes(file, r);
   return r;
 }
 
@@ -131,6 +134,8 @@ void print(const ordered_json& r) {
                m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
                of_skeleton(m));
   }
+  print_looks(r);
+  print_nodes(r);
   for (const auto& s : r["sections"])
     fmt::print("section {} at {}: {} bytes\n", text(s["type"]), s["offset"].get<int>(), s["bytes"].get<int>());
 }

@@ -19,11 +19,24 @@ gles3::Deformer gpu_deformer(Deformer deformer) {
   return gles3::Deformer::ssd;
 }
 
-// White means that a texture, which is not carried, would have the say: such meshes get the colour of clay.
-glm::vec4 base_colour(const Mesh& mesh) {
+// White means that a texture would have the say: without one, such meshes get the colour of clay.
+glm::vec4 base_colour(const Mesh& mesh, bool textured) {
   const bool white = mesh.base_colour[0] >= 0.99f && mesh.base_colour[1] >= 0.99f && mesh.base_colour[2] >= 0.99f;
-  if (white && mesh.geometry.colours == nullptr) return {0.56f, 0.42f, 0.32f, 1};
+  if (white && mesh.geometry.colours == nullptr && !textured) return {0.56f, 0.42f, 0.32f, mesh.base_colour[3]};
   return {mesh.base_colour[0], mesh.base_colour[1], mesh.base_colour[2], mesh.base_colour[3]};
+}
+
+// Where the middle of a mesh's bind box is, carried by its first joint.
+glm::vec3 carried_centre(const Mesh& mesh, Span<const Affine> scene_from_joint) {
+  const Geometry& g = mesh.geometry;
+  glm::vec3 p(0);
+  for (int c = 0; c < 3; ++c) p[c] = 0.5f * (g.box_min[c] + g.box_max[c]);
+  for (const Affine* m : {&mesh.inverse_bind[0], &scene_from_joint[mesh.joints[0]]}) {
+    const glm::vec4 q(p, 1);
+    for (int c = 0; c < 3; ++c)
+      p[c] = glm::dot(glm::vec4(m->rows[c][0], m->rows[c][1], m->rows[c][2], m->rows[c][3]), q);
+  }
+  return p;
 }
 
 void stream(const Gl& gl, GLuint buffer, std::span<const float> values) {
@@ -41,7 +54,7 @@ void attribute(const Gl& gl, GLuint buffer, GLuint location, int size) {
 
 }  // namespace
 
-Figure::Figure(const Gl& gl, const File& file) : gl_(gl), file_(file) {
+Figure::Figure(const Gl& gl, const File& file, const Textures* textures) : gl_(gl), file_(file), textures_(textures) {
   std::uint32_t joints = 0;
   std::vector<std::byte> scratch;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
@@ -81,10 +94,21 @@ void Figure::make_streams(const Mesh& mesh, Part& part) {
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<std::ptrdiff_t>(bytes), g.indices, GL_STATIC_DRAW);
   attribute(gl_, part.positions, gles3::kPositionLocation, 3);
   if (g.normals != nullptr) attribute(gl_, part.normals, gles3::kNormalLocation, 3);
+  if (g.uvs != nullptr) {
+    part.uvs = GlBuffer(gl_);
+    attribute(gl_, part.uvs, gles3::kUvLocation, 2);
+    stream(gl_, part.uvs, {g.uvs, std::size_t{2} * g.slot_count});
+  }
   // Always there, so that a heat map has somewhere to put its colours.
   attribute(gl_, part.colours, gles3::kColourLocation, 4);
   gl_.BindVertexArray(0);
   gl_.BindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void Figure::set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const {
+  if (textures_ != nullptr) d.look = textures_->look(index);
+  if (d.look.texture != 0) d.program.features |= gles3::kUvs;
+  d.base_colour = base_colour(mesh, d.look.texture != 0);
 }
 
 std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deformer) {
@@ -108,7 +132,8 @@ std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deform
     d.morph_weights.assign(character.weights(i).begin(), character.weights(i).end());
     d.mesh = mesh;
     d.gpu = &part.gpu;
-    d.base_colour = base_colour(mesh);
+    set_look(i, mesh, d);
+    d.centre = carried_centre(mesh, character.scene_from_joint(mesh.skeleton));
     drawables.push_back(d);
   }
   return drawables;
@@ -132,7 +157,11 @@ std::vector<Drawable> Figure::from_cpu(std::span<const PosedMesh> posed, std::sp
     d.index_type = g.index_bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
     const int features = (g.normals != nullptr ? gles3::kNormals : 0) | gles3::kColours;
     d.program = {gles3::Deformer::none, 4, static_cast<std::uint8_t>(features)};
-    d.base_colour = colours.empty() ? base_colour(mesh) : glm::vec4(1);
+    if (colours.empty()) set_look(i, mesh, d);
+    Box box;
+    for (std::size_t v = 0; v < posed[i].positions.size(); v += 3)
+      box.add({posed[i].positions[v], posed[i].positions[v + 1], posed[i].positions[v + 2]});
+    if (!box.empty()) d.centre = box.centre();
     drawables.push_back(d);
   }
   gl_.BindBuffer(GL_ARRAY_BUFFER, 0);

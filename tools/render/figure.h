@@ -13,8 +13,8 @@ namespace marrow::tools {
 
 class Figure {
  public:
-  // Throws Failure (internal) if the driver refuses. `gl` and `file` outlive it.
-  Figure(const Gl& gl, const File& file);
+  // Throws Failure (internal) if the driver refuses. `gl`, `file` and `textures` (none: drawn without) outlive it.
+  Figure(const Gl& gl, const File& file, const Textures* textures = nullptr);
   ~Figure();
   Figure(const Figure&) = delete;
   Figure& operator=(const Figure&) = delete;
@@ -36,14 +36,16 @@ class Figure {
   struct Part {
     gles3::GpuMesh gpu;        // empty where the palette is too large
     std::vector<Affine> bind;  // what palettes are built with
-    GlBuffer indices, positions, normals, colours;
+    GlBuffer indices, positions, normals, uvs, colours;
     GlVertexArray array;
   };
 
   void make_streams(const Mesh& mesh, Part& part);
+  void set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const;
 
   const Gl& gl_;
   File file_;
+  const Textures* textures_;
   std::vector<Part> parts_;
   gles3::PaletteRing ring_;
   std::optional<std::uint32_t> too_large_;

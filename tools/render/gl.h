@@ -15,6 +15,7 @@
   X(void, BindFramebuffer, (GLenum target, GLuint framebuffer))                                                   \
   X(void, BindRenderbuffer, (GLenum target, GLuint renderbuffer))                                                 \
   X(void, BindSampler, (GLuint unit, GLuint sampler))                                                             \
+  X(void, BlendFunc, (GLenum source, GLenum destination))                                                         \
   X(void, BlitFramebuffer,                                                                                        \
     (GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0, GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, \
      GLenum filter))                                                                                              \
@@ -34,6 +35,7 @@
   X(void, GenFramebuffers, (GLsizei count, GLuint * framebuffers))                                                \
   X(void, GenRenderbuffers, (GLsizei count, GLuint * renderbuffers))                                              \
   X(void, GenSamplers, (GLsizei count, GLuint * samplers))                                                        \
+  X(void, GenerateMipmap, (GLenum target))                                                                        \
   X(void, GetInternalformativ, (GLenum target, GLenum format, GLenum name, GLsizei size, GLint * values))         \
   X(void, PixelStorei, (GLenum name, GLint value))                                                                \
   X(void, PolygonOffset, (GLfloat factor, GLfloat units))                                                         \

@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "common/failure.h"
 #include "common/load_mrw.h"
@@ -67,7 +68,9 @@ void run_render(const RenderArguments& arguments) {
   const Performance performance(file, character, chosen.play);
   character.pose(chosen.play, arguments.choice.time_s);
   const Gl gl;
-  Figure figure(gl, file);
+  const std::string beside = std::filesystem::path(arguments.file).parent_path().string();
+  const Textures textures(gl, arguments.file, file, arguments.images_from.empty() ? beside : arguments.images_from);
+  Figure figure(gl, file, &textures);
   Studio studio(gl, size.width, size.height);
   Shot shot = performance.shot(character, static_cast<float>(size.width) / static_cast<float>(size.height), kMargin);
   shot.palettes = &figure.palettes();

@@ -9,6 +9,7 @@ namespace marrow::tools {
 
 struct RenderArguments {
   std::string file, heatmap, output;
+  std::string images_from;  // empty: the file's folder
   std::string deformer = "ssd";
   std::string path = "ubo";
   std::string size = "960x720";

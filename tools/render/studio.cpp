@@ -24,7 +24,12 @@ constexpr float kPenumbra = 0.2f;  // of the radius: room round a shadow map, mo
 constexpr GLint kKeyShadowUnit = 0;
 constexpr GLint kKeyDepthUnit = 1;
 constexpr GLint kSkyDepthUnit = 2;
-constexpr std::uint32_t kMorphUnit = 3;
+constexpr GLint kBaseTextureUnit = 3;
+constexpr std::uint32_t kMorphUnit = 4;
+
+// Of a blended surface, texels that are all but opaque are drawn as opaque, so that they hide what is behind them
+// within the same mesh; only the rest is blended.
+constexpr float kAllButOpaque = 0.99f;
 
 // From the upper left, in front.
 const glm::vec3 kKeyDirection = glm::normalize(glm::vec3(-0.55f, 0.95f, 0.62f));
@@ -126,8 +131,7 @@ void Studio::make_shadow_map(ShadowMap& map, int size) {
   }
 }
 
-const gles3::Program& Studio::program(Role role, gles3::ProgramKey key) {
-  if (role == Role::depth) key.features &= gles3::kMorphs;
+const gles3::Program& Studio::program(Role role, const gles3::ProgramKey& key) {
   const std::uint32_t number = static_cast<std::uint32_t>(role) << 24 | static_cast<std::uint32_t>(key.deformer) << 16 |
                                static_cast<std::uint32_t>(key.influences) << 8 | key.features;
   const auto found = programs_.find(number);
@@ -157,8 +161,12 @@ void Studio::draw_depth(const ShadowMap& map, const LightView& view, const Shot&
   gl_.Viewport(0, 0, map.size, map.size);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   for (const Drawable& drawable : drawables) {
-    const gles3::Program& with = program(Role::depth, drawable.program);
+    gles3::ProgramKey key = drawable.program;
+    const bool solid = drawable.look.alpha == AlphaMode::opaque;
+    key.features = static_cast<std::uint8_t>(key.features & (solid ? gles3::kMorphs : gles3::kMorphs | gles3::kUvs));
+    const gles3::Program& with = program(Role::depth, key);
     gl_.UseProgram(with.id);
+    set_surface(with.id, drawable, {drawable.look.alpha_cutoff, 2});  // blended surfaces have 0.5
     gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
                          glm::value_ptr(view.clip_from_scene));
     draw(shot, drawable, with);
@@ -194,17 +202,47 @@ void Studio::draw_backdrop(const Shot& shot) {
   gl_.Enable(GL_DEPTH_TEST);
 }
 
+// Its colour, and of its texels those that are at least as opaque as alpha_range.x and less than alpha_range.y.
+void Studio::set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range) {
+  gl_.Uniform4fv(gl_.GetUniformLocation(id, "base_colour"), 1, glm::value_ptr(drawable.base_colour));
+  gl_.Uniform2fv(gl_.GetUniformLocation(id, "alpha_range"), 1, glm::value_ptr(alpha_range));
+  gl_.Uniform1i(gl_.GetUniformLocation(id, "base_texture"), kBaseTextureUnit);
+  gl_.ActiveTexture(GL_TEXTURE0 + kBaseTextureUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, drawable.look.texture);
+  gl_.BindSampler(kBaseTextureUnit, drawable.look.sampler);
+}
+
+void Studio::draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range) {
+  const gles3::Program& with = program(Role::surface, drawable.program);
+  gl_.UseProgram(with.id);
+  set_studio(with.id, shot);
+  set_surface(with.id, drawable, alpha_range);
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
+                       glm::value_ptr(shot.camera.clip_from_scene));
+  gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), shot.shading);
+  draw(shot, drawable, with);
+}
+
 void Studio::draw_surfaces(const Shot& shot, std::span<const Drawable> drawables) {
+  std::vector<const Drawable*> blended;
   for (const Drawable& drawable : drawables) {
-    const gles3::Program& with = program(Role::surface, drawable.program);
-    gl_.UseProgram(with.id);
-    set_studio(with.id, shot);
-    gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
-                         glm::value_ptr(shot.camera.clip_from_scene));
-    gl_.Uniform4fv(gl_.GetUniformLocation(with.id, "base_colour"), 1, glm::value_ptr(drawable.base_colour));
-    gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), shot.shading);
-    draw(shot, drawable, with);
+    const Look& look = drawable.look;
+    if (look.alpha == AlphaMode::blend) blended.push_back(&drawable);
+    draw_surface(shot, drawable,
+                 {look.alpha == AlphaMode::opaque ? -1.0f
+                  : look.alpha == AlphaMode::mask ? look.alpha_cutoff
+                                                  : kAllButOpaque,
+                  2});
   }
+  const auto distance = [&](const Drawable* d) { return glm::length(d->centre - shot.camera.position); };
+  std::stable_sort(blended.begin(), blended.end(),
+                   [&](const auto* a, const auto* b) { return distance(a) > distance(b); });
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.DepthMask(GL_FALSE);
+  for (const Drawable* drawable : blended) draw_surface(shot, *drawable, {-1, kAllButOpaque});
+  gl_.DepthMask(GL_TRUE);
+  gl_.Disable(GL_BLEND);
 }
 
 Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
@@ -230,7 +268,7 @@ Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_backdrop(shot);
   draw_surfaces(shot, drawables);
-  for (GLuint unit = 0; unit < maps.size(); ++unit) {
+  for (GLuint unit = 0; unit <= kBaseTextureUnit; ++unit) {
     gl_.ActiveTexture(GL_TEXTURE0 + unit);
     gl_.BindTexture(GL_TEXTURE_2D, 0);
     gl_.BindSampler(unit, 0);

@@ -11,6 +11,7 @@
 #include "render/camera.h"
 #include "render/gl.h"
 #include "render/image.h"
+#include "render/textures.h"
 
 namespace marrow::tools {
 
@@ -27,6 +28,8 @@ struct Drawable {
   std::vector<float> morph_weights;
   Mesh mesh;
   const gles3::GpuMesh* gpu = nullptr;
+  Look look;                         // its texture is drawn where the program has kUvs
+  glm::vec3 centre{0};               // scene space; blended surfaces are drawn from the farthest on
 };
 
 struct Shot {
@@ -56,11 +59,13 @@ class Studio {
     GlFramebuffer framebuffer;
   };
 
-  const gles3::Program& program(Role role, gles3::ProgramKey key);
+  const gles3::Program& program(Role role, const gles3::ProgramKey& key);
   void make_shadow_map(ShadowMap& map, int size);
   void draw_depth(const ShadowMap& map, const LightView& view, const Shot& shot, std::span<const Drawable> drawables);
   void draw_backdrop(const Shot& shot);
   void draw_surfaces(const Shot& shot, std::span<const Drawable> drawables);
+  void draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range);
+  void set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range);
   void draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program);
   void set_studio(GLuint id, const Shot& shot);
   Image read_back();

@@ -159,16 +159,85 @@ struct MeshTarget {
 };
 static_assert(sizeof(MeshTarget) == 12);
 
+// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+inline constexpr std::uint32_t kNoMaterial = 0xFFFFFFFF;
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+enum class TextureRole : std::uint8_t { base_colour, metallic_roughness, normal, occlusion, emissive };
+enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+enum class MagFilter : std::uint8_t { any, nearest, linear };  // any: the source leaves it to the game
+enum class MinFilter : std::uint8_t {
+  any,
+  nearest,
+  linear,
+  nearest_mipmap_nearest,
+  linear_mipmap_nearest,
+  nearest_mipmap_linear,
+  linear_mipmap_linear,
+};
+
+// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour and emissive images are sRGB, others
+// linear; (0, 0) of the UVs is the image's upper left corner.
+struct Texture {
+  std::uint16_t image;  // which image of the file
+  TextureRole role;     // none twice in a material
+  Wrap wrap_u, wrap_v;
+  MagFilter mag;
+  MinFilter min;
+  std::uint8_t reserved;
+};
+static_assert(sizeof(Texture) == 8);
+
+struct Material {
+  const char* name = "";
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;  // mask: what is less opaque is not drawn
+  Span<const Texture> textures;
+};
+
+// A picture by reference, or as the source's own PNG or JPEG bytes. They are not checked: whoever decodes them must.
+enum class ImageFormat : std::uint8_t { unknown, png, jpeg };
+struct Image {
+  const char* name = "";
+  const char* uri = "";  // relative to the source file and percent-encoded, as it stood there; empty if it had none
+  ImageFormat format = ImageFormat::unknown;
+  Span<const std::byte> bytes;  // empty: by reference
+};
+
+// A number, a truth or a text that an artist gave a node.
+enum class PropertyType : std::uint8_t { number, boolean, text };
+struct Property {
+  std::uint32_t name;  // see File::text; of nested ones the path, as in "door/hinges/0"
+  PropertyType type;
+  std::uint8_t reserved[3];
+  union {
+    double number;       // finite; of a boolean 1 or 0
+    std::uint32_t text;  // see File::text
+  };
+};
+static_assert(sizeof(Property) == 16);
+
+// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+inline constexpr std::uint16_t kNoJoint = 0xFFFF;
+struct Node {
+  const char* name = "";
+  std::uint32_t skeleton = 0;  // which skeleton of the file
+  std::uint16_t joint = kNoJoint;
+  const Affine* joint_from_node = nullptr;
+  Span<const Property> properties;
+};
+
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 struct Mesh {
   const char* name = "";
   const char* material = "";
-  std::uint32_t skeleton = 0;             // which skeleton of the file
-  std::uint32_t geometry_index = 0;       // meshes with the same number share their geometry
-  std::uint32_t joint_count = 0;          // palette entries
-  const std::uint16_t* joints = nullptr;  // joint_count; palette entry → joint of the skeleton
-  const Affine* inverse_bind = nullptr;   // joint_count; joint_from_mesh in the bind pose
-  float base_colour[4] = {1, 1, 1, 1};    // linear RGBA
+  std::uint32_t material_index = kNoMaterial;  // which material of the file, if it has more than what stands here
+  std::uint32_t skeleton = 0;                  // which skeleton of the file
+  std::uint32_t geometry_index = 0;            // meshes with the same number share their geometry
+  std::uint32_t joint_count = 0;               // palette entries
+  const std::uint16_t* joints = nullptr;       // joint_count; palette entry → joint of the skeleton
+  const Affine* inverse_bind = nullptr;        // joint_count; joint_from_mesh in the bind pose
+  float base_colour[4] = {1, 1, 1, 1};         // linear RGBA
   bool double_sided = false;
   Span<const MeshTarget> targets;  // as many as the geometry's
   Geometry geometry;
@@ -181,12 +250,18 @@ class File {
   std::uint32_t reference_count() const { return counts_[1]; }  // 0 but in clip packs, which have no skeletons
   std::uint32_t clip_count() const { return counts_[2]; }
   std::uint32_t mesh_count() const { return counts_[4]; }
+  std::uint32_t material_count() const { return counts_[5]; }
+  std::uint32_t image_count() const { return counts_[6]; }
+  std::uint32_t node_count() const { return counts_[7]; }
 
   // Precondition: index below the count. Cost: a few loads.
   Skeleton skeleton(std::uint32_t index) const;
   SkeletonReference reference(std::uint32_t index) const;
   Clip clip(std::uint32_t index) const;
   Mesh mesh(std::uint32_t index) const;
+  Material material(std::uint32_t index) const;
+  Image image(std::uint32_t index) const;
+  Node node(std::uint32_t index) const;
 
   // Index of the first skeleton with this name, or skeleton_count().
   std::uint32_t find_skeleton(const char* name) const;
@@ -197,7 +272,11 @@ class File {
   // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
   // a frame.
   std::uint32_t find_channel(const Clip& clip, const char* name) const;
-  // A name by its number (Skeleton::names, Channel::name). UTF-8, zero-terminated, never null.
+  // Index of the first node with this name, or node_count().
+  std::uint32_t find_node(const char* name) const;
+  // The property of `node`, a node of this file, with this name; null if there is none.
+  const Property* node_property(const Node& node, const char* name) const;
+  // A name by its number (Skeleton::names, Channel::name, Property::name). UTF-8, zero-terminated, never null.
   const char* text(std::uint32_t name) const;
 
   // For tools: the sections as they stand in the file.
@@ -216,9 +295,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_;
-  // Skeletons, references, clips, geometries, meshes, names: first section of each kind.
-  std::uint32_t first_[6] = {};
-  std::uint32_t counts_[6] = {};
+  std::uint32_t first_[9] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[9] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

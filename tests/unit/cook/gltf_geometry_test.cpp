@@ -252,10 +252,11 @@ TEST(Gltf, MaterialIsCarried) {
       {{"name", "skin"}, {"doubleSided", true}, {"pbrMetallicRoughness", {{"baseColorFactor", {.5, .25, 0, 1}}}}}};
   b.primitive({{"POSITION", b.curve(3)}})["material"] = 0;
   const RawScene scene = read(b);
-  const RawPrimitive& primitive = scene.meshes[0].primitives[0];
-  EXPECT_EQ(primitive.material, "skin");
-  EXPECT_TRUE(primitive.double_sided);
-  EXPECT_EQ(primitive.base_colour, glm::vec4(.5F, .25F, 0, 1));
+  ASSERT_EQ(scene.meshes[0].primitives[0].material, 0);
+  const RawMaterial& material = scene.materials[0];
+  EXPECT_EQ(material.name, "skin");
+  EXPECT_TRUE(material.double_sided);
+  EXPECT_EQ(material.base_colour, glm::vec4(.5F, .25F, 0, 1));
 }
 
 struct DracoTriangle {

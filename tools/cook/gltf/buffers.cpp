@@ -144,16 +144,4 @@ Buffers load_buffers(const Json& root, const Container& container, const std::op
   return std::move(loader.result);
 }
 
-void check_image_uris(const Json& root, Report& report) {
-  const auto images = root.find("images");
-  if (images == root.end()) return;
-  report.warn("/images", "textures-dropped", "textures are left out");
-  for (std::size_t i = 0; i < images->size(); ++i) {
-    const auto uri = (*images)[i].find("uri");
-    if (uri == (*images)[i].end()) continue;
-    const auto& text = uri->get_ref<const std::string&>();
-    if (!is_data_uri(text)) decode_relative_uri(text, pointer("images", i, "uri"), report);
-  }
-}
-
 }  // namespace marrow::cook::gltf

@@ -36,7 +36,4 @@ struct Buffers {
 Buffers load_buffers(const Json& root, const Container& container, const std::optional<std::string>& folder,
                      Report& report);
 
-// Images are never opened, but a hostile image URI is no more welcome than a hostile buffer URI.
-void check_image_uris(const Json& root, Report& report);
-
 }  // namespace marrow::cook::gltf

@@ -11,11 +11,12 @@ namespace marrow::cook::gltf {
 namespace {
 
 // Read in full.
-constexpr std::array<std::string_view, 3> kRead = {"KHR_mesh_quantization", "KHR_draco_mesh_compression",
+constexpr std::array<std::string_view, 4> kRead = {"KHR_mesh_quantization", "KHR_draco_mesh_compression",
+                                                   "KHR_texture_transform",
                                                    "KHR_animation_pointer"};  // what it leaves out it says
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
-constexpr std::array<std::string_view, 26> kHarmless = {"KHR_materials_anisotropy",
+constexpr std::array<std::string_view, 25> kHarmless = {"KHR_materials_anisotropy",
                                                         "KHR_materials_clearcoat",
                                                         "KHR_materials_diffuse_transmission",
                                                         "KHR_materials_dispersion",
@@ -29,7 +30,6 @@ constexpr std::array<std::string_view, 26> kHarmless = {"KHR_materials_anisotrop
                                                         "KHR_materials_unlit",
                                                         "KHR_materials_variants",
                                                         "KHR_materials_volume",
-                                                        "KHR_texture_transform",
                                                         "KHR_lights_punctual",
                                                         "KHR_xmp_json_ld",
                                                         "KHR_xmp",

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cook/gltf/materials.h"
 #include "cook/gltf/model.h"
 #include "cook/gltf/report.h"
 #include "cook/gltf/rules.h"
@@ -40,9 +41,13 @@ std::vector<RawTargetWeight> node_weights(const Document& document, const std::v
                                           int node_index, const std::string& where, Report& report);
 // What each node's weights are called after: its name; nodes[3] without, or if a node before it has the same.
 std::vector<std::string> weight_owners(const Document& document, const std::vector<RawNode>& nodes);
+// Gives nodes what they carry for the game: nested members and elements get the path of their keys, escaped as in a
+// JSON pointer, as their name. Nulls, infinite numbers and texts with a zero character are left out and counted.
+void import_extras(const Document& document, std::vector<RawNode>& nodes, Budget& budget, Report& report);
 
 // One RawMesh a mesh of the document, in its order. Primitives that draw no triangles are left out.
-std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Report& report);
+std::vector<RawMesh> import_meshes(const Document& document, const Materials& materials, Budget& budget,
+                                   Report& report);
 
 // Also checks that every joint that a mesh uses exists in the skins that it is drawn with; influences that no skin
 // makes sense of are dropped.

@@ -1,6 +1,4 @@
 // Imports meshes as triangle lists.
-#include <algorithm>
-
 #include "cook/gltf/import_vertices.h"
 
 namespace marrow::cook::gltf {
@@ -53,24 +51,9 @@ std::vector<std::uint32_t> import_triangles(VertexSource& source, const tinygltf
   return {};
 }
 
-void import_material(const tinygltf::Model& model, int index, RawPrimitive& raw, Report& report) {
-  if (index < 0) return;
-  const tinygltf::Material& material = model.materials[static_cast<std::size_t>(index)];
-  const std::string where = pointer("materials", index);
-  raw.material = clean_name(material.name, where, report);
-  raw.double_sided = material.doubleSided;
-  const std::vector<double>& factor = material.pbrMetallicRoughness.baseColorFactor;
-  for (int c = 0; c < 4; ++c) {
-    const double value = factor[static_cast<std::size_t>(c)];
-    raw.base_colour[c] = static_cast<float>(std::clamp(value, 0.0, 1.0));
-    if (value < 0 || value > 1) {
-      report.mend(under(where, "pbrMetallicRoughness", "baseColorFactor", c), "colours-clamped", "outside of 0 to 1");
-    }
-  }
-}
-
-RawPrimitive import_primitive(const Document& document, const tinygltf::Primitive& primitive, const std::string& where,
-                              Budget& budget, Report& report) {
+RawPrimitive import_primitive(const Document& document, const Materials& materials,
+                              const tinygltf::Primitive& primitive, const std::string& where, Budget& budget,
+                              Report& report) {
   RawPrimitive raw;
   raw.pointer = where;
   if (!primitive.attributes.contains("POSITION")) {
@@ -83,10 +66,12 @@ RawPrimitive import_primitive(const Document& document, const tinygltf::Primitiv
   raw.indices = import_triangles(source, primitive, where, report);
   import_normals(source, raw, report);
   import_tangents(source, raw, report);
-  import_colours_and_uvs(source, raw, report);
+  import_colours(source, raw, report);
+  raw.material = primitive.material < 0 ? kNone : primitive.material;
+  import_uvs(source, raw.material == kNone ? UvMapping{} : materials.uvs[static_cast<std::size_t>(raw.material)], raw,
+             report);
   import_targets(document, primitive, where, budget, raw, report);
   import_influences(source, raw, report);
-  import_material(document.model, primitive.material, raw, report);
   return raw;
 }
 
@@ -101,7 +86,8 @@ void Budget::take(std::uint64_t bytes, const std::string& where, const Report& r
   left_ -= bytes;
 }
 
-std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Report& report) {
+std::vector<RawMesh> import_meshes(const Document& document, const Materials& materials, Budget& budget,
+                                   Report& report) {
   std::vector<RawMesh> meshes;
   for (std::size_t m = 0; m < document.model.meshes.size(); ++m) {
     const tinygltf::Mesh& mesh = document.model.meshes[m];
@@ -110,7 +96,7 @@ std::vector<RawMesh> import_meshes(const Document& document, Budget& budget, Rep
     raw.weights = mesh_weights(document, m, raw.name, {}, pointer("meshes", m), report);
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const std::string where = pointer("meshes", m, "primitives", p);
-      RawPrimitive primitive = import_primitive(document, mesh.primitives[p], where, budget, report);
+      RawPrimitive primitive = import_primitive(document, materials, mesh.primitives[p], where, budget, report);
       budget.take(mesh.primitives.front().targets.size() * sizeof(RawTarget), where, report);
       primitive.targets.resize(mesh.primitives.front().targets.size());
       if (!primitive.indices.empty()) raw.primitives.push_back(std::move(primitive));

@@ -216,22 +216,34 @@ void import_tangents(VertexSource& source, RawPrimitive& raw, Report& report) {
   }
 }
 
-void import_colours_and_uvs(VertexSource& source, RawPrimitive& raw, Report& report) {
-  if (source.has("TEXCOORD_0")) {
-    std::vector<float> values = source.read("TEXCOORD_0");
-    std::size_t mended = 0;
-    for (float& value : values) {
-      if (std::abs(value) <= kFarthest_m) continue;  // false for NaN too
-      value = 0;
+void import_uvs(VertexSource& source, const UvMapping& mapping, RawPrimitive& raw, Report& report) {
+  const std::string wanted = "TEXCOORD_" + std::to_string(mapping.set);
+  const std::string carried = source.has(wanted) ? wanted : "TEXCOORD_0";
+  for (const char* name : {"TEXCOORD_0", "TEXCOORD_1"})
+    if (source.has(name) && name != carried)
+      report.warn(source.pointer_of(name), "extra-uvs-dropped", "the mesh carries " + carried + " alone");
+  if (!source.has(carried)) return;
+  const std::vector<float> values = source.read(carried);
+  const UvMapping used = source.has(wanted) ? mapping : UvMapping{};
+  const bool plain = used == UvMapping{mapping.set};
+  std::size_t mended = 0;
+  raw.uvs.reserve(source.count());
+  for (std::size_t v = 0; v < source.count(); ++v) {
+    glm::vec2 uv(values[v * 2], values[v * 2 + 1]);
+    if (!plain) uv = used.apply(uv);
+    for (int c = 0; c < 2; ++c) {
+      if (std::abs(uv[c]) <= kFarthest_m) continue;  // false for NaN too
+      uv[c] = 0;
       ++mended;
     }
-    raw.uvs.reserve(source.count());
-    for (std::size_t v = 0; v < source.count(); ++v) raw.uvs.emplace_back(values[v * 2], values[v * 2 + 1]);
-    if (mended > 0) {
-      report.mend(source.pointer_of("TEXCOORD_0"), "uvs-mended",
-                  std::to_string(mended) + " are out of reach; now zero");
-    }
+    raw.uvs.push_back(uv);
   }
+  if (mended > 0) {
+    report.mend(source.pointer_of(carried), "uvs-mended", std::to_string(mended) + " are out of reach; now zero");
+  }
+}
+
+void import_colours(VertexSource& source, RawPrimitive& raw, Report& report) {
   if (source.has("COLOR_0")) {
     const std::vector<float> values = source.read("COLOR_0");
     const std::size_t components = source.components("COLOR_0");
@@ -250,9 +262,6 @@ void import_colours_and_uvs(VertexSource& source, RawPrimitive& raw, Report& rep
     if (mended > 0) {
       report.mend(source.pointer_of("COLOR_0"), "colours-clamped", std::to_string(mended) + " lie outside of 0 to 1");
     }
-  }
-  if (source.has("TEXCOORD_1")) {
-    report.warn(source.pointer_of("TEXCOORD_1"), "extra-uvs-dropped", "only TEXCOORD_0 is carried");
   }
   if (source.has("COLOR_1")) {
     report.warn(source.pointer_of("COLOR_1"), "extra-colours-dropped", "only COLOR_0 is carried");

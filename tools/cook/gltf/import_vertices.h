@@ -45,7 +45,9 @@ void import_positions(VertexSource& source, RawPrimitive& raw, Report& report);
 // Needs positions and triangles: a normal that is none is made anew from them.
 void import_normals(VertexSource& source, RawPrimitive& raw, Report& report);
 void import_tangents(VertexSource& source, RawPrimitive& raw, Report& report);
-void import_colours_and_uvs(VertexSource& source, RawPrimitive& raw, Report& report);
+void import_colours(VertexSource& source, RawPrimitive& raw, Report& report);
+// The set that `mapping` names, transformed; where the primitive lacks it, TEXCOORD_0 as it is.
+void import_uvs(VertexSource& source, const UvMapping& mapping, RawPrimitive& raw, Report& report);
 // Needs positions, normals and tangents. Morph targets are never in Draco data.
 void import_targets(const Document& document, const tinygltf::Primitive& primitive, const std::string& where,
                     Budget& budget, RawPrimitive& raw, Report& report);

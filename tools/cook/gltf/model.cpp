@@ -45,13 +45,6 @@ Json keep_mesh(Json& mesh, std::size_t) {
   return kept;
 }
 
-Json keep_material(Json& material, std::size_t) {
-  Json kept = keep(material, {"name", "doubleSided"});
-  Json pbr = material.value("pbrMetallicRoughness", Json::object());
-  kept["pbrMetallicRoughness"] = keep(pbr, {"baseColorFactor"});
-  return kept;
-}
-
 bool is_animated(const Json& channel, const std::string& where, Report& report) {
   static const std::set<std::string, std::less<>> kPaths = {"translation", "rotation", "scale", "weights"};
   const Json& target = channel.at("target");
@@ -115,7 +108,6 @@ Json slim_document(Json& root, const UserNumbers& user_numbers, Report& report) 
   slim["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
   slim["meshes"] = map_items(root, "meshes", keep_mesh);
   slim["accessors"] = accessor_stand_ins(slim["meshes"]);
-  slim["materials"] = map_items(root, "materials", keep_material);
   slim["nodes"] = map_items(root, "nodes", [&](Json& node, std::size_t index) {
     // Looked at here because tinygltf keeps only the matrix.
     const bool has_trs = node.contains("translation") || node.contains("rotation") || node.contains("scale");

@@ -12,10 +12,12 @@ namespace marrow::cook::gltf {
 
 // Everything that the rules and the import start from.
 struct Document {
-  tinygltf::Model model;  // meshes, nodes, skins, animations, materials and scenes; no bytes
+  tinygltf::Model model;  // meshes, nodes, skins, animations and scenes; no bytes
   std::vector<std::string> extensions_used;
   std::vector<std::vector<std::string>> target_names;  // by mesh and morph target; may be shorter
   UserNumbers user_numbers;
+  Json looks;                       // the root's materials, textures, samplers and images
+  std::vector<Json> node_extras;    // by node; null where there are none
   std::vector<Accessor> accessors;  // by the document's numbering
   Buffers buffers;
 };

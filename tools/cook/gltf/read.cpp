@@ -8,6 +8,7 @@
 #include "cook/gltf/buffers.h"
 #include "cook/gltf/container.h"
 #include "cook/gltf/file.h"
+#include "cook/gltf/images.h"
 #include "cook/gltf/import.h"
 #include "cook/gltf/json.h"
 #include "cook/gltf/model.h"
@@ -33,6 +34,18 @@ std::vector<std::string> extensions_used(const Json& root) {
   return used == root.end() ? std::vector<std::string>{} : used->get<std::vector<std::string>>();
 }
 
+// What is imported from the JSON itself.
+void set_aside(Json& root, Document& document) {
+  for (const char* name : {"materials", "textures", "samplers", "images"})
+    if (const auto member = root.find(name); member != root.end()) document.looks[name] = std::move(*member);
+  const auto nodes = root.find("nodes");
+  if (nodes == root.end()) return;
+  for (Json& node : *nodes) {
+    const auto extras = node.find("extras");
+    document.node_extras.push_back(extras == node.end() ? Json() : std::move(*extras));
+  }
+}
+
 Document read_document(const Container& container, const std::optional<std::string>& folder, Report& report) {
   Json root = parse_json(container, report);
   check_schema(root, report);
@@ -46,12 +59,13 @@ Document read_document(const Container& container, const std::optional<std::stri
   document.extensions_used = extensions_used(root);
   document.target_names = read_target_names(root);
   document.user_numbers = find_user_numbers(root);
+  set_aside(root, document);
   document.model = parse_model(std::move(root), document.user_numbers, report);
   return document;
 }
 
-RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
-                    const std::optional<std::string>& folder) {
+RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, const std::optional<std::string>& folder,
+                    const ReadOptions& options) {
   Report report(name);
   const Container container = split_container(bytes, report);
   const Document document = read_document(container, folder, report);
@@ -66,7 +80,12 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
   Budget budget(scene.source_bytes);
   scene.nodes = import_nodes(document, graph, report);
   scene.skins = import_skins(document, scene.nodes, report);
-  scene.meshes = import_meshes(document, budget, report);
+  import_extras(document, scene.nodes, budget, report);
+  Materials materials = import_materials(document.looks, report);
+  scene.images =
+      import_images(document, materials.raw, folder, options.image_bytes, budget, scene.source_bytes, report);
+  scene.meshes = import_meshes(document, materials, budget, report);
+  scene.materials = std::move(materials.raw);
   scene.instances = import_instances(document, scene.nodes, scene.meshes, scene.skins, report);
   scene.clips = import_clips(document, scene.nodes, budget, report);
   scene.warnings = report.take_warnings();
@@ -75,13 +94,13 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
 
 }  // namespace
 
-RawScene read_gltf(const std::string& path) {
+RawScene read_gltf(const std::string& path, const ReadOptions& options) {
   const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", Report(path));
-  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string());
+  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string(), options);
 }
 
-RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes) {
-  return read_scene(name, bytes, std::nullopt);
+RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes, const ReadOptions& options) {
+  return read_scene(name, bytes, std::nullopt, options);
 }
 
 }  // namespace marrow::cook

@@ -9,7 +9,11 @@
 
 namespace marrow::cook {
 
-// Reads a .gltf or .glb file and everything that it refers to.
+struct ReadOptions {
+  bool image_bytes = false;  // also read the images that materials use
+};
+
+// Reads a .gltf or .glb file and everything that it refers to, images if asked for.
 //
 // The file is hostile until proven otherwise: container, JSON and every reference are checked before use; buffers are
 // read only from the file's own folder and below; sizes are capped by what the file can hold. What glTF allows but
@@ -17,9 +21,9 @@ namespace marrow::cook {
 // listed there too.
 // Throws tools::Failure (io: cannot be read; invalid: breaks glTF 2.0; unsupported: needs an extension that Marrow
 // lacks), located by a JSON pointer or a byte offset.
-RawScene read_gltf(const std::string& path);
+RawScene read_gltf(const std::string& path, const ReadOptions& options = {});
 
 // The same for a file in memory, which cannot refer to others. `name` stands for the path in failures.
-RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes);
+RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes, const ReadOptions& options = {});
 
 }  // namespace marrow::cook

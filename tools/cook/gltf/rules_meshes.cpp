@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "cook/gltf/materials.h"
 #include "cook/gltf/rules.h"
 
 namespace marrow::cook::gltf {
@@ -248,13 +249,9 @@ class MeshChecker {
 
 std::int64_t highest_texture_coordinate(const Json& material) {
   std::int64_t highest = -1;
-  const auto look = [&](const Json& object, const char* name) {
-    const auto texture = object.find(name);
-    if (texture != object.end()) highest = std::max(highest, texture->value("texCoord", std::int64_t{0}));
-  };
-  for (const char* name : {"normalTexture", "occlusionTexture", "emissiveTexture"}) look(material, name);
-  const Json pbr = material.value("pbrMetallicRoughness", Json::object());
-  for (const char* name : {"baseColorTexture", "metallicRoughnessTexture"}) look(pbr, name);
+  for_each_texture(material, [&](TextureRole, const Json& info, const std::string&) {
+    highest = std::max(highest, static_cast<std::int64_t>(read_uv_mapping(info).set));
+  });
   return highest;
 }
 

@@ -1,6 +1,6 @@
 // The tables of glTF 2.0's objects, in the order of the specification's property reference.
 //
-// What the runtime does not carry (cameras, samplers, lights) is checked for being an object at all and no further.
+// What the runtime does not carry (cameras, lights) is checked for being an object at all and no further.
 #include "cook/gltf/schema_tables.h"
 
 namespace marrow::cook::gltf {
@@ -94,7 +94,19 @@ constexpr Schema kImageSchema{kImage};
 constexpr Property kTexture[] = {index_of("sampler", "samplers"), index_of("source", "images")};
 constexpr Schema kTextureSchema{kTexture};
 
-constexpr Property kTextureInfo[] = {index_of("index", "textures", true), count_of("texCoord", 0)};
+constexpr Property kSampler[] = {code("magFilter", false), code("minFilter", false), code("wrapS", false),
+                                 code("wrapT", false)};
+constexpr Schema kSamplerSchema{kSampler};
+
+constexpr Property kTextureTransform[] = {numbers("offset", 2, 2),
+                                          {.name = "rotation", .kind = Kind::number},
+                                          numbers("scale", 2, 2),
+                                          count_of("texCoord", 0)};
+constexpr Schema kTextureTransformSchema{kTextureTransform};
+constexpr Property kTextureInfoExtensions[] = {object("KHR_texture_transform", kTextureTransformSchema)};
+constexpr Schema kTextureInfoExtensionsSchema{kTextureInfoExtensions, true};
+constexpr Property kTextureInfo[] = {index_of("index", "textures", true), count_of("texCoord", 0),
+                                     object("extensions", kTextureInfoExtensionsSchema)};
 constexpr Schema kTextureInfoSchema{kTextureInfo, true};  // normal and occlusion textures add a number each
 constexpr Property kPbr[] = {numbers("baseColorFactor", 4, 4),
                              object("baseColorTexture", kTextureInfoSchema),
@@ -153,7 +165,7 @@ constexpr Property kRoot[] = {{.name = "extensionsUsed", .kind = Kind::texts},
                               objects("materials", kMaterialSchema),
                               objects("meshes", kMeshSchema),
                               objects("nodes", kNodeSchema),
-                              objects("samplers", kOpen),
+                              objects("samplers", kSamplerSchema),
                               index_of("scene", "scenes"),
                               objects("scenes", kSceneSchema),
                               objects("skins", kSkinSchema),

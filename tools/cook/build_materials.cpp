@@ -1,0 +1,80 @@
+// Materials that are drawn become records that meshes share, and so do their images. What a mesh says itself (name,
+// base colour, sides) needs no record.
+#include <algorithm>
+#include <cstring>
+
+#include "cook/build.h"
+
+namespace marrow::cook {
+namespace {
+
+bool same(const Texture& a, const Texture& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool same(const BuiltMaterial& a, const BuiltMaterial& b) {
+  return a.name == b.name && a.alpha == b.alpha && a.alpha_cutoff == b.alpha_cutoff &&
+         std::equal(a.textures.begin(), a.textures.end(), b.textures.begin(), b.textures.end(),
+                    [](const Texture& x, const Texture& y) { return same(x, y); });
+}
+
+// Embedded ones by their bytes, others by their URIs; without either by themselves.
+bool same(const RawImage& a, const RawImage& b) {
+  if (!a.bytes.empty() || !b.bytes.empty()) return a.bytes == b.bytes;
+  return !a.uri.empty() && a.uri == b.uri;
+}
+
+class Shared {
+ public:
+  Shared(RawScene& scene, Images images, BuiltScene& out)
+      : scene_(scene), images_(images), out_(out), image_of_(scene.images.size(), kNone) {}
+
+  std::uint32_t section_of(int raw_index) {
+    if (raw_index == kNone) return 0;
+    const RawMaterial& raw = scene_.materials[static_cast<std::size_t>(raw_index)];
+    BuiltMaterial material{raw.name, raw.alpha, raw.alpha_cutoff, {}};
+    if (images_ != Images::none) {
+      material.textures = raw.textures;
+      for (Texture& texture : material.textures) texture.image = static_cast<std::uint16_t>(image_of(texture.image));
+    }
+    if (material.alpha == AlphaMode::opaque && material.textures.empty()) return 0;
+    std::vector<BuiltMaterial>& all = out_.materials;
+    const auto twin = std::find_if(all.begin(), all.end(), [&](const auto& m) { return same(m, material); });
+    const auto index = static_cast<std::uint32_t>(twin - all.begin());
+    if (twin == all.end()) all.push_back(std::move(material));
+    return index + 1;
+  }
+
+ private:
+  int image_of(std::size_t raw_index) {
+    int& known = image_of_[raw_index];
+    if (known != kNone) return known;
+    RawImage& image = scene_.images[raw_index];
+    std::vector<RawImage>& all = out_.images;
+    const auto twin = std::find_if(all.begin(), all.end(), [&](const auto& i) { return same(i, image); });
+    known = static_cast<int>(twin - all.begin());
+    if (twin == all.end()) all.push_back(std::move(image));
+    return known;
+  }
+
+  RawScene& scene_;
+  Images images_;
+  BuiltScene& out_;
+  std::vector<int> image_of_;
+};
+
+}  // namespace
+
+void build_materials(RawScene& scene, Images images, BuiltScene& out) {
+  Shared shared(scene, images, out);
+  for (BuiltMesh& mesh : out.meshes) mesh.material_section = shared.section_of(mesh.raw_material);
+  const auto nameless = std::count_if(out.images.begin(), out.images.end(),
+                                      [](const RawImage& i) { return i.uri.empty() && i.bytes.empty(); });
+  if (nameless > 0)
+    scene.warnings.push_back({"/images", "images-by-name",
+                              std::to_string(nameless) +
+                                  " images lie inside the source and have no URI; they are referred to by name, and "
+                                  "--images embed carries them"});
+}
+
+}  // namespace marrow::cook
