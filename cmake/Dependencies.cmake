@@ -10,6 +10,15 @@ FetchContent_Declare(glm GIT_REPOSITORY https://github.com/g-truc/glm.git GIT_TA
 FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco.git GIT_TAG 1.5.6 FIND_PACKAGE_ARGS NAMES draco)
 FetchContent_Declare(TinyGLTF GIT_REPOSITORY https://github.com/syoyo/tinygltf.git GIT_TAG v2.8.1
   FIND_PACKAGE_ARGS)
-FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm draco TinyGLTF)
+FetchContent_Declare(tomlplusplus GIT_REPOSITORY https://github.com/marzer/tomlplusplus.git GIT_TAG v3.3.0
+  FIND_PACKAGE_ARGS)
+FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm draco TinyGLTF tomlplusplus)
+# xxHash is used as a header alone.
+find_path(XXHASH_INCLUDE_DIR xxhash.h)
+if(NOT XXHASH_INCLUDE_DIR)
+  FetchContent_Declare(xxhash GIT_REPOSITORY https://github.com/Cyan4973/xxHash.git GIT_TAG v0.8.1 SOURCE_SUBDIR none)
+  FetchContent_MakeAvailable(xxhash)
+  set(XXHASH_INCLUDE_DIR ${xxhash_SOURCE_DIR} CACHE PATH "Folder of xxhash.h" FORCE)
+endif()
 find_package(PNG REQUIRED)
 find_package(Threads REQUIRED)

@@ -18,6 +18,7 @@ struct CookResult {
   // additive, channels [name], max_error_m}], warnings [{pointer, rule, text}]}; docs/architecture.md says what each
   // means.
   nlohmann::ordered_json report;
+  std::vector<RawRead> reads;  // what the result depends on, besides the options
 };
 
 // Throws tools::Failure, located.

@@ -50,9 +50,8 @@ Document read_document(const Container& container, const std::optional<std::stri
   return document;
 }
 
-RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
-                    const std::optional<std::string>& folder) {
-  Report report(name);
+RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, const std::optional<std::string>& folder,
+                    Report& report) {
   const Container container = split_container(bytes, report);
   const Document document = read_document(container, folder, report);
   const NodeGraph graph = check_nodes(document, report);
@@ -70,18 +69,21 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes,
   scene.instances = import_instances(document, scene.meshes, scene.skins, report);
   scene.clips = import_clips(document, scene.nodes, budget, report);
   scene.warnings = report.take_warnings();
+  scene.reads = report.take_reads();
   return scene;
 }
 
 }  // namespace
 
 RawScene read_gltf(const std::string& path) {
-  const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", Report(path));
-  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string());
+  Report report(path);
+  const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", report);
+  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string(), report);
 }
 
 RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes) {
-  return read_scene(name, bytes, std::nullopt);
+  Report report(name);
+  return read_scene(name, bytes, std::nullopt, report);
 }
 
 }  // namespace marrow::cook
