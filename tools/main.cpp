@@ -11,7 +11,7 @@
 #include "bench/bench.h"
 #include "common/failure.h"
 #include "common/files.h"
-#include "cook/command.h"
+#include "cook/command_line.h"
 #include "info/info.h"
 #include "pose/pose.h"
 #include "sample/sample.h"
@@ -52,35 +52,6 @@ void add_deformer(CLI::App* command, std::string& to) {
   command->add_option("--deformer", to, "how vertices follow joints")
       ->check(CLI::IsMember({"rigid", "ssd", "as"}))
       ->capture_default_str();
-}
-
-void add_cook(CLI::App& app) {
-  CookArguments& a = arguments_of<CookArguments>();
-  CLI::App* const command = app.add_subcommand("cook", "Cook a .gltf or .glb file into a .mrw file");
-  command->add_option("input", a.in, "the .gltf or .glb file")->required()->type_name("IN");
-  command->add_option("-o,--output", a.out, "the cooked file to write")->required()->type_name("OUT.mrw");
-  command->add_option("--report", a.report, "also write a report as JSON")->type_name("R.json");
-  command->add_flag("--json", a.json, "print the report on stdout instead of a summary");
-  command
-      ->add_option(
-          "--clip-error", a.clip_error,
-          "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm (the default), 0.0001m or 0.05% of the "
-          "skeleton; with JOINT= for some joints only, JOINT may have * and ?; repeatable, the last that fits counts")
-      ->type_name("[JOINT=]E")
-      ->take_all();
-  command->add_option("--clip-codec", a.clip_codec, "segments: compressed within --clip-error; raw: without loss")
-      ->check(CLI::IsMember({"segments", "raw"}))
-      ->capture_default_str();
-  command
-      ->add_option("--additive", a.additive,
-                   "make clips additive, as changes from a reference: first (their first frame, the default), rest, or "
-                   "another clip's first frame; CLIP may have * and ?; repeatable")
-      ->type_name("CLIP[=REFERENCE]")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
-                    "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
-  command->callback([&a] { run_cook(a); });
 }
 
 void add_info(CLI::App& app) {
@@ -164,7 +135,8 @@ int run(int argc, char** argv) {
   app.footer(
       "Results go to stdout, everything else to stderr.\n"
       "Exit codes: 0 done, 1 usage, 2 input/output, 3 invalid input, 4 unsupported, 5 internal.");
-  add_cook(app);
+  int exit_code = 0;
+  add_cook(app, exit_code);
   add_info(app);
   add_pose(app);
   add_bench(app);
@@ -180,7 +152,7 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "marrow: %s (see --help)\n", e.what());
     return static_cast<int>(Exit::usage);
   }
-  return 0;
+  return exit_code;
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ bool has_triangles(const RawScene& scene) {
 }
 
 // A unit that is clearly not the metre makes skeletons of 20 m or 20 cm; then what a person of 2 m would get is scaled.
-Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, const CookOptions& options) {
+Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, const CookOptions& options,
+                     std::vector<RawWarning>& warnings) {
   constexpr double kPerson = 2.0;
   Promise promise;
   const double size = rig.diagonal_m > 0 ? rig.diagonal_m : kPerson;  // one joint has no extent
@@ -58,8 +59,11 @@ Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, const CookOp
       promise.error[j] = rule.error * (rule.is_share ? size : scale);
       ++found;
     }
-    if (found == 0)
-      throw tools::Failure(tools::Exit::usage, "--clip-error", "", "no joint is called \"" + rule.joints + "\"",
+    if (found == 0 && !rule.origin.must_fit)
+      warnings.push_back({"/nodes", "rule-fits-nothing", "clip-error: no joint is called \"" + rule.joints + "\""});
+    if (found == 0 && rule.origin.must_fit)
+      throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where,
+                           "no joint is called \"" + rule.joints + "\"",
                            "give JOINT=E with names as `marrow info --json` lists them");
   }
   return promise;
@@ -77,10 +81,10 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
                          "no mesh in the scene has triangles to cook");
   out.skeleton = build_skeleton(scene);
   for (const RawClip& clip : scene.clips) out.clips.push_back(build_clip(clip, out.skeleton));
-  const std::vector<AdditiveReference> references = additive_references(out, options.additive);
+  const std::vector<AdditiveReference> references = additive_references(out, options.additive, scene.warnings);
   if (!options.raw_clips) {
     const Rig rig(out.skeleton);
-    const Promise promise = make_promise(out.skeleton, rig, options);
+    const Promise promise = make_promise(out.skeleton, rig, options, scene.warnings);
     tools::for_each_in_parallel(out.clips.size(),
                                 [&](std::size_t i) { compress_clip(out.clips[i], out.skeleton, rig, promise); });
   }
