@@ -6,12 +6,13 @@
 #include <string_view>
 
 #include "common/failure.h"
+#include "cook/gltf/text.h"
 
 namespace marrow::cook {
 namespace {
 
 [[noreturn]] void refuse(const Value& value, const std::string& rule, const std::string& advice) {
-  throw tools::Failure(tools::Exit::usage, value.origin.file, value.origin.where, rule, advice);
+  throw tools::Failure(tools::Exit::usage, value.origin.file, value.origin.where, gltf::printable(rule), advice);
 }
 
 // "0.1mm", "0.0001m", or "0.05%" of the skeleton's diagonal; in front "JOINT=", or for all joints.

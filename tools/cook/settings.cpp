@@ -9,6 +9,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/pattern.h"
+#include "cook/gltf/text.h"
 
 namespace marrow::cook {
 namespace {
@@ -43,7 +44,7 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path) {}
 
   [[noreturn]] void fail(const std::string& where, const std::string& rule, const std::string& advice) const {
-    throw tools::Failure(tools::Exit::usage, path_, where, rule, advice);
+    throw tools::Failure(tools::Exit::usage, path_, where, gltf::printable(rule), gltf::printable(advice));
   }
 
   // `match` is a list in rules; `file` the rules' own name at the top.
@@ -78,8 +79,7 @@ class Reader {
     for (const Option& option : option_table())
       if (distance(key.str(), option.name) < distance(key.str(), nearest)) nearest = option.name;
     const bool near = distance(key.str(), nearest) <= std::max<std::size_t>(2, nearest.size() / 3);
-    // Whole keys of a hostile file need not be shown.
-    fail(place(key.source()), "unknown setting \"" + std::string(key.str().substr(0, 64)) + "\"",
+    fail(place(key.source()), "unknown setting \"" + std::string(key.str()) + "\"",
          near ? "did you mean \"" + nearest + "\"?" : "`marrow cook --help` lists the options");
   }
 
@@ -129,7 +129,7 @@ Settings parse_settings(const std::string& path, std::string_view text) {
   try {
     root = toml::parse(text);
   } catch (const toml::parse_error& e) {
-    reader.fail(place(e.source()), "no TOML", std::string(e.description().substr(0, 200)));
+    reader.fail(place(e.source()), "no TOML", std::string(e.description()));
   }
   Settings settings;
   settings.path = path;
