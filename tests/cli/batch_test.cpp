@@ -111,6 +111,7 @@ TEST_F(Batch, Mistakes) {
       {{in("prop.gltf"), "-o", out("x"), "--report", out("x")}, 1, {out("x")}},
       {{in("prop.gltf"), "-o", in("chars")}, 2, {in("chars")}},
       {{in(""), "-o", folder_ / "file"}, 2, {folder_ / "file"}},
+      {{in(""), "-o", out("x.mrw")}, 1, {out("x.mrw")}},
       {{in(""), "-o", "/proc/out"}, 2, {"/proc/out"}},
       {{in(""), "-o", out(""), "--jobs", "0"}, 1, {"--jobs"}},
   };
@@ -125,7 +126,7 @@ TEST_F(Batch, Mistakes) {
     EXPECT_TRUE(outputs().empty()) << ran.err;
     ++checked;
   }
-  EXPECT_EQ(checked, 9);
+  EXPECT_EQ(checked, 10);
   EXPECT_EQ(read_text(in("prop.bin")).size(), 36u);
 }
 

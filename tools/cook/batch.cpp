@@ -53,6 +53,8 @@ bool is_batch(const std::vector<std::string>& inputs, const std::string& output)
 }
 
 std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const std::string& output) {
+  if (fs::path(output).extension() == ".mrw")
+    throw Failure(Exit::usage, output, "", "several inputs, one output", "name a folder; put / behind its name");
   std::vector<CookJob> jobs;
   for (const std::string& input : inputs) {
     std::error_code ignored;

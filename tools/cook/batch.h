@@ -16,7 +16,8 @@ bool is_batch(const std::vector<std::string>& inputs, const std::string& output)
 
 // Folders are searched for .gltf and .glb, links to folders not followed; the tree below them is mirrored under
 // `output`. Sorted within each folder by path; an input named twice counts once. Throws Failure: invalid for a folder
-// with nothing to cook, usage if two inputs have one output, io if a folder cannot be read.
+// with nothing to cook, usage if two inputs have one output or `output` looks like a file, io if a folder cannot be
+// read.
 std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const std::string& output);
 
 // Throws Failure (usage) if two of the files to write are one, or one is read; empty names do not count.

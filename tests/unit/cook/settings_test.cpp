@@ -87,7 +87,7 @@ TEST(Settings, MistakesAreLocated) {
       {"[file]\nmatch = 'a'", "1:1", "must be a list of tables"},
       {"[[file]]\nmatch = []", "2:9", "names no files"},
       {"[[file]]\nmatch = 'never'\nclip-error = 'x'", "3:14", "\"x\" is not an error"},
-      {"clip-error = '1mm'\nclip-error = '2mm'", "2:12", "no TOML"},
+      {"clip-error = '1mm'\nclip-error = '2mm'", "2:14", "no TOML"},
       {"clip-error = '1mm", "1:18", "no TOML"},
       {"\xFF\xFE", "1:1", "no TOML"},
   };
@@ -121,6 +121,9 @@ TEST(Settings, HostileText) {
       repeated("a.", kMost - 6) + "a = 1",
       "[" + repeated("a.", kMost - 6) + "a]",
       "x = {" + repeated("a.", kMost - 16) + "a = 1}",
+      "x = [\"\"\"a\"\"\"\", {" + repeated("a.", kMost - 40) + "a = 1}]",  // a quote before the closing ones
+      "x = [a, '#', {" + repeated("a.", kMost - 40) + "a = 1}]",
+      "\"#\"." + repeated("a.", kMost - 16) + "a = 1",
       repeated("[[file]]\n", kMost),
       repeated("\n", kMost),
       "x = \"" + repeated("\\u0041", kMost - 10) + "\"",
@@ -138,7 +141,7 @@ TEST(Settings, HostileText) {
     }
     ++answered;
   }
-  EXPECT_EQ(answered, 12);
+  EXPECT_EQ(answered, 15);
 }
 
 TEST(Settings, DamagedText) {
@@ -176,7 +179,7 @@ TEST(Settings, DamagedText) {
   }
   EXPECT_EQ(refused + taken, 4000);
   EXPECT_GT(refused, 1000);
-  EXPECT_GT(taken, 100);
+  EXPECT_GT(taken, 50);
 }
 
 }  // namespace
