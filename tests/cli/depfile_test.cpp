@@ -56,12 +56,12 @@ class Ninja : public ::testing::Test {
 
 // With every character that the syntax needs escaped.
 TEST_F(Ninja, BuildsAgainWhenAnInputChanges) {
-  const std::string odd = "a b#c$d(e)'1'";
+  const std::string odd = "a b#c$d(e)";
   write_triangle(folder_ / (odd + ".gltf"), folder_ / (odd + ".bin"), 1);
   change("marrow.toml", "");
   write_text(folder_ / "build.ninja", "rule cook\n  command = '" + std::string(MARROW_PROGRAM) +
                                           "' cook $in -o $out --depfile $out.d\n  depfile = $out.d\n  deps = gcc\n"
-                                          "build out.mrw: cook a$ b#c$$d(e)'1'.gltf\n");
+                                          "build out.mrw: cook a$ b#c$$d(e).gltf\n");
   EXPECT_TRUE(build());
   EXPECT_FALSE(build());
   const std::string first = read_text(folder_ / "out.mrw");
