@@ -9,7 +9,16 @@ FetchContent_Declare(fmt GIT_REPOSITORY https://github.com/fmtlib/fmt.git GIT_TA
 FetchContent_Declare(glm GIT_REPOSITORY https://github.com/g-truc/glm.git GIT_TAG 0.9.9.8 FIND_PACKAGE_ARGS NAMES glm)
 FetchContent_Declare(TinyGLTF GIT_REPOSITORY https://github.com/syoyo/tinygltf.git GIT_TAG v2.8.1
   FIND_PACKAGE_ARGS)
-FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm TinyGLTF)
+FetchContent_Declare(tomlplusplus GIT_REPOSITORY https://github.com/marzer/tomlplusplus.git GIT_TAG v3.3.0
+  FIND_PACKAGE_ARGS)
+FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm TinyGLTF tomlplusplus)
+# xxHash is used as a header alone.
+find_path(XXHASH_INCLUDE_DIR xxhash.h)
+if(NOT XXHASH_INCLUDE_DIR)
+  FetchContent_Declare(xxhash GIT_REPOSITORY https://github.com/Cyan4973/xxHash.git GIT_TAG v0.8.1 SOURCE_SUBDIR none)
+  FetchContent_MakeAvailable(xxhash)
+  set(XXHASH_INCLUDE_DIR ${xxhash_SOURCE_DIR} CACHE PATH "Folder of xxhash.h" FORCE)
+endif()
 find_package(PNG REQUIRED)
 # tinygltf's repository has it too.
 find_path(MARROW_STB_INCLUDE stb_image.h PATH_SUFFIXES stb HINTS ${tinygltf_SOURCE_DIR} REQUIRED)

@@ -14,6 +14,10 @@ marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
+# Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
+marrow_test(marrow_workflow_tests workflow unit/cook/settings_test.cpp unit/cook/workflow_test.cpp)
+target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook marrow_sample)
+
 # What `marrow bench` runs; the command itself is tested with the program.
 marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp
   ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
@@ -32,7 +36,8 @@ target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJEC
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
-  cli/clip_pack_test.cpp cli/looks_test.cpp)
+  cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
+  cli/atomic_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")

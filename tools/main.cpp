@@ -11,7 +11,7 @@
 #include "bench/bench.h"
 #include "common/failure.h"
 #include "common/files.h"
-#include "cook/command.h"
+#include "cook/command_line.h"
 #include "info/info.h"
 #include "pose/pose.h"
 #include "sample/sample.h"
@@ -57,75 +57,6 @@ void add_deformer(CLI::App* command, std::string& to) {
   command->add_option("--deformer", to, "how vertices follow joints")
       ->check(CLI::IsMember({"rigid", "ssd", "as"}))
       ->capture_default_str();
-}
-
-void add_cook(CLI::App& app) {
-  CookArguments& a = arguments_of<CookArguments>();
-  CLI::App* const command = app.add_subcommand("cook", "Cook a .gltf or .glb file into a .mrw file");
-  command->add_option("input", a.in, "the .gltf or .glb file")->required()->type_name("IN");
-  command->add_option("-o,--output", a.out, "the cooked file to write")->required()->type_name("OUT.mrw");
-  command->add_option("--report", a.report, "also write a report as JSON")->type_name("R.json");
-  command->add_flag("--json", a.json, "print the report on stdout instead of a summary");
-  command
-      ->add_option(
-          "--clip-error", a.clip_error,
-          "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm (the default), 0.0001m or 0.05% of the "
-          "skeleton; with JOINT= for some joints only, JOINT may have * and ?; repeatable, the last that fits counts")
-      ->type_name("[JOINT=]E")
-      ->take_all();
-  command->add_option("--clip-codec", a.clip_codec, "segments: compressed within --clip-error; raw: without loss")
-      ->check(CLI::IsMember({"segments", "raw"}))
-      ->capture_default_str();
-  command
-      ->add_option("--additive", a.additive,
-                   "make clips additive, as changes from a reference: first (their first frame, the default), rest, or "
-                   "another clip's first frame; CLIP may have * and ?; repeatable")
-      ->type_name("CLIP[=REFERENCE]")
-      ->take_all()
-      ->allow_extra_args(false);
-  command
-      ->add_option("--mesh-codec", a.mesh_codec,
-                   "draco: the smallest; meshopt: the fastest to unpack; none: not packed, floats as they are")
-      ->check(CLI::IsMember({"draco", "meshopt", "none"}))
-      ->capture_default_str();
-  command
-      ->add_option("--position-error", a.position_error,
-                   "how far quantisation may move vertices: 0.1mm, 0.0001m or 0.01% of the mesh's longest side; the "
-                   "default is 14 bits on the longest side, 0.0053%")
-      ->type_name("E");
-  command
-      ->add_option("--normal-error", a.options.precision.normal_error_deg,
-                   "how far it may turn normals and tangents, in degrees")
-      ->check(CLI::Range(0.002, 45.0))
-      ->capture_default_str();
-  command->add_option("--uv-error", a.options.precision.uv_error, "how far it may move UVs, in widths of the texture")
-      ->check(CLI::Range(1e-7, 1.0))
-      ->capture_default_str();
-  command->add_option("--weight-error", a.options.precision.weight_error, "how far it may change weights")
-      ->check(CLI::Range(2e-5, 0.5))
-      ->capture_default_str();
-  command->add_flag("--clips-only", a.options.clips_only,
-                    "a clip pack: only the clips, for the skeletons of this file or of --skeleton");
-  command
-      ->add_option("--skeleton", a.skeleton,
-                   "the character, cooked or glTF, that a clip pack is for; nodes are matched with its joints by name")
-      ->type_name("CHARACTER");
-  command
-      ->add_option(
-          "--images", a.images,
-          "reference: materials name their images as the source does; embed: the PNG or JPEG files as they are; "
-          "none: neither")
-      ->check(CLI::IsMember({"reference", "embed", "none"}))
-      ->capture_default_str();
-  command
-      ->add_option("--keep", a.options.keep,
-                   "keep nodes by name, as sockets, and their extras; GLOB may have * and ?; repeatable")
-      ->type_name("GLOB")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_flag("--keep-vertex-order", a.options.keep_vertex_order,
-                    "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators");
-  command->callback([&a] { run_cook(a); });
 }
 
 void add_info(CLI::App& app) {
@@ -214,7 +145,8 @@ int run(int argc, char** argv) {
   app.footer(
       "Results go to stdout, everything else to stderr.\n"
       "Exit codes: 0 done, 1 usage, 2 input/output, 3 invalid input, 4 unsupported, 5 internal.");
-  add_cook(app);
+  int exit_code = 0;
+  add_cook(app, exit_code);
   add_info(app);
   add_pose(app);
   add_bench(app);
@@ -230,7 +162,7 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "marrow: %s (see --help)\n", e.what());
     return static_cast<int>(Exit::usage);
   }
-  return 0;
+  return exit_code;
 }
 
 }  // namespace

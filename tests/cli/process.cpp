@@ -6,10 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace marrow::test {
 
@@ -42,6 +45,28 @@ void write_text(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+void write_triangle(const std::string& gltf, const std::string& bin, float size) {
+  const float xyz[9] = {0, 0, 0, size, 0, 0, 0, size, 0};
+  std::string bytes(sizeof xyz, '\0');
+  std::memcpy(bytes.data(), xyz, sizeof xyz);
+  write_text(bin, bytes);
+  std::string uri;
+  for (const char c : fs::path(bin).filename().string()) {
+    if (std::string(" #%").find(c) == std::string::npos) {
+      uri += c;
+    } else {
+      uri += c == ' ' ? "%20" : c == '#' ? "%23" : "%25";
+    }
+  }
+  write_text(gltf,
+             R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"n","mesh":0}],)"
+             R"("meshes":[{"name":"m","primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+             R"("componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[)" +
+                 std::to_string(size) + "," + std::to_string(size) +
+                 R"(,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":")" + uri +
+                 "\"}]}");
+}
+
 std::string tiny_gltf() {
   return std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny.gltf";
 }
@@ -55,6 +80,12 @@ std::vector<std::string> Ran::complaints() const {
 }
 
 Ran run_marrow(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = {MARROW_PROGRAM};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return run_program(all);
+}
+
+Ran run_program(const std::vector<std::string>& program_and_arguments, std::chrono::microseconds kill_after) {
   const TemporaryFolder folder;
   const std::string out = folder / "out", err = folder / "err";
   posix_spawn_file_actions_t actions;
@@ -62,15 +93,18 @@ Ran run_marrow(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
-  std::vector<std::string> texts = {MARROW_PROGRAM};
-  texts.insert(texts.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> texts = program_and_arguments;
   std::vector<char*> argv;
   for (std::string& text : texts) argv.push_back(text.data());
   argv.push_back(nullptr);
   pid_t child = 0;
-  const int failed = posix_spawn(&child, MARROW_PROGRAM, &actions, nullptr, argv.data(), environ);
+  const int failed = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error(std::string("cannot start ") + MARROW_PROGRAM);
+  if (failed != 0) throw std::runtime_error("cannot start " + texts[0]);
+  if (kill_after.count() > 0) {
+    std::this_thread::sleep_for(kill_after);
+    ::kill(child, SIGKILL);
+  }
   int status = 0;
   if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for the program");
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), read_text(out), read_text(err)};

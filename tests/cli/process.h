@@ -1,6 +1,7 @@
 // Runs the built program as a user would, in a folder of its own that is gone afterwards.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ struct Ran {
 // Arguments behind the program's name; stdin is empty. Throws std::runtime_error if the program cannot be started.
 Ran run_marrow(const std::vector<std::string>& arguments);
 
+// Any program, looked for as a shell does; killed (SIGKILL) after `kill_after` unless that is 0.
+Ran run_program(const std::vector<std::string>& program_and_arguments,
+                std::chrono::microseconds kill_after = std::chrono::microseconds(0));
+
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -26,6 +31,7 @@ class TemporaryFolder {
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   // Names of what it holds, sorted.
   std::vector<std::string> listing() const;
+  std::string path() const { return path_.string(); }
 
  private:
   std::filesystem::path path_;
@@ -33,6 +39,8 @@ class TemporaryFolder {
 
 std::string read_text(const std::string& path);
 void write_text(const std::string& path, const std::string& bytes);
+// A scene with one triangle of this size, in metres, whose numbers are in a file of their own beside it.
+void write_triangle(const std::string& gltf, const std::string& bin, float size);
 
 // The source of the golden file.
 std::string tiny_gltf();

@@ -1,12 +1,15 @@
 #include "common/files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <utility>
 
 #include "common/failure.h"
 
@@ -55,30 +58,85 @@ AlignedBytes read_file(const std::string& path) {
   return bytes;
 }
 
-void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
+namespace {
+
+// Opens the temporary file and locks it. Another process may have renamed it away before the lock was ours: then its
+// name belongs to no file or to a new one.
+int open_locked(const std::string& temporary, const std::string& path) {
+  for (;;) {
+    Descriptor file{::open(temporary.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666)};
+    if (file.fd < 0) fail(path, "cannot write", errno);
+    // File systems without locks exist; there, nothing but a race between two cooks is lost.
+    while (::flock(file.fd, LOCK_EX) != 0 && errno == EINTR) {
+    }
+    struct stat ours {
+    }, named{};
+    if (::fstat(file.fd, &ours) != 0) fail(path, "cannot write", errno);
+    if (!S_ISREG(ours.st_mode)) throw Failure(Exit::io, path, "", "cannot write", temporary + " is in the way");
+    if (::lstat(temporary.c_str(), &named) != 0 || named.st_ino != ours.st_ino || named.st_dev != ours.st_dev) continue;
+    return std::exchange(file.fd, -1);
+  }
+}
+
+// The renaming itself reaches the disk. Not every file system can be asked to, and the file is whole either way.
+void flush_folder(const std::filesystem::path& folder) {
+  const Descriptor directory{::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  if (directory.fd >= 0) ::fsync(directory.fd);
+}
+
+}  // namespace
+
+StagedFile::StagedFile(std::string path, std::span<const std::byte> bytes) : path_(std::move(path)) {
   struct stat info {};
-  if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
-    throw Failure(Exit::io, path, "", "cannot write", "there is something that is not a regular file");
-  std::string temporary = path + ".XXXXXX";
-  Descriptor file{::mkostemp(temporary.data(), O_CLOEXEC)};
-  if (file.fd < 0) fail(path, "cannot write", errno);
+  if (::stat(path_.c_str(), &info) == 0 && S_ISDIR(info.st_mode))
+    throw Failure(Exit::io, path_, "", "cannot write", "it is a directory; name a file in it");
+  if (::stat(path_.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+    throw Failure(Exit::io, path_, "", "cannot write", "there is something that is not a regular file");
+  const std::filesystem::path target(path_);
+  if (!target.has_filename()) fail(path_, "cannot write", ENOENT);
+  temporary_ = (target.parent_path() / ("." + target.filename().string() + ".tmp")).string();
+  fd_ = open_locked(temporary_, path_);
   try {
-    write_all(file.fd, bytes, path);
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(file.fd, 0666 & ~mask) != 0 || ::fsync(file.fd) != 0) fail(path, "cannot write", errno);
-    const int fd = file.fd;
-    file.fd = -1;
-    if (::close(fd) != 0) fail(path, "cannot write", errno);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot write", errno);
+    if (::ftruncate(fd_, 0) != 0) fail(path_, "cannot write", errno);
+    write_all(fd_, bytes, path_);
+    if (::fsync(fd_) != 0) fail(path_, "cannot write", errno);
   } catch (...) {
-    ::unlink(temporary.c_str());
+    discard();
     throw;
   }
 }
 
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::move(other.temporary_)), fd_(std::exchange(other.fd_, -1)) {}
+
+StagedFile::~StagedFile() {
+  discard();
+}
+
+void StagedFile::commit() {
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
+  ::close(std::exchange(fd_, -1));
+  flush_folder(std::filesystem::path(path_).parent_path());
+}
+
+void StagedFile::discard() {
+  if (fd_ < 0) return;
+  ::unlink(temporary_.c_str());  // while the lock is ours
+  ::close(std::exchange(fd_, -1));
+}
+
+void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
+  StagedFile(path, bytes).commit();
+}
+
 void write_file_atomically(const std::string& path, std::string_view text) {
   write_file_atomically(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void create_folders(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw Failure(Exit::io, path, "", "cannot make the folder", error.message());
 }
 
 }  // namespace marrow::tools

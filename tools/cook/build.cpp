@@ -72,19 +72,23 @@ Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double large
   return promise;
 }
 
-void check_clip_error_rules(const BuiltScene& scene, const CookOptions& options) {
+void check_clip_error_rules(const BuiltScene& scene, const CookOptions& options, std::vector<RawWarning>& warnings) {
   for (const ClipErrorRule& rule : options.clip_error) {
     const auto fits = [&](const std::string& joint) { return tools::fits(rule.joints, joint); };
-    if (!rule.joints.empty() && std::ranges::none_of(scene.skeletons, [&](const BuiltSkeleton& skeleton) {
-          return std::ranges::any_of(skeleton.joint_names, fits);
-        }))
-      throw tools::Failure(tools::Exit::usage, "--clip-error", "", "no joint is called \"" + rule.joints + "\"",
+    const bool found = rule.joints.empty() || std::ranges::any_of(scene.skeletons, [&](const BuiltSkeleton& skeleton) {
+                         return std::ranges::any_of(skeleton.joint_names, fits);
+                       });
+    if (!found && !rule.origin.must_fit)
+      warnings.push_back({"/nodes", "rule-fits-nothing", "clip-error: no joint is called \"" + rule.joints + "\""});
+    if (!found && rule.origin.must_fit)
+      throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where,
+                           "no joint is called \"" + rule.joints + "\"",
                            "give JOINT=E with names as `marrow info --json` lists them");
   }
 }
 
-void compress_clips(const CookOptions& options, BuiltScene& scene) {
-  check_clip_error_rules(scene, options);
+void compress_clips(const CookOptions& options, BuiltScene& scene, std::vector<RawWarning>& warnings) {
+  check_clip_error_rules(scene, options, warnings);
   std::map<std::uint32_t, Rig> rigs;
   for (const BuiltClip& clip : scene.clips) rigs.try_emplace(clip.skeleton, scene.skeletons[clip.skeleton]);
   double largest = 0;
@@ -101,15 +105,15 @@ void compress_clips(const CookOptions& options, BuiltScene& scene) {
 
 }  // namespace
 
-void build_clips(const RawScene& scene, const CookOptions& options, BuiltScene& out) {
+void build_clips(RawScene& scene, const CookOptions& options, BuiltScene& out) {
   const std::vector<ClipPart> parts = split_clips(scene, out);
   for (const ClipPart& part : parts) {
     out.clips.push_back(build_clip(part.clip, out.joint_of_node));
     out.clips.back().skeleton = part.skeleton;
     out.clips.back().duration_s = part.duration_s;
   }
-  const std::vector<AdditiveReference> references = additive_references(out, options.additive);
-  if (!options.raw_clips) compress_clips(options, out);
+  const std::vector<AdditiveReference> references = additive_references(out, options.additive, scene.warnings);
+  if (!options.raw_clips) compress_clips(options, out, scene.warnings);
   for (std::size_t i = 0; i < out.clips.size(); ++i) {
     add_channels(parts[i].clip, options.raw_clips, out.clips[i]);
     out.clips[i].additive = references[i].name;

@@ -11,10 +11,18 @@
 
 namespace marrow::cook {
 
+// Where a rule was given, as failures say it, and whether it is a mistake if it fits nothing: a rule for many files
+// need not fit each.
+struct RuleOrigin {
+  std::string file, where;  // "--additive", ""; "marrow.toml", "12:7"
+  bool must_fit = true;
+};
+
 // Which clips become additive, and over what.
 struct AdditiveRule {
   std::string clips;                // a name; * stands for any characters, ? for one
   std::string reference = "first";  // their own first frame; "rest": the rest pose; else a clip whose first frame it is
+  RuleOrigin origin = {"--additive", ""};
 };
 
 // How far clips may stray at some joints.
@@ -22,6 +30,7 @@ struct ClipErrorRule {
   std::string joints;   // a name with wildcards as above; empty: all
   double error = 1e-4;  // metres on the shell; or, if is_share, of the skeleton's diagonal
   bool is_share = false;
+  RuleOrigin origin = {"--clip-error", ""};
 };
 
 struct Character;
@@ -39,6 +48,7 @@ struct CookOptions {
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
   bool clips_only = false;                       // a clip pack
+  std::string skeleton_file;                     // the file of `onto`, for whoever reads it
   std::shared_ptr<const Character> onto;         // that the pack is for; null: the file's own skeletons
   bool keep_vertex_order = false;                // remember where every vertex of the source went
   Images images = Images::reference;
@@ -63,16 +73,17 @@ std::vector<ClipPart> split_clips(const RawScene& scene, const BuiltScene& built
 // Of channels that all belong to one skeleton, or to none: those are left out.
 BuiltClip build_clip(const RawClip& clip, const std::vector<int>& joint_of_node);
 // Splits, builds, compresses. Throws tools::Failure (usage) if an option names what there is not.
-void build_clips(const RawScene& scene, const CookOptions& options, BuiltScene& out);
+void build_clips(RawScene& scene, const CookOptions& options, BuiltScene& out);
 // Behind the tracks, which must be final. all_keys: keep those too that others make superfluous.
 void add_channels(const RawClip& raw, bool all_keys, BuiltClip& clip);
-// For each clip its reference, or none; of clips not yet compressed. Throws tools::Failure (usage) if a rule fits no
-// clip or its reference is none.
+// For each clip its reference, or none; of clips not yet compressed. Throws tools::Failure (usage) if a rule's
+// reference is no clip, or if it fits no clip and must; a warning if it need not.
 struct AdditiveReference {
   std::string name;                // as AdditiveRule's; empty: an ordinary clip
   std::vector<SoaTransform> pose;  // empty: the rest pose
 };
-std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules);
+std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules,
+                                                   std::vector<RawWarning>& warnings);
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
 // One primitive's vertices: quantised, welded, in an order that GPUs like, encoded, decoded again.
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,

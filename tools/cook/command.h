@@ -1,27 +1,27 @@
-// `marrow cook`: glTF in, a cooked file out.
+// `marrow cook`: glTF in, cooked files out.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "cook/build.h"
+#include "cook/options.h"
 
 namespace marrow::tools {
 
 struct CookArguments {
-  std::string in, out, report;
+  std::vector<std::string> inputs;
+  std::string out, report, depfile, settings;
+  std::string cache;  // empty: none
+  std::uint64_t cache_bytes = 1u << 30;
+  unsigned jobs = 0;  // 0: one a core
   bool json = false;
-  std::vector<std::string> clip_error;
-  std::string clip_codec = "segments";
-  std::vector<std::string> additive;
-  std::string mesh_codec = "draco";
-  std::string position_error;
-  std::string skeleton;       // a character's file
-  std::string images = "reference";
-  cook::CookOptions options;  // but for what the texts say
+  cook::Given given;  // on the command line
 };
 
-// Throws Failure; then neither the output nor the report is left behind.
-void run_cook(const CookArguments& arguments);
+// One file; throws Failure, and then neither the output nor the report nor the depfile is touched. Or a folder's worth:
+// one bad file does not stop the others. Returns the process's exit code: of a folder's, the first failure's in the
+// inputs' order.
+int run_cook(const CookArguments& arguments);
 
 }  // namespace marrow::tools

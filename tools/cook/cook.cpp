@@ -99,6 +99,7 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   CookResult result;
   result.report = make_report(scene, built, written);
   result.file = std::move(written.bytes);
+  result.reads = std::move(scene.reads);
   return result;
 }
 

@@ -19,6 +19,7 @@ struct CookResult {
   // images [{name, uri, format, bytes}], nodes [{name, skeleton, joint, properties}], keep [{glob, nodes [name]}],
   // warnings [{pointer, rule, text}]}; docs/architecture.md says what each means.
   nlohmann::ordered_json report;
+  std::vector<RawRead> reads;  // what the result depends on, besides the options
 };
 
 // Throws tools::Failure, located.

@@ -147,6 +147,13 @@ struct RawWarning {
   std::string text;     // one sentence
 };
 
+// A file that was read, or its first bytes.
+struct RawRead {
+  std::string path;  // the scene's own as given, others canonical
+  std::uint64_t bytes = 0;
+  std::string hash;  // tools::hash_of those bytes
+};
+
 struct RawScene {
   std::string source;              // path as given
   std::uint64_t source_bytes = 0;  // the file and whatever else was read for it
@@ -158,6 +165,7 @@ struct RawScene {
   std::vector<RawInstance> instances;
   std::vector<RawClip> clips;
   std::vector<RawWarning> warnings;
+  std::vector<RawRead> reads;  // the scene's own file first; empty for a scene in memory
 };
 
 }  // namespace marrow::cook

@@ -9,6 +9,8 @@
 #include <memory>
 #include <system_error>
 
+#include "common/hash.h"
+
 namespace marrow::cook::gltf {
 namespace {
 
@@ -41,7 +43,7 @@ std::uint64_t size_of_regular_file(const std::string& path, const std::string& w
 }  // namespace
 
 std::vector<std::byte> read_regular_file(const std::string& path, std::uint64_t at_most, const std::string& where,
-                                         const Report& report) {
+                                         Report& report) {
   const std::uint64_t size = std::min(size_of_regular_file(path, where, report), at_most);
   if (size > kLargestFile) report.unsupported(where, "file too large", "split the scene; 2 GiB is the limit");
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
@@ -49,6 +51,7 @@ std::vector<std::byte> read_regular_file(const std::string& path, std::uint64_t 
   std::vector<std::byte> bytes(size);
   const std::size_t read = size == 0 ? 0 : std::fread(bytes.data(), 1, bytes.size(), file.get());
   if (read != bytes.size()) report.unreadable(where, "cannot read", "the file ended early; was it being written?");
+  report.note_read({path, bytes.size(), tools::hash_of(bytes)});
   return bytes;
 }
 

@@ -65,8 +65,7 @@ Document read_document(const Container& container, const std::optional<std::stri
 }
 
 RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, const std::optional<std::string>& folder,
-                    const ReadOptions& options) {
-  Report report(name);
+                    const ReadOptions& options, Report& report) {
   const Container container = split_container(bytes, report);
   const Document document = read_document(container, folder, report);
   const NodeGraph graph = check_nodes(document, report);
@@ -89,18 +88,21 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
   scene.instances = import_instances(document, scene.nodes, scene.meshes, scene.skins, report);
   scene.clips = import_clips(document, scene.nodes, budget, report);
   scene.warnings = report.take_warnings();
+  scene.reads = report.take_reads();
   return scene;
 }
 
 }  // namespace
 
 RawScene read_gltf(const std::string& path, const ReadOptions& options) {
-  const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", Report(path));
-  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string(), options);
+  Report report(path);
+  const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", report);
+  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string(), options, report);
 }
 
 RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes, const ReadOptions& options) {
-  return read_scene(name, bytes, std::nullopt, options);
+  Report report(name);
+  return read_scene(name, bytes, std::nullopt, options, report);
 }
 
 }  // namespace marrow::cook

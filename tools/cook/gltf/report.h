@@ -80,6 +80,10 @@ class Report {
   void set_library(bool library) { library_ = library; }
   bool library() const { return library_; }
 
+  // Every file that the scene's meaning depends on, as it was read.
+  void note_read(RawRead read) { reads_.push_back(std::move(read)); }
+  std::vector<RawRead> take_reads() { return std::move(reads_); }
+
   // The warnings so far; repetitions of one rule beyond a handful are counted, not listed.
   std::vector<RawWarning> take_warnings();
 
@@ -87,6 +91,7 @@ class Report {
   std::string file_;
   bool library_ = false;
   std::vector<RawWarning> warnings_;
+  std::vector<RawRead> reads_;
   std::map<std::string, std::size_t> count_of_rule_;
 };
 

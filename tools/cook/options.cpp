@@ -1,0 +1,220 @@
+#include "cook/options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "common/failure.h"
+#include "cook/gltf/text.h"
+
+namespace marrow::cook {
+namespace {
+
+[[noreturn]] void refuse(const Value& value, const std::string& rule, const std::string& advice) {
+  throw tools::Failure(tools::Exit::usage, value.origin.file, value.origin.where, gltf::printable(rule), advice);
+}
+
+// "0.1mm", "0.0001m", or a share as in "0.05%".
+struct Amount {
+  double value = 0;
+  bool is_share = false;
+};
+
+bool read_amount(std::string_view text, Amount& out) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, out.value);
+  const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
+  const double scale = unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
+  out.is_share = unit == "%";
+  out.value *= scale;
+  return error == std::errc() && out.value > 0 && std::isfinite(out.value);
+}
+
+// An amount; in front "JOINT=", or for all joints.
+void set_clip_error(CookOptions& options, const Value& given) {
+  const std::string& text = given.text;
+  const std::size_t divide = text.rfind('=');
+  ClipErrorRule rule;
+  if (divide != std::string::npos) rule.joints = text.substr(0, divide);
+  Amount amount;
+  if (!read_amount(std::string_view(text).substr(divide == std::string::npos ? 0 : divide + 1), amount) || divide == 0)
+    refuse(given, "\"" + text + "\" is not an error",
+           "give a length or a share of the skeleton, as in 0.1mm, 0.0001m, 0.05% or hand*=0.02mm");
+  rule.error = amount.value;
+  rule.is_share = amount.is_share;
+  rule.origin = given.origin;
+  options.clip_error.push_back(rule);
+}
+
+void set_position_error(CookOptions& options, const Value& given) {
+  Amount amount;
+  if (!read_amount(given.text, amount))
+    refuse(given, "\"" + given.text + "\" is not an error",
+           "give a length or a share of the mesh's longest side, as in 0.1mm, 0.0001m or 0.01%");
+  options.position_error = amount.value;
+  options.position_error_is_share = amount.is_share;
+}
+
+double number_between(const Value& given, double least, double most) {
+  double value = 0;
+  const char* const end = given.text.data() + given.text.size();
+  const auto [stop, error] = std::from_chars(given.text.data(), end, value);
+  if (error != std::errc() || stop != end || !(value >= least && value <= most))
+    refuse(given, "\"" + given.text + "\" is out of range",
+           "give a number from " + fmt::format("{}", least) + " to " + fmt::format("{}", most));
+  return value;
+}
+
+void set_mesh_codec(CookOptions& options, const Value& given) {
+  options.mesh_codec = given.text == "draco"     ? MeshCodec::draco
+                       : given.text == "meshopt" ? MeshCodec::meshopt
+                                                 : MeshCodec::none;
+}
+
+void set_images(CookOptions& options, const Value& given) {
+  options.images = given.text == "embed"  ? Images::embed
+                   : given.text == "none" ? Images::none
+                                          : Images::reference;
+}
+
+// "CLIP" or "CLIP=REFERENCE", divided at the last "=".
+void set_additive(CookOptions& options, const Value& given) {
+  const std::size_t divide = given.text.rfind('=');
+  AdditiveRule rule;
+  rule.clips = given.text.substr(0, divide);
+  if (divide != std::string::npos) rule.reference = given.text.substr(divide + 1);
+  if (rule.clips.empty() || rule.reference.empty())
+    refuse(given, "\"" + given.text + "\" names no clip or no reference",
+           "give CLIP or CLIP=REFERENCE, as in aim=rest");
+  rule.origin = given.origin;
+  options.additive.push_back(rule);
+}
+
+}  // namespace
+
+const std::vector<Option>& option_table() {
+  static const std::vector<Option> table = {
+      {"clip-error",
+       OptionKind::list,
+       "[JOINT=]E",
+       "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm (the default), 0.0001m or 0.05% of the "
+       "skeleton; with JOINT= for some joints only, JOINT may have * and ?; repeatable, the last that fits counts",
+       {},
+       set_clip_error},
+      {"clip-codec",
+       OptionKind::text,
+       "TEXT",
+       "segments: compressed within --clip-error; raw: without loss",
+       {"segments", "raw"},
+       [](CookOptions& options, const Value& value) { options.raw_clips = value.text == "raw"; }},
+      {"additive",
+       OptionKind::list,
+       "CLIP[=REFERENCE]",
+       "make clips additive, as changes from a reference: first (their first frame, the default), rest, or another "
+       "clip's first frame; CLIP may have * and ?; repeatable",
+       {},
+       set_additive},
+      {"mesh-codec",
+       OptionKind::text,
+       "TEXT",
+       "draco: the smallest; meshopt: the fastest to unpack; none: not packed, floats as they are",
+       {"draco", "meshopt", "none"},
+       set_mesh_codec},
+      {"position-error",
+       OptionKind::text,
+       "E",
+       "how far quantisation may move vertices: 0.1mm, 0.0001m or 0.01% of the mesh's longest side; the default is 14 "
+       "bits on the longest side, 0.0053%",
+       {},
+       set_position_error},
+      {"normal-error",
+       OptionKind::text,
+       "DEGREES",
+       "how far it may turn normals and tangents; the default is 0.2",
+       {},
+       [](CookOptions& o, const Value& v) { o.precision.normal_error_deg = number_between(v, 0.002, 45); }},
+      {"uv-error",
+       OptionKind::text,
+       "SHARE",
+       "how far it may move UVs, in widths of the texture; the default is 0.000122",
+       {},
+       [](CookOptions& o, const Value& v) { o.precision.uv_error = number_between(v, 1e-7, 1); }},
+      {"weight-error",
+       OptionKind::text,
+       "SHARE",
+       "how far it may change weights; the default is 0.00025",
+       {},
+       [](CookOptions& o, const Value& v) { o.precision.weight_error = number_between(v, 2e-5, 0.5); }},
+      {"images",
+       OptionKind::text,
+       "TEXT",
+       "reference: materials name their images as the source does; embed: the PNG or JPEG files as they are; none: "
+       "neither",
+       {"reference", "embed", "none"},
+       set_images},
+      {"keep",
+       OptionKind::list,
+       "GLOB",
+       "keep nodes by name, as sockets, and their extras; GLOB may have * and ?; repeatable",
+       {},
+       [](CookOptions& options, const Value& value) { options.keep.push_back(value.text); }},
+      {"clips-only",
+       OptionKind::flag,
+       "",
+       "a clip pack: only the clips, for the skeletons of this file or of --skeleton",
+       {},
+       [](CookOptions& options, const Value&) { options.clips_only = true; }},
+      {"skeleton",
+       OptionKind::text,
+       "CHARACTER",
+       "the character, cooked or glTF, that a clip pack is for; nodes are matched with its joints by name",
+       {},
+       [](CookOptions& options, const Value& value) { options.skeleton_file = value.text; }},
+      {"keep-vertex-order",
+       OptionKind::flag,
+       "",
+       "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators",
+       {},
+       [](CookOptions& options, const Value&) { options.keep_vertex_order = true; }},
+  };
+  return table;
+}
+
+void replace(Given& given, const Given& with) {
+  for (const auto& [name, values] : with) given[name] = values;
+}
+
+CookOptions to_options(const Given& given) {
+  CookOptions options;
+  for (const Option& option : option_table()) {
+    const auto found = given.find(option.name);
+    if (found == given.end()) continue;
+    for (const Value& value : found->second) {
+      if (option.kind == OptionKind::flag && value.text != "true") continue;
+      if (!option.choices.empty() && std::ranges::find(option.choices, value.text) == option.choices.end()) {
+        std::string choices;
+        for (const std::string& choice : option.choices) choices += (choices.empty() ? "" : " or ") + choice;
+        refuse(value, "\"" + value.text + "\" is no " + option.name, "give " + choices);
+      }
+      option.set(options, value);
+    }
+  }
+  if (!options.skeleton_file.empty() && !options.clips_only)
+    refuse(given.at("skeleton").front(), "no clip pack", "give clips-only too");
+  return options;
+}
+
+std::string canonical_text(const Given& given) {
+  std::string out;
+  for (const auto& [name, values] : given) {
+    for (const Value& value : values)
+      out +=
+          name + " " + std::to_string(value.text.size()) + " " + value.text + (value.origin.must_fit ? " !\n" : "\n");
+  }
+  return out;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,47 @@
+// The cooker's options: one table that the command line and marrow.toml share.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cook/build.h"
+
+namespace marrow::cook {
+
+// One value of an option as it was given. A flag's is "true" or "false".
+struct Value {
+  std::string text;
+  RuleOrigin origin;  // of a failure; on the command line {"--NAME", ""}
+};
+
+enum class OptionKind {
+  flag,  // given or not
+  text,  // one value, the last given
+  list,  // any number of values
+};
+
+struct Option {
+  const char* name;  // "clip-error": --clip-error on the command line, clip-error in marrow.toml
+  OptionKind kind;
+  const char* shape;  // of a value, as --help prints it: "[JOINT=]E"
+  const char* help;
+  std::vector<std::string> choices;  // of a text; the first is the default; empty: any
+  // Takes one value, of a flag "true" only. Throws tools::Failure (usage) at the value's origin.
+  void (*set)(CookOptions& options, const Value& value);
+};
+
+// A new option is one more line there.
+const std::vector<Option>& option_table();
+
+// What was given, by option. An option that is given again is replaced whole, with all its values.
+using Given = std::map<std::string, std::vector<Value>>;
+void replace(Given& given, const Given& with);
+
+// Throws tools::Failure (usage) at the origin of a wrong value.
+CookOptions to_options(const Given& given);
+
+// The same for the same options, whatever they were given by.
+std::string canonical_text(const Given& given);
+
+}  // namespace marrow::cook
