@@ -54,3 +54,7 @@ add_test(NAME readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/REA
   -DBUILT=$<TARGET_FILE:marrow_first_program> -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/road/readme.cmake)
 set_tests_properties(readme PROPERTIES LABELS cli)
+
+# What the Khronos validator says of exports; skipped, which ctest says aloud, where npm cannot be had.
+add_test(NAME export.validator COMMAND ${PROJECT_SOURCE_DIR}/tools/check_export.sh $<TARGET_FILE:marrow>)
+set_tests_properties(export.validator PROPERTIES LABELS cli SKIP_RETURN_CODE 3 TIMEOUT 900)

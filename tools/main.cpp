@@ -12,6 +12,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "cook/command.h"
+#include "export/export.h"
 #include "info/info.h"
 #include "pose/pose.h"
 #include "sample/sample.h"
@@ -91,6 +92,14 @@ void add_info(CLI::App& app) {
   command->callback([&a] { run_info(a); });
 }
 
+void add_export(CLI::App& app) {
+  ExportArguments& a = arguments_of<ExportArguments>();
+  CLI::App* const command = app.add_subcommand("export", "Write a cooked file back as plain glTF 2.0");
+  add_input(command, a.in);
+  command->add_option("-o,--output", a.out, "the file to write")->required()->type_name("OUT.glb");
+  command->callback([&a] { run_export(a); });
+}
+
 void add_pose(CLI::App& app) {
   PoseArguments& a = arguments_of<PoseArguments>();
   CLI::App* const command = app.add_subcommand("pose", "Write a character's vertices at a moment of a clip");
@@ -166,6 +175,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 1 usage, 2 input/output, 3 invalid input, 4 unsupported, 5 internal.");
   add_cook(app);
   add_info(app);
+  add_export(app);
   add_pose(app);
   add_bench(app);
   add_sample(app);
