@@ -144,14 +144,10 @@ class Meshes {
     part_.reset();
   }
 
+  // A node of its own even where nothing lies between, so that meshes keep their order.
   void hang(Json node) {
     std::size_t parent = scene_.joint_nodes[part_->skeleton][part_->joint];
     const std::vector<Parts> between = parts_of(part_->joint_from_mesh);
-    Json& joint = scene_.glb.json["nodes"][parent];
-    if (between.empty() && !joint.contains("mesh")) {
-      joint["mesh"] = node["mesh"];
-      return;
-    }
     for (std::size_t i = 0; i + 1 < between.size(); ++i) {
       Json outer = Json::object();
       set_parts(outer, between[i]);
