@@ -30,14 +30,14 @@ target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVA
 marrow_warnings(marrow_reference)
 
 marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/codec_test.cpp road/cooked.cpp road/characters_test.cpp)
-target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook)
+  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/cooked.cpp road/characters_test.cpp)
+target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_export)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
-  cli/atomic_test.cpp)
+  cli/atomic_test.cpp cli/export_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")
@@ -63,3 +63,11 @@ add_test(NAME readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/REA
   -DBUILT=$<TARGET_FILE:marrow_first_program> -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/road/readme.cmake)
 set_tests_properties(readme PROPERTIES LABELS cli)
+
+# What others make of exports: the Khronos validator, and three.js in a headless browser beside the source. Skipped, which
+# ctest says aloud, where npm cannot be had.
+if(NOT MARROW_SANITIZE)
+  add_test(NAME export.validator COMMAND ${PROJECT_SOURCE_DIR}/tools/check_export.sh $<TARGET_FILE:marrow>)
+  add_test(NAME export.three COMMAND ${PROJECT_SOURCE_DIR}/tools/check_three.sh $<TARGET_FILE:marrow>)
+  set_tests_properties(export.validator export.three PROPERTIES LABELS cli SKIP_RETURN_CODE 3 TIMEOUT 1800)
+endif()

@@ -12,6 +12,8 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "cook/command_line.h"
+#include "diff/diff.h"
+#include "export/export.h"
 #include "info/info.h"
 #include "pose/pose.h"
 #include "sample/sample.h"
@@ -63,8 +65,28 @@ void add_info(CLI::App& app) {
   InfoArguments& a = arguments_of<InfoArguments>();
   CLI::App* const command = app.add_subcommand("info", "Say what a cooked file holds");
   add_input(command, a.in);
+  command->add_option("--source", a.source, "the glTF file it was cooked from, to show its bytes beside")
+      ->type_name("IN.glb");
   command->add_flag("--json", a.json, "as JSON");
   command->callback([&a] { run_info(a); });
+}
+
+void add_diff(CLI::App& app) {
+  DiffArguments& a = arguments_of<DiffArguments>();
+  CLI::App* const command = app.add_subcommand("diff", "Say in what two cooked files differ");
+  command->add_option("a", a.a, "a cooked file")->required()->type_name("A.mrw");
+  command->add_option("b", a.b, "another")->required()->type_name("B.mrw");
+  command->add_flag("--json", a.json, "as JSON: {equal, differences: [{kind, in, text, ...}]}");
+  command->footer("Exit codes: 0 the same bytes, 6 they differ, others as ever.");
+  command->callback([&a] { run_diff(a); });
+}
+
+void add_export(CLI::App& app) {
+  ExportArguments& a = arguments_of<ExportArguments>();
+  CLI::App* const command = app.add_subcommand("export", "Write a cooked file back as plain glTF 2.0");
+  add_input(command, a.in);
+  command->add_option("-o,--output", a.out, "the file to write")->required()->type_name("OUT.glb");
+  command->callback([&a] { run_export(a); });
 }
 
 void add_pose(CLI::App& app) {
@@ -144,10 +166,13 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", MARROW_VERSION);
   app.footer(
       "Results go to stdout, everything else to stderr.\n"
-      "Exit codes: 0 done, 1 usage, 2 input/output, 3 invalid input, 4 unsupported, 5 internal.");
+      "Exit codes: 0 done, 1 usage, 2 input/output, 3 invalid input, 4 unsupported, 5 internal, "
+      "6 files differ (diff).");
   int exit_code = 0;
   add_cook(app, exit_code);
   add_info(app);
+  add_diff(app);
+  add_export(app);
   add_pose(app);
   add_bench(app);
   add_sample(app);
@@ -162,7 +187,7 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "marrow: %s (see --help)\n", e.what());
     return static_cast<int>(Exit::usage);
   }
-  return exit_code;
+  return arguments_of<DiffArguments>().differs ? kFilesDiffer : exit_code;
 }
 
 }  // namespace

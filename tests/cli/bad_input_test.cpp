@@ -110,6 +110,8 @@ TEST_F(BadInput, CookedFiles) {
     expect_failure({"info", in(c.input)}, c.code, in(c.input));
     expect_failure({"info", in(c.input), "--json"}, c.code, in(c.input));
     expect_failure({"pose", in(c.input), "-o", out("p.bin")}, c.code, in(c.input));
+    expect_failure({"export", in(c.input), "-o", out("x.glb")}, c.code, in(c.input));
+    expect_failure({"diff", in("good.mrw"), in(c.input)}, c.code, in(c.input));
 #ifdef MARROW_HAS_GLES
     expect_failure({"render", in(c.input), "-o", out("p.png")}, c.code, in(c.input));
 #endif
@@ -162,7 +164,7 @@ TEST_F(BadInput, AFailedCookLeavesTheOldFile) {
 }
 
 TEST_F(BadInput, HelpIsNoFailure) {
-  std::vector<std::string> commands = {"", "cook", "info", "pose"};
+  std::vector<std::string> commands = {"", "cook", "info", "pose", "export", "diff"};
 #ifdef MARROW_HAS_GLES
   commands.push_back("render");
 #endif

@@ -14,13 +14,20 @@ LoadedFile load_mrw(const std::string& path) {
   loaded.bytes = read_file(path);
   if (loaded.bytes.size() == 0) throw Failure(Exit::invalid, path, "@0", "empty file", "cook the source again");
   const std::span<const std::byte> bytes(loaded.bytes.data(), loaded.bytes.size());
-  if (is_packed({bytes.data(), bytes.size()})) loaded.bytes = unpacked(bytes, path);
+  loaded.stored_bytes = bytes.size();
+  const bool packed = is_packed({bytes.data(), bytes.size()});
+  if (packed) {
+    AlignedBytes file = unpacked(bytes, path);
+    loaded.stored = records_of(bytes);
+    loaded.bytes = std::move(file);
+  }
   DataError error;
   const Status status = load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file, &error);
   const bool foreign = status == Status::unsupported || status == Status::bad_version;
   if (status != Status::ok)
     throw Failure(foreign ? Exit::unsupported : Exit::invalid, path, "@" + std::to_string(error.offset),
                   to_string(status), error.rule);
+  if (!packed) loaded.stored.assign(loaded.file.sections().begin(), loaded.file.sections().end());
   return loaded;
 }
 

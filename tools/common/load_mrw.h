@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/aligned_bytes.h"
 #include "marrow/file.h"
@@ -12,6 +13,9 @@ namespace marrow::tools {
 struct LoadedFile {
   AlignedBytes bytes;
   File file;  // a view of `bytes`; stays valid when the struct is moved
+  // The sections as they stand on the disk: of a packed file its records. In the order of file.sections().
+  std::vector<File::Section> stored;
+  std::size_t stored_bytes = 0;
 };
 
 // Throws Failure: io if it cannot be read, invalid or unsupported with the offset and the rule if it cannot be used.

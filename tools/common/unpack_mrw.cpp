@@ -3,6 +3,8 @@
 #include "common/failure.h"
 #include "marrow/draco.h"
 #include "marrow/meshopt.h"
+#include "unpack/packed.h"
+#include "unpack/reader.h"
 
 namespace marrow::tools {
 
@@ -25,6 +27,21 @@ AlignedBytes unpacked(std::span<const std::byte> packed, const std::string& path
   }
   memory.truncate(sizes.file_bytes);
   return memory;
+}
+
+std::vector<File::Section> records_of(std::span<const std::byte> packed) {
+  std::vector<File::Section> out;
+  Reader reader(packed.data() + sizeof(packed::Header), packed.size() - sizeof(packed::Header));
+  while (reader.left() > 0) {
+    const auto kind = reader.take<std::uint8_t>();
+    const auto codec = reader.take<std::uint8_t>();
+    const std::uint32_t bytes = reader.take_varint();
+    const auto offset = static_cast<std::uint32_t>(packed.size() - reader.left());
+    reader.take_bytes(bytes);
+    if (reader.failed() || kind >= format::kKindCount) break;
+    out.push_back({format::kTypes[kind], offset, bytes, codec});
+  }
+  return out;
 }
 
 }  // namespace marrow::tools

@@ -1,153 +1,160 @@
+// A description as a tree for readers, with the bytes of every branch.
 #include "info/info.h"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <vector>
 
-#include "common/load_mrw.h"
+#include <fmt/format.h>
+
+#include "info/describe.h"
 #include "info/looks.h"
-#include "marrow/clip_pack.h"
 
 namespace marrow::tools {
 namespace {
 
 using nlohmann::ordered_json;
 
-std::string type_name(std::uint32_t type) {
-  std::string name;
-  for (int i = 0; i < 4; ++i) name += static_cast<char>(type >> (8 * i) & 0xFF);
-  return name;
+struct Line {
+  std::string label, bytes, source, words;
+};
+
+std::string text(const ordered_json& value) {
+  return value.get<std::string>();
 }
 
-ordered_json describe_mesh(const Mesh& mesh) {
-  std::uint32_t influences = 0;
-  for (const Run& run : mesh.geometry.runs) influences = std::max(influences, run.influences);
-  const Geometry& g = mesh.geometry;
-  ordered_json attributes = ordered_json::array({"position"});
-  if (g.normals != nullptr) attributes.push_back("normal");
-  if (g.tangents != nullptr) attributes.push_back("tangent");
-  if (g.uvs != nullptr) attributes.push_back("uv");
-  if (g.colours != nullptr) attributes.push_back("colour");
-  return {{"name", mesh.name},
-          {"material", mesh.material},
-          {"skeleton", mesh.skeleton},
-          {"vertices", g.vertex_count},
-          {"slots", g.slot_count},
-          {"triangles", g.index_count / 3},
-          {"joints", mesh.joint_count},
-          {"influences", influences},
-          {"joint_sets", g.runs.size},
-          {"attributes", attributes},
-          {"as", g.as_residual != nullptr ? "lift + residual" : "lift"},
-          {"targets", g.targets.size},
-          {"source_order", !g.source_slots.empty()},
-          {"geometry", mesh.geometry_index},
-          {"codec", "none"}};
+std::string size_of(const ordered_json& value) {
+  return fmt::format("{} B", value.get<std::size_t>());
 }
 
-ordered_json describe(const std::string& path, const LoadedFile& loaded) {
-  const File& file = loaded.file;
-  ordered_json r;
-  r["file"] = path;
-  r["version"] = 1;
-  r["bytes"] = loaded.bytes.size();
-  r["sections"] = ordered_json::array();
-  for (const File::Section& s : file.sections())
-    r["sections"].push_back(
-        {{"type", type_name(s.type)}, {"offset", s.offset}, {"bytes", s.bytes}, {"codec", s.codec}});
-  r["skeletons"] = ordered_json::array();
-  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
-    const Skeleton s = file.skeleton(i);
-    ordered_json joints = ordered_json::array();
-    for (std::uint32_t j = 0; j < s.joint_count; ++j)
-      joints.push_back({{"name", file.text(s.names[j])},
-                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
-    r["skeletons"].push_back({{"name", s.name},
-                              {"joints", s.joint_count},
-                              {"roots", s.root_count},
-                              {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
-                              {"joint_list", joints}});
+// Branches in the order in which they are added; a branch's leaves are added behind it.
+class Tree {
+ public:
+  Tree(const ordered_json& r, const ordered_json& source) : r_(r), source_(source) {
+    lines_.push_back({text(r["file"]), size_of(r["bytes"]), source_bytes("bytes"),
+                      fmt::format("format version {}", r["version"].get<int>())});
+    add_meshes();
+    add_skeletons();
+    add_clips();
+    branch("names and structure", "names_and_structure", true);
+    if (!source_.is_null()) lines_.push_back({"source: images", "", source_bytes("images"), ""});
   }
-  r["references"] = ordered_json::array();
-  for (std::uint32_t i = 0; i < file.reference_count(); ++i) {
-    const SkeletonReference s = file.reference(i);
-    ordered_json joints = ordered_json::array();
-    for (std::uint32_t j = 0; j < s.joint_count; ++j)
-      joints.push_back({{"name", file.text(s.names[j])},
-                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
-    r["references"].push_back({{"name", s.name},
-                               {"joints", s.joint_count},
-                               {"hash", fmt::format("{:016x}", s.hash)},
-                               {"joint_list", joints}});
-  }
-  r["meshes"] = ordered_json::array();
-  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) r["meshes"].push_back(describe_mesh(file.mesh(i)));
-  r["clips"] = ordered_json::array();
-  for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
-    const Clip c = file.clip(i);
-    const CodedTracks& coded = c.coded;
-    ordered_json channels = ordered_json::array();
-    for (const Channel& channel : c.channels) channels.push_back(file.text(channel.name));
-    r["clips"].push_back({{"name", c.name},
-                          {"skeleton", c.skeleton},
-                          {"duration_s", c.duration_s},
-                          {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
-                          {"codec", coded.frame_count > 0 ? "segments" : "raw"},
-                          {"frames", coded.frame_count},
-                          {"additive", c.additive},
-                          {"reference", c.reference != nullptr ? "own" : "rest"},
-                          {"channels", channels}});
-  }
-  describe_looks(file, r);
-  describe_nodes(file, r);
-  return r;
-}
 
-void print(const ordered_json& r) {
-  const auto text = [](const ordered_json& value) { return value.get<std::string>(); };
-  fmt::print("{}: format version {}, {} bytes\n", text(r["file"]), r["version"].get<int>(),
-             r["bytes"].get<std::size_t>());
-  for (const auto& s : r["skeletons"])
-    fmt::print("skeleton \"{}\": {} joints, {} roots\n", text(s["name"]), s["joints"].get<int>(),
-               s["roots"].get<int>());
-  for (const auto& s : r["references"])
-    fmt::print("clip pack for skeleton \"{}\": {} joints, hash {}\n", text(s["name"]), s["joints"].get<int>(),
-               text(s["hash"]));
+  // Columns as wide as the widest of each.
+  void print() const {
+    std::size_t label = 0, bytes = 0, source = 0;
+    for (const Line& line : lines_) {
+      label = std::max(label, width(line.label));
+      bytes = std::max(bytes, line.bytes.size());
+      source = std::max(source, line.source.size());
+    }
+    for (const Line& line : lines_) {
+      std::string out = line.label + std::string(label - width(line.label), ' ');
+      out += fmt::format("  {:>{}}", line.bytes, bytes);
+      if (source > 0) out += fmt::format("  {:>{}}", line.source, source);
+      if (!line.words.empty()) out += "  " + line.words;
+      fmt::print("{}\n", out.substr(0, out.find_last_not_of(' ') + 1));
+    }
+  }
+
+ private:
+  // Characters, counted by what is no continuation byte of UTF-8.
+  static std::size_t width(const std::string& s) {
+    return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  }
+  std::string source_bytes(const char* field) const {
+    return source_.is_null() ? "" : fmt::format("source {} B", source_[field].get<std::size_t>());
+  }
+  // Bytes of the source's element of the same name.
+  std::string source_bytes(const char* list, const ordered_json& name) const {
+    if (source_.is_null() || !source_[list].contains(text(name))) return "";
+    return fmt::format("source {} B", source_[list][text(name)].get<std::size_t>());
+  }
+
+  void branch(const std::string& name, const char* total, bool last = false) {
+    const auto bytes = r_["totals"][total].get<std::size_t>();
+    const double share = 100.0 * static_cast<double>(bytes) / r_["bytes"].get<double>();
+    lines_.push_back({(last ? "└─ " : "├─ ") + name, size_of(r_["totals"][total]), source_bytes(total),
+                      fmt::format("{:.1f} %", share)});
+  }
+  void leaf(bool last, const std::string& label, const std::string& bytes, const std::string& source,
+            const std::string& words) {
+    lines_.push_back({std::string("│  ") + (last ? "└─ " : "├─ ") + label, bytes, source, words});
+  }
+
+  void add_meshes() {
+    branch("geometry", "geometry");
+    for (std::size_t i = 0; i < r_["meshes"].size(); ++i) {
+      const auto& m = r_["meshes"][i];
+      leaf(i + 1 == r_["meshes"].size(), fmt::format("mesh {} \"{}\"", i, text(m["name"])), size_of(m["bytes"]),
+           source_bytes("mesh_bytes", m["name"]),
+           fmt::format(
+               "{} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}, {:.1f} B a vertex, {}",
+               m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(), m["joints"].get<int>(),
+               m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
+               m["bytes_per_vertex"].get<double>(), text(m["codec"]),
+                m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
+                of_skeleton(m)));
+    }
+  }
+
   // Which skeleton, where there are several.
-  const bool several = r["skeletons"].size() + r["references"].size() > 1;
-  const auto of_skeleton = [&](const ordered_json& o) {
+  std::string of_skeleton(const ordered_json& o) const {
+    const bool several = r_["skeletons"].size() + r_["references"].size() > 1;
     return several ? fmt::format(", skeleton {}", o["skeleton"].get<int>()) : std::string();
-  };
-  for (std::size_t i = 0; i < r["clips"].size(); ++i) {
-    const auto& c = r["clips"][i];
-    const char* const kind = !c["additive"].get<bool>()       ? ""
-                             : text(c["reference"]) == "rest" ? ", additive over the rest pose"
-                                                              : ", additive over a reference of its own";
-    fmt::print("clip {} \"{}\": {:.3f} s, {} tracks, {}{}{}\n", i, text(c["name"]), c["duration_s"].get<double>(),
-               c["tracks"].get<int>(), text(c["codec"]), kind, of_skeleton(c));
-    for (const auto& channel : c["channels"]) fmt::print("  channel \"{}\"\n", text(channel));
   }
-  for (std::size_t i = 0; i < r["meshes"].size(); ++i) {
-    const auto& m = r["meshes"][i];
-    fmt::print("mesh {} \"{}\": {} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}{}{}\n", i,
-               text(m["name"]), m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
-               m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
-               m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
-               of_skeleton(m));
+
+  void add_skeletons() {
+    branch("skeletons", "skeletons");
+    for (std::size_t i = 0; i < r_["references"].size(); ++i) {
+      const auto& s = r_["references"][i];
+      leaf(i + 1 == r_["references"].size(), fmt::format("clip pack for skeleton \"{}\"", text(s["name"])),
+           size_of(s["bytes"]), "", fmt::format("{} joints, hash {}", s["joints"].get<int>(), text(s["hash"])));
+    }
+    for (std::size_t i = 0; i < r_["skeletons"].size(); ++i) {
+      const auto& s = r_["skeletons"][i];
+      leaf(i + 1 == r_["skeletons"].size(), fmt::format("skeleton {} \"{}\"", i, text(s["name"])), size_of(s["bytes"]),
+           "",
+           fmt::format("{} joints, {} roots, {:.3g} m across", s["joints"].get<int>(), s["roots"].get<int>(),
+                       s["diagonal_m"].get<double>()));
+    }
   }
-  print_looks(r);
-  print_nodes(r);
-  for (const auto& s : r["sections"])
-    fmt::print("section {} at {}: {} bytes\n", text(s["type"]), s["offset"].get<int>(), s["bytes"].get<int>());
-}
+
+  void add_clips() {
+    branch("clips", "clips");
+    for (std::size_t i = 0; i < r_["clips"].size(); ++i) {
+      const auto& c = r_["clips"][i];
+      const bool last = i + 1 == r_["clips"].size();
+      const char* const kind = !c["additive"].get<bool>()       ? ""
+                               : text(c["reference"]) == "rest" ? ", additive over the rest pose"
+                                                                : ", additive over a reference of its own";
+      const int frames = c["frames"].get<int>();
+      leaf(last, fmt::format("clip {} \"{}\"", i, text(c["name"])), size_of(c["bytes"]),
+           source_bytes("clip_bytes", c["name"]),
+           fmt::format("{:.3f} s, {}{} tracks, {}{}", c["duration_s"].get<double>(),
+                       frames > 0 ? fmt::format("{} frames, ", frames) : "", c["tracks"].get<int>(), text(c["codec"]),
+                       kind, of_skeleton(c)));
+      for (const auto& channel : c["channels"])
+        lines_.push_back({fmt::format("│  {}  channel \"{}\"", last ? " " : "│", text(channel)), "", "", ""});
+    }
+  }
+
+  const ordered_json& r_;
+  const ordered_json& source_;  // null: unknown
+  std::vector<Line> lines_;
+};
 
 }  // namespace
 
 void run_info(const InfoArguments& a) {
-  const ordered_json description = describe(a.in, load_mrw(a.in));
+  ordered_json description = describe(a.in, load_mrw(a.in));
+  const ordered_json source = a.source.empty() ? ordered_json() : describe_source(a.source);
   if (a.json) {
+    if (!source.is_null()) description["source"] = source;
     fmt::print("{}\n", description.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    print(description);
+    Tree(description, source).print();
+    print_looks(description);
+    print_nodes(description);
   }
 }
 

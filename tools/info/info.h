@@ -7,6 +7,7 @@ namespace marrow::tools {
 
 struct InfoArguments {
   std::string in;
+  std::string source;  // the glTF file it was cooked from, to show its bytes beside; may be empty
   bool json = false;
 };
 

@@ -1,0 +1,125 @@
+// A cooked file exported to glTF is the source again: every vertex of every model by the reference evaluator, which
+// reads both files itself; and coded clips between their frames, against the runtime's decoder.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "cook/cook.h"
+#include "export/export.h"
+#include "marrow/local_to_model.h"
+#include "marrow/sample.h"
+#include "road/models.h"
+#include "road/reference.h"
+#include "support/aligned.h"
+
+namespace marrow::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What cooking promises of positions, as a share of the diagonal; exporting adds float rounding.
+constexpr double kMostPosition = 1e-4;
+constexpr double kMostJoint = 2e-5;
+constexpr int kMoments = 16;
+
+struct ExportedModel {
+  ExportedModel(const std::string& source, bool raw) {
+    cook::CookOptions options;
+    options.keep_vertex_order = true;
+    options.raw_clips = raw;
+    const cook::CookResult cooked = cook::cook_file(source, options);
+    block = std::make_unique<AlignedBlock>(cooked.file.data(), cooked.file.size());
+    if (load(*block, file) != Status::ok) throw std::runtime_error("cooked, but not loaded");
+    std::string name = (fs::temp_directory_path() / "marrow_export_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+    folder = name;
+    path = (folder / "export.glb").string();
+    const tools::Exported exported = tools::export_file(file, source);
+    warnings = exported.warnings;
+    std::ofstream(path, std::ios::binary) << exported.glb;
+  }
+  ~ExportedModel() { fs::remove_all(folder); }
+
+  std::unique_ptr<AlignedBlock> block;
+  File file;
+  fs::path folder;
+  std::string path;
+  std::vector<std::string> warnings;
+};
+
+class Export : public ::testing::TestWithParam<std::string> {};
+
+double worst_distance(const Reference& source, const ReferencePose& p, const ReferencePose& q) {
+  double worst = 0;
+  for (std::size_t v = 0; v < p.positions.size(); ++v) {
+    if (!source.comparable(v)) continue;
+    const double distance = length(minus(p.positions[v], q.positions[v]));
+    worst = std::max(worst, distance < 1e300 ? distance : 1e300);
+  }
+  return worst / source.diagonal();
+}
+
+TEST_P(Export, PosesAsItsSource) {
+  const ExportedModel exported(GetParam(), true);
+  EXPECT_TRUE(exported.warnings.empty());
+  const Reference source(GetParam()), back(exported.path);
+  ASSERT_EQ(source.rest().positions.size(), back.rest().positions.size());
+  double worst = worst_distance(source, source.rest(), back.rest());
+  std::size_t clip = 0, poses = 1;
+  for (std::size_t a = 0; a < source.source().animations.size(); ++a) {
+    const SourceAnimation& animation = source.source().animations[a];
+    if (animation.channels.empty() && animation.weights.empty()) continue;
+    ASSERT_LT(clip, back.source().animations.size());
+    EXPECT_EQ(back.source().animations[clip].name, animation.name);
+    for (int i = 0; i < kMoments && !animation.channels.empty(); ++i, ++poses) {
+      const double time_s = source.duration_s(a) * i / (kMoments - 1);
+      worst = std::max(worst, worst_distance(source, source.at(a, time_s), back.at(clip, time_s)));
+    }
+    ++clip;
+  }
+  EXPECT_EQ(clip, exported.file.clip_count());
+  EXPECT_LE(worst, kMostPosition);
+  std::printf("%-28s %zu poses, position %8.2e\n", fs::path(GetParam()).stem().c_str(), poses, worst);
+}
+
+// glTF interpolates between keys as the decoder does between frames: on the sphere.
+TEST_P(Export, CodedClipsAgreeBetweenFrames) {
+  const ExportedModel exported(GetParam(), false);
+  const Reference back(exported.path);
+  double worst = 0;
+  std::size_t compared = 0, coded = 0;
+  for (std::uint32_t c = 0; c < exported.file.clip_count(); ++c) {
+    const Clip clip = exported.file.clip(c);
+    if (clip.coded.frame_count == 0 || clip.skeleton != 0) continue;
+    ++coded;
+    const Skeleton skeleton = exported.file.skeleton(0);
+    std::vector<SoaTransform> local(skeleton.soa_size());
+    std::vector<Affine> scene(skeleton.joint_count);
+    const std::uint32_t quarters = 4 * (clip.coded.frame_count - 1), step = std::max(1u, quarters / 64) | 1u;
+    for (std::uint32_t q = 0; q <= quarters; q += step) {
+      const float time_s = clip.coded.start_s + static_cast<float>(q) / (4 * clip.coded.frames_per_s);
+      ASSERT_EQ(sample(skeleton, clip, time_s, local), Status::ok);
+      ASSERT_EQ(local_to_model(skeleton, local, scene), Status::ok);
+      const std::vector<Map> nodes = back.nodes_at(c, static_cast<double>(time_s));
+      for (std::size_t j = 0; j < scene.size(); ++j, ++compared)
+        for (std::size_t r = 0; r < 3; ++r)
+          worst = std::max(worst, std::fabs(nodes[j].rows[r][3] - static_cast<double>(scene[j].rows[r][3])));
+    }
+  }
+  EXPECT_EQ(compared > 0, coded > 0);
+  EXPECT_LE(worst, kMostJoint * back.diagonal());
+  std::printf("%-28s %zu clips, %zu joints, %8.2e of the diagonal\n", fs::path(GetParam()).stem().c_str(), coded,
+              compared, worst / back.diagonal());
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Export, ::testing::ValuesIn(models()), [](const auto& info) {
+  std::string name = fs::path(info.param).stem().string() + "_" + std::to_string(info.index);
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+});
+
+}  // namespace
+}  // namespace marrow::test

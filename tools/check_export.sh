@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Cooks and exports every model of MARROW_ASSETS and the project's own, raw and compressed, and runs the Khronos glTF
+# validator over what comes out; exit 1 if it finds errors, 3 if npm or the network is missing.
+# usage: tools/check_export.sh MARROW      (the program; the folder of models is $MARROW_ASSETS or shared/assets beside)
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+marrow=$1
+assets="${MARROW_ASSETS:-$here/../shared/assets}"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+models=("$here"/tools/sample/newt.glb "$here"/tests/golden/*.gltf)
+if [ -d "$assets" ]; then
+  while IFS= read -r -d '' model; do models+=("$model"); done < <(find "$assets" -name '*.gl[bt]*' -print0 | sort -z)
+else
+  echo "check_export: NO MODELS at $assets: only the project's own are tried" >&2
+fi
+count=0
+for model in "${models[@]}"; do
+  for options in "" "--keep-vertex-order --clip-codec raw"; do
+    # shellcheck disable=SC2086  # several words
+    "$marrow" cook "$model" -o "$work/$count.mrw" $options >/dev/null 2>&1 ||
+      { echo "check_export: $model cannot be cooked" >&2; exit 1; }
+    "$marrow" export "$work/$count.mrw" -o "$work/$count.glb" || { echo "check_export: $model" >&2; exit 1; }
+    count=$((count + 1))
+  done
+done
+"$here/tools/validate_gltf.sh" "$work"/*.glb

@@ -1,0 +1,28 @@
+// Vertices and triangles of a cooked geometry, without the padding that kernels want.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "marrow/file.h"
+
+namespace marrow::tools {
+
+// Slots in the order in which vertices are written: the source's if the file remembers it, else the file's own.
+inline std::vector<std::uint32_t> vertex_order(const Geometry& g) {
+  if (!g.source_slots.empty()) return {g.source_slots.begin(), g.source_slots.end()};
+  std::vector<std::uint32_t> order;
+  std::uint32_t slot = 0;
+  for (const Run& run : g.runs) {
+    for (std::uint32_t i = 0; i < run.vertex_count; ++i) order.push_back(slot + i);
+    slot += (run.vertex_count + 3) / 4 * 4;
+  }
+  return order;
+}
+
+inline std::uint32_t index_at(const Geometry& g, std::uint32_t i) {
+  return g.index_bytes == 2 ? static_cast<const std::uint16_t*>(g.indices)[i]
+                            : static_cast<const std::uint32_t*>(g.indices)[i];
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,27 @@
+// `marrow export`: a cooked file back to plain glTF 2.0, so that nobody is locked in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "marrow/file.h"
+
+namespace marrow::tools {
+
+struct ExportArguments {
+  std::string in, out;
+};
+
+// Throws Failure.
+void run_export(const ExportArguments& arguments);
+
+struct Exported {
+  std::string glb;
+  std::vector<std::string> warnings;  // one sentence each: what glTF could not take
+};
+
+// The GLB container of everything that `file` holds; the same bytes for the same file. `name` is the file's, for
+// messages. Throws Failure (unsupported) where glTF has no words for what a damaged or hand-made file holds.
+Exported export_file(const File& file, const std::string& name);
+
+}  // namespace marrow::tools

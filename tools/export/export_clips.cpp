@@ -1,0 +1,209 @@
+// Clips become animations: raw tracks as they are, coded ones sampled by the runtime at the clip's own frames.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "common/failure.h"
+#include "export/export_parts.h"
+#include "marrow/sample.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr const char* kPaths[] = {"translation", "rotation", "scale"};
+constexpr const char* kInterpolations[] = {"STEP", "LINEAR", "CUBICSPLINE"};
+
+const float (*lanes_of(const SoaTransform& four, Path path))[4] {
+  return path == Path::translation ? four.translation : path == Path::rotation ? four.rotation : four.scale;
+}
+
+std::size_t parts_of(Path path) {
+  return path == Path::rotation ? 4 : 3;
+}
+
+class ClipExport {
+ public:
+  ClipExport(ExportScene& scene, const Clip& clip)
+      : scene_(scene), clip_(clip), skeleton_(scene.file.skeleton(clip.skeleton)) {}
+
+  void run() {
+    add_tracks();
+    if (clip_.coded.frame_count > 0) add_coded();
+    add_channels();
+    if (longest_s_ < clip_.duration_s || channels_.empty()) add_end();
+    Json animation = Json::object();
+    if (*clip_.name != '\0') animation["name"] = clip_.name;
+    animation["channels"] = channels_;
+    animation["samplers"] = samplers_;
+    if (clip_.additive) animation["extras"] = {{"additive", reference()}};
+    scene_.glb.add("animations", animation);
+  }
+
+ private:
+  std::size_t times(const std::vector<float>& seconds) {
+    longest_s_ = std::max(longest_s_, seconds.back());
+    const auto [at, is_new] = time_accessors_.try_emplace(seconds, 0u);
+    if (is_new) at->second = scene_.glb.add_bounded(seconds, kScalar, Target::none);
+    return at->second;
+  }
+
+  void add_channel(Json target, const std::vector<float>& seconds, const std::vector<float>& values, AccessorType type,
+                   Interpolation interpolation) {
+    const std::size_t input = times(seconds);
+    const std::size_t output = scene_.glb.add_accessor(values, Component::f32, type, Target::none);
+    samplers_.push_back({{"input", input},
+                         {"interpolation", kInterpolations[static_cast<std::size_t>(interpolation)]},
+                         {"output", output}});
+    channels_.push_back({{"sampler", samplers_.size() - 1}, {"target", std::move(target)}});
+  }
+
+  void add_path(std::uint32_t joint, Path path, const std::vector<float>& seconds, const std::vector<float>& values,
+                Interpolation interpolation) {
+    add_channel({{"node", scene_.joint_nodes[clip_.skeleton][joint]}, {"path", kPaths[static_cast<std::size_t>(path)]}},
+                seconds, values, path == Path::rotation ? kVec4 : kVec3, interpolation);
+  }
+
+  // Keys as they stand. Of two tracks that move the same the last counts, as when sampled.
+  void add_tracks() {
+    for (const Track& track : clip_.tracks) last_[{track.joint, track.path}] = &track;
+    for (const Track& track : clip_.tracks) {
+      if (last_[{track.joint, track.path}] != &track) continue;
+      const float* const t = clip_.times_s + track.first_time;
+      const float* const v = clip_.values + track.first_value;
+      const std::size_t each = parts_of(track.path) * (track.interpolation == Interpolation::cubic_spline ? 3 : 1);
+      add_path(track.joint, track.path, {t, t + track.key_count}, {v, v + track.key_count * each}, track.interpolation);
+    }
+  }
+
+  // Additive clips are whole poses too; what makes them changes is their reference.
+  std::vector<SoaTransform> pose(float time_s) const {
+    Clip poses = clip_;
+    poses.additive = false;
+    std::vector<SoaTransform> out(skeleton_.soa_size());
+    if (sample(skeleton_, poses, time_s, out) != Status::ok)
+      throw Failure(Exit::internal, scene_.name, "", "a clip that was loaded cannot be sampled", "please report this");
+    return out;
+  }
+
+  std::vector<float> frame_times() const {
+    const CodedTracks& coded = clip_.coded;
+    std::vector<float> out;
+    for (std::uint32_t f = 0; f < coded.frame_count; ++f) {
+      const double time_s =
+          static_cast<double>(coded.start_s) + static_cast<double>(f) / static_cast<double>(coded.frames_per_s);
+      const auto rounded = static_cast<float>(time_s);
+      if (!std::isfinite(rounded) || (f > 0 && !(rounded > out.back())))
+        throw Failure(Exit::unsupported, scene_.name, "",
+                      "clip \"" + std::string(clip_.name) + "\": frames too near to each other",
+                      "glTF wants ascending finite times");
+      out.push_back(rounded);
+    }
+    // But for rounding the last frame is the end.
+    const double step_s = 1 / static_cast<double>(coded.frames_per_s);
+    if (std::fabs(static_cast<double>(out.back()) - static_cast<double>(clip_.duration_s)) < 1e-3 * step_s)
+      out.back() = clip_.duration_s;
+    return out;
+  }
+
+  // One value a frame; neighbouring rotations in one hemisphere.
+  static void append(const SoaTransform& four, std::size_t lane, Path path, std::vector<float>& values) {
+    const auto lanes = lanes_of(four, path);
+    float sign = 1, dot = 0;
+    if (path == Path::rotation && !values.empty()) {
+      for (std::size_t c = 0; c < 4; ++c) dot += lanes[c][lane] * values[values.size() - 4 + c];
+      sign = dot < 0 ? -1.0f : 1.0f;
+    }
+    for (std::size_t c = 0; c < parts_of(path); ++c) values.push_back(sign * lanes[c][lane]);
+  }
+
+  void add_coded() {
+    const std::vector<float> seconds = frame_times();
+    std::vector<std::vector<SoaTransform>> frames;
+    for (const float time_s : seconds) frames.push_back(pose(time_s));
+    // Bits of the masks: rotations first.
+    constexpr std::array kOrder = {Path::rotation, Path::translation, Path::scale};
+    for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j) {
+      const GroupMasks& masks = clip_.coded.masks[j / 4];
+      for (std::uint32_t p = 0; p < 3; ++p) {
+        const std::uint32_t bit = 4 * p + j % 4;
+        const bool moving = (std::uint32_t{masks.moving} >> bit & 1u) != 0;
+        const bool constant = (std::uint32_t{masks.constant} >> bit & 1u) != 0;
+        if ((!moving && !constant) || last_.contains({static_cast<std::uint16_t>(j), kOrder[p]})) continue;
+        std::vector<float> values;
+        for (std::size_t f = 0; f < (moving ? frames.size() : 1); ++f)
+          append(frames[f][j / 4], j % 4, kOrder[p], values);
+        add_path(j, kOrder[p], moving ? seconds : std::vector<float>{seconds.front()}, values, Interpolation::linear);
+      }
+    }
+  }
+
+  // Numbers that move no joint drive the document's own extras, where cooking finds them again under the same names.
+  void add_channels() {
+    for (const Channel& channel : clip_.channels) {
+      const std::string name = scene_.file.text(channel.name);
+      scene_.glb.json["extras"].emplace(name, number(channel.rest));
+      std::string escaped;
+      for (const char c : name) escaped += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+      const float* const t = clip_.times_s + channel.first_time;
+      const float* const v = clip_.values + channel.first_value;
+      const std::size_t each = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
+      add_channel(
+          {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/extras/" + escaped}}}}}},
+          {t, t + channel.key_count}, {v, v + channel.key_count * each}, kScalar, channel.interpolation);
+      scene_.glb.json["extensionsUsed"] = Json::array({"KHR_animation_pointer"});
+    }
+  }
+
+  // A clip is as long as its last key, and glTF wants one: the first joint's rest.
+  void add_end() {
+    std::uint32_t joint = 0;
+    while (joint < skeleton_.joint_count && moves(joint)) ++joint;
+    if (joint == skeleton_.joint_count) return;  // every translation moves, and has its own end
+    std::vector<float> values;
+    append(skeleton_.rest[joint / 4], joint % 4, Path::translation, values);
+    add_path(joint, Path::translation, {clip_.duration_s}, values, Interpolation::linear);
+  }
+  bool moves(std::uint32_t joint) const {
+    const std::string path = kPaths[0];
+    const std::size_t node = scene_.joint_nodes[clip_.skeleton][joint];
+    return std::any_of(channels_.begin(), channels_.end(), [&](const Json& channel) {
+      return channel["target"].value("node", SIZE_MAX) == node && channel["target"]["path"] == path;
+    });
+  }
+
+  // "rest", or the pose that changes are taken from: translation, rotation and scale of each node.
+  Json reference() const {
+    if (clip_.reference == nullptr) return "rest";
+    Json out = Json::array();
+    for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j) {
+      Json joint = {{"node", scene_.joint_nodes[clip_.skeleton][j]}};
+      for (const Path path : {Path::translation, Path::rotation, Path::scale}) {
+        std::vector<float> values;
+        append(clip_.reference[j / 4], j % 4, path, values);
+        joint[kPaths[static_cast<std::size_t>(path)]] = numbers(values);
+      }
+      out.push_back(joint);
+    }
+    return out;
+  }
+
+  ExportScene& scene_;
+  const Clip& clip_;
+  Skeleton skeleton_;
+  Json channels_ = Json::array(), samplers_ = Json::array();
+  std::map<std::pair<std::uint16_t, Path>, const Track*> last_;
+  std::map<std::vector<float>, std::size_t> time_accessors_;
+  float longest_s_ = 0;
+};
+
+}  // namespace
+
+void export_clips(ExportScene& scene) {
+  for (std::uint32_t i = 0; i < scene.file.clip_count(); ++i) {
+    const Clip clip = scene.file.clip(i);
+    ClipExport(scene, clip).run();
+  }
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,214 @@
+// Meshes become primitives of skinned meshes, or, bound to one joint, of meshes on a node below it.
+#include <cstring>
+#include <optional>
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "common/failure.h"
+#include "export/affine_parts.h"
+#include "export/export_parts.h"
+#include "export/export_vertices.h"
+#include "marrow/local_to_model.h"
+
+namespace marrow::tools {
+namespace {
+
+bool same(const Affine& a, const Affine& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+// Meshes share a skin as long as they agree on the inverse binds.
+struct Skin {
+  std::uint32_t skeleton;
+  std::vector<std::uint16_t> joints;        // of the skeleton
+  std::vector<Affine> inverse_bind;         // a joint of the skin
+  std::map<std::uint16_t, std::size_t> at;  // joint of the skeleton → of the skin
+};
+
+// What one glTF mesh is made of: consecutive cooked meshes that hang in the same place under the same name.
+struct Part {
+  std::string name;
+  std::uint32_t skeleton;
+  std::optional<std::size_t> skin;  // else bound to one joint
+  std::uint16_t joint = 0;
+  Affine joint_from_mesh{};
+  Json primitives = Json::array();
+};
+
+class Meshes {
+ public:
+  explicit Meshes(ExportScene& scene) : scene_(scene) {}
+
+  void run() {
+    for (std::uint32_t i = 0; i < scene_.file.mesh_count(); ++i) add(i, scene_.file.mesh(i));
+    if (part_) place();
+    for (const Skin& skin : skins_) add_skin(skin);
+  }
+
+ private:
+  void add(std::uint32_t number, const Mesh& mesh) {
+    Part next{mesh.name, mesh.skeleton, std::nullopt, mesh.joints[0], mesh.inverse_bind[0]};
+    if (mesh.joint_count > 1) next.skin = skin_for(number, mesh);
+    const bool goes_on =
+        part_ && part_->name == next.name && part_->skeleton == next.skeleton && part_->skin == next.skin &&
+        (next.skin || (part_->joint == next.joint && same(part_->joint_from_mesh, next.joint_from_mesh)));
+    if (part_ && !goes_on) place();
+    if (!goes_on) part_ = std::move(next);
+    part_->primitives.push_back(primitive(mesh));
+    if (mesh.geometry.as_residual != nullptr)
+      scene_.warnings.push_back("mesh " + std::to_string(number) + " \"" + mesh.name +
+                                "\": glTF has no animation space; its residual is left out, so it is deformed by "
+                                "linear blend skinning");
+  }
+
+  // The first skin that agrees with the mesh on the inverse binds of the joints that both have; a new one if none does.
+  std::size_t skin_for(std::uint32_t number, const Mesh& mesh) {
+    const auto fits = [&](const Skin& skin) {
+      if (skin.skeleton != mesh.skeleton) return false;
+      for (std::uint32_t i = 0; i < mesh.joint_count; ++i) {
+        const auto found = skin.at.find(mesh.joints[i]);
+        if (found != skin.at.end() && !same(skin.inverse_bind[found->second], mesh.inverse_bind[i])) return false;
+      }
+      return true;
+    };
+    std::size_t s = 0;
+    while (s < skins_.size() && !fits(skins_[s])) ++s;
+    if (s == skins_.size()) skins_.push_back({mesh.skeleton, {}, {}, {}});
+    for (std::uint32_t i = 0; i < mesh.joint_count; ++i) add_to_skin(skins_[s], mesh.joints[i], mesh.inverse_bind[i]);
+    for (std::uint32_t i = 0; i < mesh.joint_count; ++i)
+      if (!same(skins_[s].inverse_bind[skins_[s].at[mesh.joints[i]]], mesh.inverse_bind[i]))
+        throw Failure(Exit::unsupported, scene_.name, "",
+                      "mesh " + std::to_string(number) + " binds a joint twice, in two ways",
+                      "glTF's skins name a joint once");
+    return s;
+  }
+
+  static void add_to_skin(Skin& skin, std::uint16_t joint, const Affine& inverse_bind) {
+    if (!skin.at.try_emplace(joint, skin.joints.size()).second) return;
+    skin.joints.push_back(joint);
+    skin.inverse_bind.push_back(inverse_bind);
+  }
+
+  Json primitive(const Mesh& mesh) {
+    auto found = vertices_.find(mesh.geometry_index);
+    if (found == vertices_.end())
+      found = vertices_.emplace(mesh.geometry_index, export_vertices(scene_.glb, mesh.geometry)).first;
+    Json out = found->second;
+    if (part_->skin) {
+      const Skin& skin = skins_[*part_->skin];
+      std::vector<std::uint16_t> numbers;
+      for (std::uint32_t i = 0; i < mesh.joint_count; ++i)
+        numbers.push_back(static_cast<std::uint16_t>(skin.at.at(mesh.joints[i])));
+      Json& weights = weights_[{mesh.geometry_index, numbers}];
+      if (weights.is_null())
+        export_weights(scene_.glb, mesh.geometry, numbers, scene_.file.skeleton(mesh.skeleton).joint_count > 256,
+                       weights);
+      out["attributes"].update(weights);
+    }
+    if (const std::optional<std::size_t> number = material(mesh)) out["material"] = *number;
+    return out;
+  }
+
+  std::optional<std::size_t> material(const Mesh& mesh) {
+    Json m = Json::object();
+    if (*mesh.material != '\0') m["name"] = mesh.material;
+    const std::vector<float> colour(mesh.base_colour, mesh.base_colour + 4);
+    if (m.empty() && !mesh.double_sided && colour == std::vector<float>{1, 1, 1, 1}) return std::nullopt;
+    // What a cooked file does not say of a surface is that of plain paint.
+    m["pbrMetallicRoughness"] = {{"baseColorFactor", numbers(colour)}, {"metallicFactor", 0}};
+    if (mesh.double_sided) m["doubleSided"] = true;
+    return once("materials", m);
+  }
+
+  // The number of an element of a list that may be there already.
+  std::size_t once(const char* list, const Json& element) {
+    const auto [at, is_new] =
+        known_.try_emplace(std::string(list) + element.dump(-1, ' ', false, Json::error_handler_t::replace), 0u);
+    if (is_new) at->second = scene_.glb.add(list, element);
+    return at->second;
+  }
+
+  // The part becomes a mesh and the node that carries it.
+  void place() {
+    Json mesh = Json::object(), node = Json::object();
+    if (!part_->name.empty()) mesh["name"] = node["name"] = part_->name;
+    mesh["primitives"] = part_->primitives;
+    node["mesh"] = once("meshes", mesh);
+    if (part_->skin) {
+      node["skin"] = *part_->skin;
+      scene_.add_node(std::move(node), ExportScene::kScene);
+    } else {
+      hang(std::move(node));
+    }
+    part_.reset();
+  }
+
+  // A node of its own even where nothing lies between, so that meshes keep their order.
+  void hang(Json node) {
+    std::size_t parent = scene_.joint_nodes[part_->skeleton][part_->joint];
+    const std::vector<Parts> between = parts_of(part_->joint_from_mesh);
+    for (std::size_t i = 0; i + 1 < between.size(); ++i) {
+      Json outer = Json::object();
+      set_parts(outer, between[i]);
+      parent = scene_.add_node(std::move(outer), parent);
+    }
+    if (!between.empty()) set_parts(node, between.back());
+    scene_.add_node(std::move(node), parent);
+  }
+
+  // The skeleton's first skin names all its joints, so that they remain joints for whoever reads the export.
+  void add_skin(Skin skin) {
+    const Skeleton skeleton = scene_.file.skeleton(skin.skeleton);
+    if (complete_.insert({skin.skeleton, true}).second) {
+      std::vector<Affine> model(skeleton.joint_count);
+      static_cast<void>(local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, model));
+      for (std::uint32_t j = 0; j < skeleton.joint_count; ++j)
+        add_to_skin(skin, static_cast<std::uint16_t>(j), inverse(model[j]));
+    }
+    std::vector<float> matrices;
+    Json joints = Json::array();
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      joints.push_back(scene_.joint_nodes[skin.skeleton][skin.joints[j]]);
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t r = 0; r < 3; ++r) matrices.push_back(skin.inverse_bind[j].rows[r][c]);
+        matrices.push_back(c == 3 ? 1.0f : 0.0f);
+      }
+    }
+    const std::size_t accessor = scene_.glb.add_accessor(matrices, Component::f32, kMat4, Target::none);
+    Json out = Json::object();
+    if (*skeleton.name != '\0') out["name"] = skeleton.name;
+    out["inverseBindMatrices"] = accessor;
+    out["joints"] = joints;
+    scene_.glb.add("skins", out);
+  }
+
+  // Of a joint at rest; the identity where there is none.
+  static Affine inverse(const Affine& map) {
+    glm::dmat4 m(1.0);
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 4; ++c) m[c][r] = static_cast<double>(map.rows[r][c]);
+    if (glm::determinant(m) == 0) m = glm::dmat4(1.0);
+    m = glm::inverse(m);
+    Affine out;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 4; ++c) out.rows[r][c] = static_cast<float>(m[c][r]);
+    return out;
+  }
+
+  ExportScene& scene_;
+  std::optional<Part> part_;
+  std::vector<Skin> skins_;
+  std::map<std::uint32_t, Json> vertices_;                                        // a geometry
+  std::map<std::pair<std::uint32_t, std::vector<std::uint16_t>>, Json> weights_;  // a geometry and a palette
+  std::map<std::string, std::size_t> known_;
+  std::map<std::uint32_t, bool> complete_;  // skeletons
+};
+
+}  // namespace
+
+void export_meshes(ExportScene& scene) {
+  Meshes(scene).run();
+}
+
+}  // namespace marrow::tools

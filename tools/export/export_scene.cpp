@@ -1,0 +1,27 @@
+// The steps one after the other.
+#include "export/export.h"
+#include "export/export_parts.h"
+
+namespace marrow::tools {
+
+std::size_t ExportScene::add_node(Json node, std::size_t parent) {
+  const std::size_t number = glb.add("nodes", std::move(node));
+  if (parent == kScene) {
+    roots.push_back(number);
+  } else {
+    glb.json["nodes"][parent]["children"].push_back(number);
+  }
+  return number;
+}
+
+Exported export_file(const File& file, const std::string& name) {
+  ExportScene scene{file, name, {}, {}, {}, {}};
+  scene.glb.json["scene"] = 0;
+  export_skeletons(scene);
+  export_meshes(scene);
+  export_clips(scene);
+  scene.glb.add("scenes", {{"nodes", scene.roots}});
+  return {scene.glb.finish(name), std::move(scene.warnings)};
+}
+
+}  // namespace marrow::tools

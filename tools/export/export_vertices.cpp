@@ -1,0 +1,157 @@
+#include "export/export_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "common/vertex_order.h"
+
+namespace marrow::tools {
+namespace {
+
+struct Influence {
+  std::uint16_t entry = 0;  // of the palette
+  float weight = 0;
+};
+
+// Of an array of blocks of `parts` components, the vertices in `order`.
+std::vector<float> unpack(const float* blocks, std::size_t parts, const std::vector<std::uint32_t>& order) {
+  std::vector<float> out;
+  out.reserve(order.size() * parts);
+  for (const std::uint32_t slot : order)
+    for (std::size_t c = 0; c < parts; ++c) out.push_back(blocks[(slot / 4 * parts + c) * 4 + slot % 4]);
+  return out;
+}
+
+// glTF wants unit vectors, whatever rounding has left; a direction that has none is up.
+void normalise(std::vector<float>& directions, std::size_t parts) {
+  for (std::size_t i = 0; i < directions.size(); i += parts) {
+    float* const v = &directions[i];
+    double squared = 0;
+    for (int c = 0; c < 3; ++c) squared += static_cast<double>(v[c]) * static_cast<double>(v[c]);
+    if (std::fabs(squared - 1) > 1e-5)
+      for (int c = 0; c < 3; ++c)
+        v[c] =
+            squared > 0 ? static_cast<float>(static_cast<double>(v[c]) / std::sqrt(squared)) : (c == 1 ? 1.0f : 0.0f);
+    if (parts == 4) v[3] = v[3] < 0 ? -1.0f : 1.0f;
+  }
+}
+
+// Where each block's positions stand in `skin`, and its run; both follow from the runs.
+struct Block {
+  const float* skin;
+  const std::uint16_t* set;
+  std::uint32_t influences;
+};
+
+std::vector<Block> blocks_of(const Geometry& g) {
+  std::vector<Block> out;
+  const float* skin = g.skin;
+  const std::uint16_t* set = g.sets;
+  for (const Run& run : g.runs) {
+    for (std::uint32_t i = 0; i < run.vertex_count; i += 4) {
+      out.push_back({skin, set, run.influences});
+      skin += 12 + std::size_t{run.influences - 1} * 4;
+    }
+    set += run.influences;
+  }
+  return out;
+}
+
+// Largest first; the smallest is what the others leave, so that the sum in float is exactly 1 (if what is taken from 1
+// is below a half, the rounding of the difference is too small to be seen beside 1; if above, there is none).
+std::vector<Influence> influences_of(const Block& block, std::uint32_t lane) {
+  std::vector<Influence> out;
+  float left = 1;
+  for (std::uint32_t j = 0; j < block.influences; ++j) {
+    const bool last = j + 1 == block.influences;
+    const float weight = last ? left : block.skin[12 + 4 * j + lane];
+    left -= weight;
+    if (weight > 0) out.push_back({block.set[j], weight});
+  }
+  std::stable_sort(out.begin(), out.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+  while (out.size() > 1) {
+    float sum = 0;
+    for (std::size_t i = 0; i + 1 < out.size(); ++i) sum += out[i].weight;
+    out.back().weight = 1 - sum;
+    if (out.back().weight > 0) return out;
+    out.pop_back();  // too small to count
+  }
+  return {{out.empty() ? block.set[0] : out[0].entry, 1.0f}};
+}
+
+template <class T>
+std::size_t add_joints(Glb& glb, const std::vector<std::uint16_t>& joints, Component component) {
+  return glb.add_accessor(std::vector<T>(joints.begin(), joints.end()), component, kVec4, Target::vertices);
+}
+
+std::size_t add_indices(Glb& glb, const Geometry& g, const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> number(g.slot_count, 0), indices;
+  for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<std::uint32_t>(i);
+  for (std::uint32_t i = 0; i < g.index_count; ++i) indices.push_back(number[index_at(g, i)]);
+  if (order.size() > 65535) return glb.add_accessor(indices, Component::u32, kScalar, Target::indices);
+  const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
+  return glb.add_accessor(narrow, Component::u16, kScalar, Target::indices);
+}
+
+}  // namespace
+
+Json export_vertices(Glb& glb, const Geometry& g) {
+  const std::vector<std::uint32_t> order = vertex_order(g);
+  const std::vector<Block> blocks = blocks_of(g);
+  std::vector<float> positions;
+  for (const std::uint32_t slot : order)
+    for (std::size_t c = 0; c < 3; ++c) positions.push_back(blocks[slot / 4].skin[c * 4 + slot % 4]);
+  Json out;
+  Json& attributes = out["attributes"];
+  attributes["POSITION"] = glb.add_bounded(positions, kVec3, Target::vertices);
+  if (g.normals != nullptr) {
+    std::vector<float> normals = unpack(g.normals, 3, order);
+    normalise(normals, 3);
+    attributes["NORMAL"] = glb.add_accessor(normals, Component::f32, kVec3, Target::vertices);
+  }
+  if (g.tangents != nullptr) {
+    std::vector<float> tangents = unpack(g.tangents, 4, order);
+    normalise(tangents, 4);
+    attributes["TANGENT"] = glb.add_accessor(tangents, Component::f32, kVec4, Target::vertices);
+  }
+  if (g.uvs != nullptr) {
+    std::vector<float> uvs;
+    for (const std::uint32_t slot : order) uvs.insert(uvs.end(), {g.uvs[2 * slot], g.uvs[2 * slot + 1]});
+    attributes["TEXCOORD_0"] = glb.add_accessor(uvs, Component::f32, kVec2, Target::vertices);
+  }
+  if (g.colours != nullptr) {
+    std::vector<std::uint8_t> colours;
+    for (const std::uint32_t slot : order)
+      colours.insert(colours.end(), g.colours + 4 * slot, g.colours + 4 * slot + 4);
+    attributes["COLOR_0"] = glb.add_accessor(colours, Component::u8, kVec4, Target::vertices, true);
+  }
+  if (g.index_count > 0) out["indices"] = add_indices(glb, g, order);
+  return out;
+}
+
+void export_weights(Glb& glb, const Geometry& g, const std::vector<std::uint16_t>& skin_joints, bool wide,
+                    Json& attributes) {
+  const std::vector<Block> blocks = blocks_of(g);
+  std::size_t most = 0;
+  for (const Block& block : blocks) most = std::max<std::size_t>(most, block.influences);
+  const std::size_t sets = (most + 3) / 4;
+  std::vector<std::vector<std::uint16_t>> joints(sets);
+  std::vector<std::vector<float>> weights(sets);
+  for (const std::uint32_t slot : vertex_order(g)) {
+    std::vector<Influence> influences = influences_of(blocks[slot / 4], slot % 4);
+    for (std::size_t i = 0; i < sets * 4; ++i) {
+      const bool used = i < influences.size();
+      joints[i / 4].push_back(used ? skin_joints[influences[i].entry] : std::uint16_t{0});
+      weights[i / 4].push_back(used ? influences[i].weight : 0.0f);
+    }
+  }
+  for (std::size_t s = 0; s < sets; ++s) {
+    const std::string n = std::to_string(s);
+    attributes["JOINTS_" + n] = wide ? add_joints<std::uint16_t>(glb, joints[s], Component::u16)
+                                     : add_joints<std::uint8_t>(glb, joints[s], Component::u8);
+    attributes["WEIGHTS_" + n] = glb.add_accessor(weights[s], Component::f32, kVec4, Target::vertices);
+  }
+}
+
+}  // namespace marrow::tools

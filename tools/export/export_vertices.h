@@ -1,0 +1,20 @@
+// A geometry's blocks of four as glTF's accessors: one element a vertex.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "export/glb.h"
+#include "marrow/file.h"
+
+namespace marrow::tools {
+
+// Accessors of what does not depend on the skin: {"attributes": {POSITION, …}, "indices"}.
+Json export_vertices(Glb& glb, const Geometry& geometry);
+
+// Adds JOINTS_n and WEIGHTS_n to `attributes`. skin_joints: for each palette entry its number in the skin; wide:
+// numbers above 255 occur. Each vertex's weights add up to exactly 1 in float, largest first.
+void export_weights(Glb& glb, const Geometry& geometry, const std::vector<std::uint16_t>& skin_joints, bool wide,
+                    Json& attributes);
+
+}  // namespace marrow::tools
