@@ -422,7 +422,6 @@ bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std:
 bool Checker::mesh(const File::Section& s) {
   const auto* h = header<format::MeshHeader>(s);
   if (h == nullptr) return false;
-  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if (h->material_section > counts_[format::kMaterials]) return fail(&h->material_section, "no such material");
   if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");

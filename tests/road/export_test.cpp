@@ -115,11 +115,13 @@ TEST_P(Export, CodedClipsAgreeBetweenFrames) {
               compared, worst / back.diagonal());
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Export, ::testing::ValuesIn(models()), [](const auto& info) {
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = fs::path(info.param).stem().string() + "_" + std::to_string(info.index);
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Export, ::testing::ValuesIn(models()), test_name);
 
 }  // namespace
 }  // namespace marrow::test

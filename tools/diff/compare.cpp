@@ -211,8 +211,8 @@ class Comparison {
   }
 
   void compare_rest(std::size_t i, std::size_t k) {
-    pose_a_.pose(std::nullopt, 0);
-    pose_b_.pose(std::nullopt, 0);
+    pose_a_.pose({}, 0);
+    pose_b_.pose({}, 0);
     Farthest worst;
     farthest(i, k, 0, worst);
     if (worst.distance == 0) return;
@@ -298,8 +298,8 @@ class Comparison {
     Farthest worst;
     for (std::size_t m = 0; m <= steps; ++m) {
       const double time_s = end_s * static_cast<double>(m) / static_cast<double>(steps);
-      pose_a_.pose(i, static_cast<float>(time_s));
-      pose_b_.pose(k, static_cast<float>(time_s));
+      pose_a_.pose(play_alone(a_.file, a, a.skeleton), static_cast<float>(time_s));
+      pose_b_.pose(play_alone(b_.file, b, b.skeleton), static_cast<float>(time_s));
       farthest(a.skeleton, b.skeleton, time_s, worst);
     }
     if (worst.distance == 0) return;

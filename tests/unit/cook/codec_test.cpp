@@ -40,9 +40,11 @@ RawScene scene_of(RawPrimitive primitive, int joints) {
   holder.name = "mesh";
   scene.nodes.push_back(holder);
   primitive.pointer = "/meshes/0/primitives/0";
-  scene.meshes.push_back({"mesh", {std::move(primitive)}});
+  RawMesh& mesh = scene.meshes.emplace_back();
+  mesh.name = "mesh";
+  mesh.primitives.push_back(std::move(primitive));
   scene.skins.push_back(skin);
-  scene.instances.push_back({joints, 0, joints > 0 ? 0 : kNone});
+  scene.instances.push_back({joints, 0, joints > 0 ? 0 : kNone, {}});
   return scene;
 }
 
