@@ -90,7 +90,7 @@ TEST_F(CliCache, UnchangedOutputsAreNotWritten) {
   EXPECT_EQ(fs::last_write_time(out()), before);
   write_text(out(), "changed by hand");
   EXPECT_TRUE(cook());
-  EXPECT_EQ(read_text(out()).substr(0, 4), "MRRW");
+  EXPECT_EQ(read_text(out()).substr(0, 4), "MRRP");
 }
 
 TEST_F(CliCache, DamagedEntriesAreReplaced) {
@@ -156,7 +156,7 @@ TEST_F(CliCache, AnUnusableFolderIsAWarning) {
   const Ran ran = run_marrow({"cook", gltf(), "-o", out(), "--cache", cache()});
   EXPECT_EQ(ran.code, 0);
   EXPECT_NE(ran.err.find(cache() + ": warning: the cache is not kept: "), std::string::npos) << ran.err;
-  EXPECT_EQ(read_text(out()).substr(0, 4), "MRRW");
+  EXPECT_EQ(read_text(out()).substr(0, 4), "MRRP");
 }
 
 TEST_F(CliCache, BatchesSayHowMany) {

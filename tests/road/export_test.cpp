@@ -29,6 +29,7 @@ struct ExportedModel {
   ExportedModel(const std::string& source, bool raw) {
     cook::CookOptions options;
     options.keep_vertex_order = true;
+    options.mesh_codec = cook::MeshCodec::none;
     options.raw_clips = raw;
     const cook::CookResult cooked = cook::cook_file(source, options);
     block = std::make_unique<AlignedBlock>(cooked.file.data(), cooked.file.size());

@@ -203,7 +203,7 @@ CookOptions to_options(const Given& given) {
     }
   }
   if (!options.skeleton_file.empty() && !options.clips_only)
-    refuse(given.at("skeleton").front(), "no clip pack", "give clips-only too");
+    refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");
   return options;
 }
 

@@ -1,6 +1,7 @@
 // Materials, textures, samplers and images from glTF to the cooked file.
 #include <cstring>
 
+#include "common/unpack_mrw.h"
 #include "common/aligned_bytes.h"
 #include "cook/cook.h"
 #include "unit/cook/gltf_document.h"
@@ -44,7 +45,7 @@ struct Cooked {
   File file;
 
   explicit Cooked(RawScene scene, const CookOptions& options = {})
-      : result(cook_scene(std::move(scene), options)), block(std::span<const std::byte>(result.file)) {
+      : result(cook_scene(std::move(scene), options)), block(tools::unpacked(result.file, "test")) {
     EXPECT_EQ(load({block.data(), block.size()}, file), Status::ok);
   }
   bool warns(const std::string& rule) const {

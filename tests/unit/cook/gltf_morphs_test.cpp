@@ -265,12 +265,14 @@ TEST(Morphs, BlocksThatDoNotAscendAreRefused) {
   scene.meshes[0].primitives.push_back(strip(0.5));
   scene.meshes[0].weights.resize(3);
   scene.instances.push_back({0, 0, kNone, scene.meshes[0].weights});
-  const CookResult cooked = cook_scene(scene, {});
+  CookOptions options;
+  options.mesh_codec = MeshCodec::none;
+  const CookResult cooked = cook_scene(scene, options);
   tools::AlignedBytes block{std::span<const std::byte>(cooked.file)};
   File file;
   ASSERT_EQ(load({block.data(), block.size()}, file), Status::ok);
   const Geometry g = file.mesh(0).geometry;
-  ASSERT_EQ(g.targets[0].block_count, 4U);
+  ASSERT_GE(g.targets[0].block_count, 4U);
   const auto* blocks = static_cast<const std::byte*>(g.target_blocks);
   std::memcpy(block.data() + (blocks - block.data()) + 2, blocks, 2);  // the second is the first again
   const std::uint64_t sum =

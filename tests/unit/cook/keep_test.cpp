@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "common/aligned_bytes.h"
+#include "common/unpack_mrw.h"
 #include "cook/cook.h"
 #include "unit/cook/gltf_document.h"
 
@@ -14,7 +15,7 @@ struct Cooked {
   File file;
 
   explicit Cooked(Builder b, const std::vector<std::string>& keep)
-      : result(cook_scene(read(b), with(keep))), block(std::span<const std::byte>(result.file)) {
+      : result(cook_scene(read(b), with(keep))), block(tools::unpacked(result.file, "test")) {
     EXPECT_EQ(load({block.data(), block.size()}, file), Status::ok);
   }
   static CookOptions with(const std::vector<std::string>& keep) {

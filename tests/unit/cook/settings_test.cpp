@@ -56,8 +56,12 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
   for (const Option& option : option_table()) {
     const std::string value = option.kind == OptionKind::flag ? "true"
                               : !option.choices.empty()       ? '"' + option.choices.back() + '"'
-                                                              : "\"0.1mm\"";
-    const Settings settings = parse(std::string(option.name) + " = " + value);
+                                                              : std::string(option.shape) == "DEGREES" || std::string(option.shape) == "SHARE"
+                                  ? "\"0.1\""
+                                  : "\"0.1mm\"";
+    // A character is only for clip packs.
+    const std::string pack = std::string(option.name) == "skeleton" ? "clips-only = true\n" : "";
+    const Settings settings = parse(pack + std::string(option.name) + " = " + value);
     EXPECT_EQ(settings.defaults.count(option.name), 1u) << option.name;
     ++options;
   }

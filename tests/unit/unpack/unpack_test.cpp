@@ -216,7 +216,6 @@ TEST(Unpack, RefusesWhatTheCodecMakesUp) {
       {indices, 5, "a triangle has no such vertex"},
       {size - 4 * 15, 3, "a palette entry beyond joint_count"},
       {size - 4 * 5, 4, "weights that sum to more than one"},
-      {0, 0x40, "a count out of range"},
       {0, 0x03, "a stream's bits, origin or step out of range"},
       {1, 0, "a count out of range"},
       {3, 0, "joint_count or influences out of range"},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <string_view>
+#include <unordered_map>
 
 #include <meshoptimizer.h>
 
@@ -41,18 +43,31 @@ std::vector<std::int32_t>* OwnedStreams::values_of(StreamKind kind) {
 
 namespace {
 
-// A number for each vertex, the same for those that agree in all of the streams that `counts` says.
+// A number for each vertex that a triangle uses, the same for those that agree in all of the streams that `counts` says;
+// kNoSlot for the others.
 template <class Counts>
-std::vector<std::uint32_t> equal_vertices(OwnedStreams& s, const Counts& counts, std::size_t& distinct) {
-  std::vector<meshopt_Stream> streams;
-  for (std::size_t i = 0; i < s.streams.size(); ++i) {
-    const std::size_t bytes = s.streams[i].components * sizeof(std::int32_t);
-    if (counts(s.streams[i].kind)) streams.push_back({s.values[i].data(), bytes, bytes});
+std::vector<std::uint32_t> equal_vertices(const OwnedStreams& s, const Counts& counts, std::size_t& distinct) {
+  std::size_t width = 0;
+  for (const Stream& stream : s.streams) width += counts(stream.kind) ? std::size_t{stream.components} : 0u;
+  std::vector<std::int32_t> rows;
+  rows.reserve(width * s.mesh.vertex_count);
+  for (std::size_t v = 0; v < s.mesh.vertex_count; ++v) {
+    for (std::size_t i = 0; i < s.streams.size(); ++i) {
+      if (!counts(s.streams[i].kind)) continue;
+      const auto from = s.values[i].begin() + static_cast<std::ptrdiff_t>(v * s.streams[i].components);
+      rows.insert(rows.end(), from, from + s.streams[i].components);
+    }
   }
-  std::vector<std::uint32_t> remap(s.mesh.vertex_count);  // kNoSlot: no triangle uses it
-  distinct = meshopt_generateVertexRemapMulti(remap.data(), s.indices.data(), s.indices.size(), s.mesh.vertex_count,
-                                              streams.data(), streams.size());
-  return remap;
+  const std::size_t bytes = width * sizeof(std::int32_t);
+  std::unordered_map<std::string_view, std::uint32_t> numbers;
+  std::vector<std::uint32_t> out(s.mesh.vertex_count, kNoSlot);
+  for (const std::uint32_t v : s.indices) {
+    if (out[v] != kNoSlot) continue;
+    const std::string_view row(reinterpret_cast<const char*>(rows.data()) + v * bytes, bytes);
+    out[v] = numbers.try_emplace(row, static_cast<std::uint32_t>(numbers.size())).first->second;
+  }
+  distinct = numbers.size();
+  return out;
 }
 
 bool moves(StreamKind kind) {
