@@ -25,10 +25,10 @@ inline constexpr std::uint32_t kBindStreams = 9;  // at most, before those of mo
 struct Stream {
   StreamKind kind = StreamKind::position;
   std::uint8_t components = 0;
-  std::uint8_t bits = 0;  // 0: the bits of floats, verbatim
+  std::uint8_t bits = 0;       // 0: the bits of floats, verbatim
   std::uint8_t attribute = 0;  // of a target: 0 positions, 1 normals, 2 tangents
   std::uint32_t target = 0;
-  float origin[3] = {};   // value = origin + number · step
+  float origin[3] = {};  // value = origin + number · step
   float step = 1;
   std::int32_t* values = nullptr;  // vertex by vertex
 };

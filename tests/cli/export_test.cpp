@@ -29,11 +29,10 @@ TEST(CliExport, PosesAsItsSource) {
   const TemporaryFolder folder;
   int models = 0, poses = 0;
   for (const char* name : {"tiny.gltf", "dance.gltf"}) {
-    ASSERT_EQ(
-        run_marrow({"cook", golden(name), "-o", folder / "m.mrw", "--keep-vertex-order", "--clip-codec", "raw",
-                    "--mesh-codec", "none"})
-            .code,
-        0);
+    ASSERT_EQ(run_marrow({"cook", golden(name), "-o", folder / "m.mrw", "--keep-vertex-order", "--clip-codec", "raw",
+                          "--mesh-codec", "none"})
+                  .code,
+              0);
     const Ran ran = run_marrow({"export", folder / "m.mrw", "-o", folder / "m.glb"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_EQ(ran.out + ran.err, "");

@@ -23,8 +23,8 @@ inline constexpr std::uint64_t kHashStart = 14695981039346656037u;
 enum class Deformer { rigid, ssd, as };
 
 // Clip, time → vertices of one mesh, which plays the clip of that name for its skeleton. clip ≥ clip_count(): the rest
-// pose. cycle: if not empty, the weights of the mesh's morph targets in turn, instead of the clip's. Expects every stage
-// to succeed.
+// pose. cycle: if not empty, the weights of the mesh's morph targets in turn, instead of the clip's. Expects every
+// stage to succeed.
 PosedMesh pose_mesh(const File& file, std::uint32_t clip, float time_s, std::uint32_t mesh, Deformer deformer,
                     const std::vector<float>& cycle = {});
 

@@ -47,8 +47,8 @@ const std::map<std::string, std::string> kHeaders = {
     {"marrow/glm.h", "math"},        {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
     {"marrow/sample.h", "pose"},     {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
     {"marrow/transition.h", "pose"}, {"marrow/playback.h", "pose"},       {"marrow/palette.h", "skin"},
-    {"marrow/skin.h", "skin"},       {"marrow/morph.h", "skin"},          {"marrow/clip_pack.h", "asset"},  {"marrow/unpack.h", "unpack"},       {"marrow/draco.h", "draco"},
-    {"marrow/meshopt.h", "meshopt"}};
+    {"marrow/skin.h", "skin"},       {"marrow/morph.h", "skin"},          {"marrow/clip_pack.h", "asset"},
+    {"marrow/unpack.h", "unpack"},   {"marrow/draco.h", "draco"},         {"marrow/meshopt.h", "meshopt"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);

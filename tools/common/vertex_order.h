@@ -8,10 +8,12 @@
 
 namespace marrow::tools {
 
-// Slots in the order in which vertices are written: the source's if the file remembers it, else the file's own.
+// Slots in the order in which vertices are written: the source's if the file remembers it, else the file's own. For a
+// vertex of the source that no triangle uses the first slot stands in.
 inline std::vector<std::uint32_t> vertex_order(const Geometry& g) {
-  if (!g.source_slots.empty()) return {g.source_slots.begin(), g.source_slots.end()};
   std::vector<std::uint32_t> order;
+  for (const std::uint32_t slot : g.source_slots) order.push_back(slot == kNoSlot ? 0u : slot);
+  if (!order.empty()) return order;
   std::uint32_t slot = 0;
   for (const Run& run : g.runs) {
     for (std::uint32_t i = 0; i < run.vertex_count; ++i) order.push_back(slot + i);

@@ -175,8 +175,7 @@ class Cook {
     if (!result) {
       if (!options.skeleton_file.empty())
         options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
-      cook::RawScene scene =
-          cook::read_gltf(order.job.in, {.image_bytes = options.images == cook::Images::embed});
+      cook::RawScene scene = cook::read_gltf(order.job.in, {.image_bytes = options.images == cook::Images::embed});
       const MemoryGate::Pass pass(memory_, scene.source_bytes);
       result = cook::cook_scene(std::move(scene), options);
       if (from_cache) note_trouble(cache_->store(*result, order.options_text));

@@ -75,9 +75,7 @@ void set_mesh_codec(CookOptions& options, const Value& given) {
 }
 
 void set_images(CookOptions& options, const Value& given) {
-  options.images = given.text == "embed"  ? Images::embed
-                   : given.text == "none" ? Images::none
-                                          : Images::reference;
+  options.images = given.text == "embed" ? Images::embed : given.text == "none" ? Images::none : Images::reference;
 }
 
 // "CLIP" or "CLIP=REFERENCE", divided at the last "=".

@@ -40,7 +40,8 @@ std::size_t bytes_of(const std::vector<File::Section>& sections) {
 // Everything is counted once; what is left are the header, the table and padding.
 ordered_json describe_totals(const LoadedFile& loaded) {
   const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH"));
-  const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")), clips = bytes_of(sections_of(loaded, "CLIP"));
+  const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")),
+                    clips = bytes_of(sections_of(loaded, "CLIP"));
   return {{"geometry", geometry},
           {"skeletons", skeletons},
           {"clips", clips},

@@ -92,8 +92,8 @@ class Tree {
                m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(), m["joints"].get<int>(),
                m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
                m["bytes_per_vertex"].get<double>(), text(m["codec"]),
-                m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
-                of_skeleton(m)));
+               m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
+               of_skeleton(m)));
     }
   }
 

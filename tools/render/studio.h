@@ -28,8 +28,8 @@ struct Drawable {
   std::vector<float> morph_weights;
   Mesh mesh;
   const gles3::GpuMesh* gpu = nullptr;
-  Look look;                         // its texture is drawn where the program has kUvs
-  glm::vec3 centre{0};               // scene space; blended surfaces are drawn from the farthest on
+  Look look;            // its texture is drawn where the program has kUvs
+  glm::vec3 centre{0};  // scene space; blended surfaces are drawn from the farthest on
 };
 
 struct Shot {

@@ -135,13 +135,13 @@ struct Geometry {
   std::uint32_t joint_count = 0;   // how many palette entries the sets refer to
   const void* indices = nullptr;   // slots
   Span<const Run> runs;
-  const std::uint16_t* sets = nullptr;     // for each run its k palette entries, run after run
-  const float* skin = nullptr;             // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
-  const float* normals = nullptr;          // a block: x[4] y[4] z[4]; unit; null if absent
-  const float* tangents = nullptr;         // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
-  const float* as_residual = nullptr;      // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
-  const float* uvs = nullptr;              // a slot: u v; null if absent
-  const std::uint8_t* colours = nullptr;   // a slot: r g b a, linear; null if absent
+  const std::uint16_t* sets = nullptr;    // for each run its k palette entries, run after run
+  const float* skin = nullptr;            // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+  const float* normals = nullptr;         // a block: x[4] y[4] z[4]; unit; null if absent
+  const float* tangents = nullptr;        // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+  const float* as_residual = nullptr;     // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+  const float* uvs = nullptr;             // a slot: u v; null if absent
+  const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
   // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it.
   Span<const std::uint32_t> source_slots;
   Span<const MorphTarget> targets;

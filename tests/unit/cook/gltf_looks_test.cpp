@@ -1,8 +1,8 @@
 // Materials, textures, samplers and images from glTF to the cooked file.
 #include <cstring>
 
-#include "common/unpack_mrw.h"
 #include "common/aligned_bytes.h"
+#include "common/unpack_mrw.h"
 #include "cook/cook.h"
 #include "unit/cook/gltf_document.h"
 

@@ -56,7 +56,7 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
   for (const Option& option : option_table()) {
     const std::string value = option.kind == OptionKind::flag ? "true"
                               : !option.choices.empty()       ? '"' + option.choices.back() + '"'
-                                                              : std::string(option.shape) == "DEGREES" || std::string(option.shape) == "SHARE"
+                              : std::string(option.shape) == "DEGREES" || std::string(option.shape) == "SHARE"
                                   ? "\"0.1\""
                                   : "\"0.1mm\"";
     // A character is only for clip packs.

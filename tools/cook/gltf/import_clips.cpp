@@ -37,8 +37,8 @@ class ChannelImporter {
     return raw;
   }
 
-  // One number a target of the mesh at `node`, or one of no node; a key holds those of all targets, for a spline first their in-tangents, then their values,
-  // then their out-tangents (glTF 2.0, section 3.11).
+  // One number a target of the mesh at `node`, or one of no node; a key holds those of all targets, for a spline first
+  // their in-tangents, then their values, then their out-tangents (glTF 2.0, section 3.11).
   std::vector<RawScalar> import_scalars(const tinygltf::AnimationChannel& channel,
                                         const std::vector<RawTargetWeight>& targets, int node) {
     const tinygltf::AnimationSampler& sampler = sampler_of(channel);

@@ -74,8 +74,7 @@ std::vector<std::byte> encode_meshopt(OwnedStreams& s) {
   }
   OwnedStreams decoded = s;
   for (auto& values : decoded.values) std::fill(values.begin(), values.end(), 0);
-  if (meshopt_decoder().decode({out.data(), out.size()}, decoded.view()) != Status::ok ||
-      s.values != decoded.values)
+  if (meshopt_decoder().decode({out.data(), out.size()}, decoded.view()) != Status::ok || s.values != decoded.values)
     throw tools::Failure(tools::Exit::internal, "", "", "meshopt-mesh-differs",
                          "the encoded mesh does not decode to itself");
   return out;

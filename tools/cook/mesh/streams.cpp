@@ -43,8 +43,8 @@ std::vector<std::int32_t>* OwnedStreams::values_of(StreamKind kind) {
 
 namespace {
 
-// A number for each vertex that a triangle uses, the same for those that agree in all of the streams that `counts` says;
-// kNoSlot for the others.
+// A number for each vertex that a triangle uses, the same for those that agree in all of the streams that `counts`
+// says; kNoSlot for the others.
 template <class Counts>
 std::vector<std::uint32_t> equal_vertices(const OwnedStreams& s, const Counts& counts, std::size_t& distinct) {
   std::size_t width = 0;
