@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 // What cooking promises of positions, as a share of the diagonal; exporting adds float rounding.
 constexpr double kMostPosition = 1e-4;
-constexpr double kMostJoint = 2e-5;
+// Between frames: times are floats, and a millionth of a second late is 5e-5 of the way between two frames.
+constexpr double kMostJoint = 5e-5;
 constexpr int kMoments = 16;
 
 struct ExportedModel {

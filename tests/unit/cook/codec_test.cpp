@@ -306,6 +306,13 @@ TEST_P(Codec, KeepsTrianglesThatOpenWhenPosed) {
   EXPECT_EQ(loaded.file.mesh(0).geometry.index_count, 15u);
 }
 
+// A mesh of nothing but such triangles is legal, and stays a mesh.
+TEST_P(Codec, KeepsOneTriangleOfAMeshWithoutArea) {
+  const RawPrimitive p = triangles({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0, 1, 2});
+  const Loaded loaded = cook_and_load(scene_of(p, 0), options());
+  EXPECT_EQ(loaded.file.mesh(0).geometry.index_count, 3u);
+}
+
 TEST_P(Codec, MakesTheSameBytesAgain) {
   const CookResult a = cook_scene(scene_of(tube(20, 9, 4, 4), 4), options());
   const CookResult b = cook_scene(scene_of(tube(20, 9, 4, 4), 4), options());

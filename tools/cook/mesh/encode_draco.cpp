@@ -16,6 +16,7 @@ namespace {
 
 // How one attempt encodes.
 struct Settings {
+  bool edgebreaker = true;  // else triangles one by one, which keeps any
   int speed = 0;
   std::vector<int> prediction;  // a stream; kOwnChoice: Draco decides
 };
@@ -81,7 +82,7 @@ struct Encoded {
 
 Encoded encode(const OwnedStreams& s, const draco::Mesh& mesh, const Settings& settings) {
   draco::ExpertEncoder encoder(mesh);
-  encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
+  encoder.SetEncodingMethod(settings.edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING : draco::MESH_SEQUENTIAL_ENCODING);
   encoder.SetSpeedOptions(settings.speed, settings.speed);
   encoder.SetTrackEncodedProperties(true);
   for (std::size_t i = 0; i < s.streams.size(); ++i) {
@@ -146,6 +147,15 @@ Encoded smallest(const OwnedStreams& s, bool merge_positions) {
   return encoded;
 }
 
+Encoded one_by_one(const OwnedStreams& s) {
+  draco::Mesh mesh;
+  fill_mesh(s, false, mesh);
+  Settings settings;
+  settings.edgebreaker = false;
+  settings.prediction.assign(s.streams.size(), kOwnChoice);
+  return encode(s, mesh, settings);
+}
+
 // A triangle by what its corners hold, beginning at the least: a hash of all of a vertex's numbers each.
 using Triangle = std::array<std::uint64_t, 3>;
 
@@ -194,9 +204,10 @@ void follow(const OwnedStreams& s, OwnedStreams& decoded) {
 }  // namespace
 
 std::vector<std::byte> encode_draco(OwnedStreams& streams) {
-  // Triangles between vertices at one place that move apart are lost where places are merged.
-  for (const bool merge_positions : {true, false}) {
-    const Encoded encoded = smallest(streams, merge_positions);
+  // Triangles between vertices at one place that move apart are lost where places are merged, and those that never have
+  // an area in either case.
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const Encoded encoded = attempt < 2 ? smallest(streams, attempt == 0) : one_by_one(streams);
     OwnedStreams decoded;
     if (encoded.bytes.empty() || !decodes_to_the_same(encoded, streams, decoded)) continue;
     follow(streams, decoded);
