@@ -12,7 +12,6 @@ import json
 import os
 import pathlib
 import statistics
-import struct
 import subprocess
 import sys
 import tempfile
@@ -28,14 +27,6 @@ MAIN = ["RiggedFigure", "CesiumMan", "Fox", "raylib_robot", "greenman", "KayKit_
 CLIP_ERROR = "0.05%"
 
 
-def sections(data):
-    """(type, bytes) of each section of a cooked file: docs/format.md, Container."""
-    count, = struct.unpack_from("<I", data, 12)
-    for i in range(count):
-        kind, offset, size = struct.unpack_from("<4sII", data, 32 + 16 * i)
-        yield kind.decode(), data[offset:offset + size]
-
-
 def ours(marrow, model):
     with tempfile.TemporaryDirectory() as work:
         out = os.path.join(work, "out.mrw")
@@ -44,8 +35,9 @@ def ours(marrow, model):
         report, data = json.loads(run.stdout), pathlib.Path(out).read_bytes()
         info = json.loads(subprocess.run([marrow, "info", out, "--json"], check=True, stdout=subprocess.PIPE).stdout)
     parts = {"geometry": b"", "animation": b"", "structure": b""}
-    for kind, part in sections(data):
-        parts["geometry" if kind in ("GEOM", "MESH") else "animation" if kind == "CLIP" else "structure"] += part
+    for section in info["sections"]:
+        part = data[section["offset"]:section["offset"] + section["bytes"]]
+        parts[{"GEOM": "geometry", "CLIP": "animation"}.get(section["type"], "structure")] += part
     result = {name: len(part) for name, part in parts.items()}
     result["structure"] = len(data) - result["geometry"] - result["animation"]  # header, table and padding too
     result.update({name + "_zstd": peers.zstd_bytes(part) for name, part in parts.items()})
@@ -111,8 +103,8 @@ INTRO = """# Sizes
 Made by `tools/sizes/sizes.py`. Bytes as they are / after zstd -19; textures are left out everywhere.
 
 **Marrow**: `marrow cook --clip-error 0.05%`, so that clips keep within 0.05 % of the skeleton's diagonal on a shell of 3 cm
-round every joint. Geometry is the GEOM and MESH sections, skins included; structure is everything that is neither geometry
-nor clips: skeletons, names, header, padding. The errors are the cooker's own figures: positions as a share of the model's
+round every joint. Geometry is the GEOM records, weights and joints of vertices included; structure is everything that is neither
+geometry nor clips: skeletons, inverse bind matrices, materials, names, header. The errors are the cooker's own figures: positions as a share of the model's
 diagonal, clips of the skeleton's.
 
 **Others**: nine settings, each with 14-bit positions.
@@ -122,7 +114,7 @@ diagonal, clips of the skeleton's.
 """
 NOTES = """
 "Best geometry" is the smallest of the nine settings, once as it is and once after zstd, each with the setting that made it;
-inverse bind matrices are left out of it, though they are in Marrow's. Animation and the whole file are those of `gltfpack -cz -af 0`, its JSON as it stands but for textures.
+inverse bind matrices are left out of it, as of Marrow's. Animation and the whole file are those of `gltfpack -cz -af 0`, its JSON as it stands but for textures.
 The position error is the largest distance at rest between a vertex and the nearest of the other file; the animation
 error the largest distance between joints at up to 100 moments a clip, as a share of the skeleton's diagonal, where joints correspond.
 Ratios are Marrow's bytes by theirs: below 1, Marrow is smaller. gltfpack drops texture coordinates that no texture uses,
