@@ -3,9 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "common/failure.h"
 #include "export/export_parts.h"
+#include "export/weight_keys.h"
+#include "marrow/morph.h"
 #include "marrow/sample.h"
 
 namespace marrow::tools {
@@ -30,6 +33,7 @@ class ClipExport {
   void run() {
     add_tracks();
     if (clip_.coded.frame_count > 0) add_coded();
+    add_weights();
     add_channels();
     if (longest_s_ < clip_.duration_s || channels_.empty()) add_end();
     Json animation = Json::object();
@@ -138,9 +142,31 @@ class ClipExport {
     }
   }
 
-  // Numbers that move no joint drive the document's own extras, where cooking finds them again under the same names.
+  // Numbers that drive morph targets: all weights of a node together.
+  void add_weights() {
+    for (const MorphedNode& morphed : scene_.morphed) {
+      std::vector<std::uint32_t> driving;
+      bool any = false;
+      for (const std::string& name : morphed.channels) {
+        const std::uint32_t found = scene_.file.find_channel(clip_, name.c_str());
+        driving.push_back(found < clip_.channels.size ? found : kNoChannel);
+        if (driving.back() == kNoChannel) continue;
+        any = true;
+        drives_target_.insert(found);
+      }
+      if (!any) continue;
+      const WeightKeys keys = weight_keys(clip_, driving, morphed.weights);
+      add_channel({{"node", morphed.node}, {"path", "weights"}}, keys.times_s, keys.values, kScalar,
+                  keys.interpolation);
+    }
+  }
+
+  // Other numbers that move no joint drive the document's own extras, where cooking finds them again under the same
+  // names.
   void add_channels() {
-    for (const Channel& channel : clip_.channels) {
+    for (std::uint32_t i = 0; i < clip_.channels.size; ++i) {
+      if (drives_target_.contains(i)) continue;
+      const Channel& channel = clip_.channels[i];
       const std::string name = scene_.file.text(channel.name);
       scene_.glb.json["extras"].emplace(name, number(channel.rest));
       std::string escaped;
@@ -194,6 +220,7 @@ class ClipExport {
   Json channels_ = Json::array(), samplers_ = Json::array();
   std::map<std::pair<std::uint16_t, Path>, const Track*> last_;
   std::map<std::vector<float>, std::size_t> time_accessors_;
+  std::set<std::uint32_t> drives_target_;  // channels
   float longest_s_ = 0;
 };
 

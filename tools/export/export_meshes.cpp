@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "export/affine_parts.h"
 #include "export/export_parts.h"
+#include "export/export_targets.h"
 #include "export/export_vertices.h"
 #include "marrow/local_to_model.h"
 
@@ -26,6 +27,12 @@ struct Skin {
   std::map<std::uint16_t, std::size_t> at;  // joint of the skeleton → of the skin
 };
 
+struct PartTarget {
+  std::string name, channel;
+  float weight;
+  bool operator==(const PartTarget&) const = default;
+};
+
 // What one glTF mesh is made of: consecutive cooked meshes that hang in the same place under the same name.
 struct Part {
   std::string name;
@@ -33,8 +40,31 @@ struct Part {
   std::optional<std::size_t> skin;  // else bound to one joint
   std::uint16_t joint = 0;
   Affine joint_from_mesh{};
+  std::vector<PartTarget> targets;
   Json primitives = Json::array();
+
+  // Whether one mesh can hold both. A mesh without targets gets targets that leave it alone.
+  bool holds(const Part& other) const {
+    return name == other.name && skeleton == other.skeleton && skin == other.skin &&
+           (skin || (joint == other.joint && same(joint_from_mesh, other.joint_from_mesh))) &&
+           (targets.empty() || other.targets.empty() || targets == other.targets);
+  }
 };
+
+// Cooking calls a weight's channel NODE.TARGET, or NODE.weights[i]: the node's name, for the export to cook alike.
+std::optional<std::string> owner_of(const std::vector<PartTarget>& targets) {
+  std::optional<std::string> owner;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const std::string& channel = targets[i].channel;
+    const std::string number = ".weights[" + std::to_string(i) + ']', named = '.' + targets[i].name;
+    const std::string& end = channel.ends_with(number) ? number : named;
+    if (!channel.ends_with(end)) return std::nullopt;
+    const std::string before = channel.substr(0, channel.size() - end.size());
+    if (owner.value_or(before) != before) return std::nullopt;
+    owner = before;
+  }
+  return owner;
+}
 
 class Meshes {
  public:
@@ -48,18 +78,27 @@ class Meshes {
 
  private:
   void add(std::uint32_t number, const Mesh& mesh) {
-    Part next{mesh.name, mesh.skeleton, std::nullopt, mesh.joints[0], mesh.inverse_bind[0]};
+    Part next{mesh.name, mesh.skeleton, std::nullopt, mesh.joints[0], mesh.inverse_bind[0], targets_of(mesh)};
     if (mesh.joint_count > 1) next.skin = skin_for(number, mesh);
-    const bool goes_on =
-        part_ && part_->name == next.name && part_->skeleton == next.skeleton && part_->skin == next.skin &&
-        (next.skin || (part_->joint == next.joint && same(part_->joint_from_mesh, next.joint_from_mesh)));
+    const bool goes_on = part_ && part_->holds(next);
     if (part_ && !goes_on) place();
-    if (!goes_on) part_ = std::move(next);
+    if (!goes_on) {
+      part_ = std::move(next);
+    } else if (part_->targets.empty()) {
+      part_->targets = std::move(next.targets);
+    }
     part_->primitives.push_back(primitive(mesh));
     if (mesh.geometry.as_residual != nullptr)
       scene_.warnings.push_back("mesh " + std::to_string(number) + " \"" + mesh.name +
                                 "\": glTF has no animation space; its residual is left out, so it is deformed by "
                                 "linear blend skinning");
+  }
+
+  std::vector<PartTarget> targets_of(const Mesh& mesh) const {
+    std::vector<PartTarget> out;
+    for (const MeshTarget& t : mesh.targets)
+      out.push_back({scene_.file.text(t.name), scene_.file.text(t.channel), t.weight});
+    return out;
   }
 
   // The first skin that agrees with the mesh on the inverse binds of the joints that both have; a new one if none does.
@@ -92,8 +131,10 @@ class Meshes {
 
   Json primitive(const Mesh& mesh) {
     auto found = vertices_.find(mesh.geometry_index);
-    if (found == vertices_.end())
+    if (found == vertices_.end()) {
       found = vertices_.emplace(mesh.geometry_index, export_vertices(scene_.glb, mesh.geometry)).first;
+      if (!mesh.geometry.targets.empty()) found->second["targets"] = export_targets(scene_.glb, mesh.geometry);
+    }
     Json out = found->second;
     if (part_->skin) {
       const Skin& skin = skins_[*part_->skin];
@@ -134,18 +175,45 @@ class Meshes {
     Json mesh = Json::object(), node = Json::object();
     if (!part_->name.empty()) mesh["name"] = node["name"] = part_->name;
     mesh["primitives"] = part_->primitives;
+    if (!part_->targets.empty()) add_targets(mesh, node);
     node["mesh"] = once("meshes", mesh);
+    std::size_t placed = 0;
     if (part_->skin) {
       node["skin"] = *part_->skin;
-      scene_.add_node(std::move(node), ExportScene::kScene);
+      placed = scene_.add_node(std::move(node), ExportScene::kScene);
     } else {
-      hang(std::move(node));
+      placed = hang(std::move(node));
+    }
+    if (!part_->targets.empty()) {
+      MorphedNode& morphed = scene_.morphed.emplace_back();
+      morphed.node = placed;
+      for (const PartTarget& t : part_->targets) {
+        morphed.channels.push_back(t.channel);
+        morphed.weights.push_back(t.weight);
+      }
     }
     part_.reset();
   }
 
+  // All primitives of a mesh have as many targets.
+  void add_targets(Json& mesh, Json& node) {
+    Json names = Json::array(), weights = Json::array();
+    bool named = false;
+    for (const PartTarget& t : part_->targets) {
+      names.push_back(t.name);
+      named = named || !t.name.empty();
+      weights.push_back(number(t.weight));
+    }
+    for (Json& primitive : mesh["primitives"])
+      if (!primitive.contains("targets"))
+        primitive["targets"] = still_targets(scene_.glb, primitive["attributes"]["POSITION"], names.size());
+    mesh["weights"] = weights;
+    if (named) mesh["extras"] = {{"targetNames", names}};
+    if (const std::optional<std::string> owner = owner_of(part_->targets)) node["name"] = *owner;
+  }
+
   // A node of its own even where nothing lies between, so that meshes keep their order.
-  void hang(Json node) {
+  std::size_t hang(Json node) {
     std::size_t parent = scene_.joint_nodes[part_->skeleton][part_->joint];
     const std::vector<Parts> between = parts_of(part_->joint_from_mesh);
     for (std::size_t i = 0; i + 1 < between.size(); ++i) {
@@ -154,7 +222,7 @@ class Meshes {
       parent = scene_.add_node(std::move(outer), parent);
     }
     if (!between.empty()) set_parts(node, between.back());
-    scene_.add_node(std::move(node), parent);
+    return scene_.add_node(std::move(node), parent);
   }
 
   // The skeleton's first skin names all its joints, so that they remain joints for whoever reads the export.

@@ -10,12 +10,20 @@
 
 namespace marrow::tools {
 
+// A node whose mesh has morph targets: for each the name of the channel that drives its weight, and its default.
+struct MorphedNode {
+  std::size_t node;
+  std::vector<std::string> channels;
+  std::vector<float> weights;
+};
+
 struct ExportScene {
   const File& file;
   std::string name;  // of the cooked file
   Glb glb;
   std::vector<std::vector<std::size_t>> joint_nodes;  // node of each joint, for each skeleton
   std::vector<std::size_t> roots;                     // of the scene
+  std::vector<MorphedNode> morphed;
   std::vector<std::string> warnings;
 
   // Adds a node below another, or to the scene's roots without one, and returns its number.

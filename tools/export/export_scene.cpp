@@ -15,11 +15,13 @@ std::size_t ExportScene::add_node(Json node, std::size_t parent) {
 }
 
 Exported export_file(const File& file, const std::string& name) {
-  ExportScene scene{file, name, {}, {}, {}, {}};
+  ExportScene scene{file, name, {}, {}, {}, {}, {}};
   scene.glb.json["scene"] = 0;
   export_skeletons(scene);
   export_meshes(scene);
   export_clips(scene);
+  if (file.node_count() > 0)
+    scene.warnings.push_back(std::to_string(file.node_count()) + " kept nodes and their properties are left out");
   scene.glb.add("scenes", {{"nodes", scene.roots}});
   return {scene.glb.finish(name), std::move(scene.warnings)};
 }

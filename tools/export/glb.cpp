@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <limits>
 
 #include "common/failure.h"
 
@@ -49,13 +50,17 @@ std::size_t Glb::add(const char* list, Json element) {
   return elements.size() - 1;
 }
 
-std::size_t Glb::add_bytes(const void* data, std::size_t bytes, std::size_t count, Component component,
-                           AccessorType type, Target target, bool normalised) {
+std::size_t Glb::add_view(const void* data, std::size_t bytes, Target target) {
   data_.append((4 - data_.size() % 4) % 4, '\0');
   Json view = {{"buffer", 0}, {"byteOffset", data_.size()}, {"byteLength", bytes}};
   if (target != Target::none) view["target"] = static_cast<int>(target);
   data_.append(static_cast<const char*>(data), bytes);
-  Json accessor = {{"bufferView", add("bufferViews", view)},
+  return add("bufferViews", view);
+}
+
+std::size_t Glb::add_bytes(const void* data, std::size_t bytes, std::size_t count, Component component,
+                           AccessorType type, Target target, bool normalised) {
+  Json accessor = {{"bufferView", add_view(data, bytes, target)},
                    {"componentType", static_cast<int>(component)},
                    {"count", count},
                    {"type", type.name}};
@@ -73,6 +78,26 @@ std::size_t Glb::add_bounded(const std::vector<float>& values, AccessorType type
   json["accessors"][accessor]["min"] = numbers(low);
   json["accessors"][accessor]["max"] = numbers(high);
   return accessor;
+}
+
+std::size_t Glb::add_sparse(std::size_t count, const std::vector<std::uint32_t>& at, const std::vector<float>& values,
+                            AccessorType type) {
+  const float start = at.size() < count ? 0.0f : std::numeric_limits<float>::infinity();
+  std::vector<float> low(type.parts, start), high(type.parts, -start);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low[i % type.parts] = std::min(low[i % type.parts], values[i]);
+    high[i % type.parts] = std::max(high[i % type.parts], values[i]);
+  }
+  for (float& h : high) h += 0.0f;  // no negative zero
+  const Json indices = {{"bufferView", add_view(at.data(), at.size() * 4, Target::none)},
+                        {"componentType", static_cast<int>(Component::u32)}};
+  const Json changes = {{"bufferView", add_view(values.data(), values.size() * 4, Target::none)}};
+  return add("accessors", {{"componentType", static_cast<int>(Component::f32)},
+                           {"count", count},
+                           {"type", type.name},
+                           {"min", numbers(low)},
+                           {"max", numbers(high)},
+                           {"sparse", {{"count", at.size()}, {"indices", indices}, {"values", changes}}}});
 }
 
 std::string Glb::finish(const std::string& file) {

@@ -40,6 +40,12 @@ class Glb {
   // Floats with the smallest and largest of each part, where glTF wants them: positions and key times.
   std::size_t add_bounded(const std::vector<float>& values, AccessorType type, Target target);
 
+  // Floats that are zero but in some elements, `at` ascending, with the smallest and largest of each part.
+  std::size_t add_sparse(std::size_t count, const std::vector<std::uint32_t>& at, const std::vector<float>& values,
+                         AccessorType type);
+  // A buffer view on a boundary of four bytes.
+  std::size_t add_view(const void* data, std::size_t bytes, Target target);
+
   // The container. Throws Failure (unsupported) naming `file` above 4 GiB.
   std::string finish(const std::string& file);
 

@@ -1,0 +1,83 @@
+#include "export/export_targets.h"
+
+#include <bit>
+
+#include "common/vertex_order.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr const char* kAttributes[] = {"POSITION", "NORMAL", "TANGENT"};
+
+// Where most vertices move every one is written; elsewhere those that do. What moves nothing says so of its first
+// vertex: accessors without any data are not read everywhere.
+std::size_t add_changes(Glb& glb, const std::vector<float>& changes) {
+  std::vector<std::uint32_t> at;
+  std::vector<float> moving;
+  for (std::uint32_t v = 0; v < changes.size() / 3; ++v) {
+    const float* const change = &changes[std::size_t{3} * v];
+    if (change[0] == 0 && change[1] == 0 && change[2] == 0) continue;
+    at.push_back(v);
+    moving.insert(moving.end(), change, change + 3);
+  }
+  if (at.size() * 4 > changes.size()) return glb.add_bounded(changes, kVec3, Target::vertices);
+  if (at.empty()) return glb.add_sparse(changes.size() / 3, {0}, {0, 0, 0}, kVec3);
+  return glb.add_sparse(changes.size() / 3, at, moving, kVec3);
+}
+
+// records: for each block the target's first record or null. which: of the block's records.
+std::vector<float> changes_of(const std::vector<const std::int16_t*>& records, int which, float step,
+                              const std::vector<std::uint32_t>& order) {
+  std::vector<float> out;
+  out.reserve(order.size() * 3);
+  for (const std::uint32_t slot : order)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int16_t* const record = records[slot / 4];
+      const float whole = record == nullptr ? 0.0f : record[12 * which + static_cast<int>(4 * c + slot % 4)];
+      out.push_back(whole == 0 ? 0.0f : whole * step);
+    }
+  return out;
+}
+
+std::vector<const std::int16_t*> records_of(const Geometry& g, const MorphTarget& target) {
+  std::vector<const std::int16_t*> out(g.slot_count / 4, nullptr);
+  const auto each = static_cast<std::size_t>(std::popcount(target.attributes));
+  for (std::size_t i = 0; i < target.block_count; ++i) {
+    const std::size_t entry = target.first_block + i;
+    const std::uint32_t block = g.index_bytes == 2 ? static_cast<const std::uint16_t*>(g.target_blocks)[entry]
+                                                   : static_cast<const std::uint32_t*>(g.target_blocks)[entry];
+    out[block] = g.target_records + 12 * (target.first_record + i * each);
+  }
+  return out;
+}
+
+}  // namespace
+
+Json export_targets(Glb& glb, const Geometry& g) {
+  const std::vector<std::uint32_t> order = vertex_order(g);
+  std::uint32_t attributes = kMorphsPositions;
+  for (const MorphTarget& target : g.targets) attributes |= target.attributes;
+  Json out = Json::array();
+  for (const MorphTarget& target : g.targets) {
+    const std::vector<const std::int16_t*> records = records_of(g, target);
+    const float steps[] = {target.position_step, target.normal_step, target.tangent_step};
+    Json changes = Json::object();
+    int record = 0;
+    for (std::uint32_t a = 0; a < 3; ++a) {
+      if ((attributes >> a & 1u) == 0) continue;
+      const bool moved = (target.attributes >> a & 1u) != 0;
+      changes[kAttributes[a]] = add_changes(
+          glb, moved ? changes_of(records, record++, steps[a], order) : std::vector<float>(order.size() * 3, 0.0f));
+    }
+    out.push_back(changes);
+  }
+  return out;
+}
+
+Json still_targets(Glb& glb, std::size_t positions, std::size_t count) {
+  const std::size_t vertices = glb.json["accessors"][positions]["count"];
+  const Json still = {{kAttributes[0], add_changes(glb, std::vector<float>(vertices * 3, 0.0f))}};
+  return Json(count, still);
+}
+
+}  // namespace marrow::tools
