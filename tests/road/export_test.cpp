@@ -75,7 +75,7 @@ double worst_distance(const Reference& source, const std::vector<bool>& used, co
 
 TEST_P(Export, PosesAsItsSource) {
   const ExportedModel exported(GetParam(), true);
-  EXPECT_TRUE(exported.warnings.empty());
+  for (const std::string& warning : exported.warnings) EXPECT_NE(warning.find("--images embed"), std::string::npos);
   const Reference source(GetParam()), back(exported.path);
   ASSERT_EQ(source.rest().positions.size(), back.rest().positions.size());
   const std::vector<bool> used = used_vertices(exported.file);
@@ -93,7 +93,7 @@ TEST_P(Export, PosesAsItsSource) {
     }
     ++clip;
   }
-  EXPECT_EQ(clip, exported.file.clip_count());
+  EXPECT_EQ(clip, back.source().animations.size());
   EXPECT_LE(worst, kMostPosition);
   std::printf("%-28s %zu poses, position %8.2e\n", fs::path(GetParam()).stem().c_str(), poses, worst);
 }

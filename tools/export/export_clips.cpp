@@ -30,18 +30,21 @@ class ClipExport {
   ClipExport(ExportScene& scene, const Clip& clip)
       : scene_(scene), clip_(clip), skeleton_(scene.file.skeleton(clip.skeleton)) {}
 
-  void run() {
+  // Adds to an animation, which the clips of several skeletons may share.
+  void run(Json& animation) {
     add_tracks();
     if (clip_.coded.frame_count > 0) add_coded();
     add_weights();
     add_channels();
     if (longest_s_ < clip_.duration_s || channels_.empty()) add_end();
-    Json animation = Json::object();
     if (*clip_.name != '\0') animation["name"] = clip_.name;
-    animation["channels"] = channels_;
-    animation["samplers"] = samplers_;
+    const std::size_t before = animation["samplers"].size();
+    for (Json& channel : channels_) {
+      channel["sampler"] = channel["sampler"].get<std::size_t>() + before;
+      animation["channels"].push_back(std::move(channel));
+    }
+    for (Json& sampler : samplers_) animation["samplers"].push_back(std::move(sampler));
     if (clip_.additive) animation["extras"] = {{"additive", reference()}};
-    scene_.glb.add("animations", animation);
   }
 
  private:
@@ -227,9 +230,20 @@ class ClipExport {
 }  // namespace
 
 void export_clips(ExportScene& scene) {
-  for (std::uint32_t i = 0; i < scene.file.clip_count(); ++i) {
-    const Clip clip = scene.file.clip(i);
-    ClipExport(scene, clip).run();
+  // The cooker makes a clip a skeleton of an animation, one after the other.
+  const std::uint32_t count = scene.file.clip_count();
+  for (std::uint32_t i = 0; i < count;) {
+    Json animation = {{"samplers", Json::array()}, {"channels", Json::array()}};
+    const Clip first = scene.file.clip(i);
+    std::uint32_t last = first.skeleton;
+    ClipExport(scene, first).run(animation);
+    for (++i; i < count; ++i) {
+      const Clip next = scene.file.clip(i);
+      if (std::strcmp(next.name, first.name) != 0 || next.skeleton <= last || next.additive != first.additive) break;
+      last = next.skeleton;
+      ClipExport(scene, next).run(animation);
+    }
+    scene.glb.add("animations", animation);
   }
 }
 

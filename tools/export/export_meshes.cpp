@@ -7,6 +7,7 @@
 
 #include "common/failure.h"
 #include "export/affine_parts.h"
+#include "export/export_looks.h"
 #include "export/export_parts.h"
 #include "export/export_targets.h"
 #include "export/export_vertices.h"
@@ -68,7 +69,7 @@ std::optional<std::string> owner_of(const std::vector<PartTarget>& targets) {
 
 class Meshes {
  public:
-  explicit Meshes(ExportScene& scene) : scene_(scene) {}
+  explicit Meshes(ExportScene& scene) : scene_(scene), looks_(scene) {}
 
   void run() {
     for (std::uint32_t i = 0; i < scene_.file.mesh_count(); ++i) add(i, scene_.file.mesh(i));
@@ -155,10 +156,13 @@ class Meshes {
     Json m = Json::object();
     if (*mesh.material != '\0') m["name"] = mesh.material;
     const std::vector<float> colour(mesh.base_colour, mesh.base_colour + 4);
-    if (m.empty() && !mesh.double_sided && colour == std::vector<float>{1, 1, 1, 1}) return std::nullopt;
+    if (m.empty() && mesh.material_index == kNoMaterial && !mesh.double_sided &&
+        colour == std::vector<float>{1, 1, 1, 1})
+      return std::nullopt;
     // What a cooked file does not say of a surface is that of plain paint.
     m["pbrMetallicRoughness"] = {{"baseColorFactor", numbers(colour)}, {"metallicFactor", 0}};
     if (mesh.double_sided) m["doubleSided"] = true;
+    looks_.add_to(m, mesh);
     return once("materials", m);
   }
 
@@ -265,6 +269,7 @@ class Meshes {
   }
 
   ExportScene& scene_;
+  Looks looks_;
   std::optional<Part> part_;
   std::vector<Skin> skins_;
   std::map<std::uint32_t, Json> vertices_;                                        // a geometry

@@ -1,5 +1,6 @@
 // The steps one after the other.
 #include "export/export.h"
+#include "export/export_looks.h"
 #include "export/export_parts.h"
 
 namespace marrow::tools {
@@ -20,8 +21,7 @@ Exported export_file(const File& file, const std::string& name) {
   export_skeletons(scene);
   export_meshes(scene);
   export_clips(scene);
-  if (file.node_count() > 0)
-    scene.warnings.push_back(std::to_string(file.node_count()) + " kept nodes and their properties are left out");
+  export_nodes(scene);
   scene.glb.add("scenes", {{"nodes", scene.roots}});
   return {scene.glb.finish(name), std::move(scene.warnings)};
 }
