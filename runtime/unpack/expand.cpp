@@ -192,13 +192,12 @@ class TargetWriter {
  public:
   TargetWriter(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l) : mesh_(mesh), a_(a), l_(l) {
     header_.target_count = mesh.target_count;
-    std::uint32_t first = first_target_stream();
-    for (std::uint32_t t = 0; t < mesh.target_count; ++t) {
-      const std::uint32_t end = end_of(first, t), blocks = count_blocks(first, end);
-      header_.block_count += blocks;
-      header_.record_count += blocks * (end - first);
-      first = end;
-    }
+    for_each_target([&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
+      for_each_moved(first, end, [&](std::uint32_t, const std::uint32_t(&)[4]) {
+        ++header_.block_count;
+        header_.record_count += end - first;
+      });
+    });
   }
 
   std::uint64_t bytes() const { return mesh_.target_count == 0 ? l_.bytes : layout(header_, l_).bytes; }
@@ -208,46 +207,56 @@ class TargetWriter {
     const format::MorphLayout l = layout(header_, l_);
     std::memset(base + l_.bytes, 0, static_cast<std::size_t>(l.header - l_.bytes));
     std::memcpy(base + l.header, &header_, sizeof header_);
-    std::uint32_t block = 0, record = 0, first = first_target_stream();
-    for (std::uint32_t t = 0; t < mesh_.target_count; ++t) {
-      const std::uint32_t end = end_of(first, t);
+    std::uint32_t block = 0, record = 0;
+    for_each_target([&](std::uint32_t t, std::uint32_t first, std::uint32_t end) {
       MorphTarget target{};
       target.first_block = block;
       target.first_record = record;
-      std::uint32_t index = 0;
-      for_each_block(
-          mesh_, a_, [](std::uint32_t, std::uint32_t, std::uint32_t) {},
-          [&](const std::uint32_t(&v)[4], std::uint32_t) {
-            if (moves(first, end, v)) {
-              l_.index_bytes == 2 ? at<std::uint16_t>(base, l.blocks)[block] = static_cast<std::uint16_t>(index)
-                                  : at<std::uint32_t>(base, l.blocks)[block] = index;
-              ++block;
-              for (std::uint32_t s = first; s < end; ++s)
-                write_record(mesh_.streams[s], v, at<std::int16_t>(base, l.records) + std::size_t{12} * record++);
-            }
-            ++index;
-          });
+      for_each_moved(first, end, [&](std::uint32_t index, const std::uint32_t(&v)[4]) {
+        l_.index_bytes == 2 ? at<std::uint16_t>(base, l.blocks)[block] = static_cast<std::uint16_t>(index)
+                            : at<std::uint32_t>(base, l.blocks)[block] = index;
+        ++block;
+        for (std::uint32_t s = first; s < end; ++s)
+          write_record(mesh_.streams[s], v, at<std::int16_t>(base, l.records) + std::size_t{12} * record++);
+      });
       target.block_count = block - target.first_block;
+      float* const steps[] = {&target.position_step, &target.normal_step, &target.tangent_step};
       for (std::uint32_t s = first; s < end && target.block_count > 0; ++s) {
-        const Stream& stream = mesh_.streams[s];
-        target.attributes |= 1u << stream.attribute;
-        (&target.position_step)[stream.attribute] = stream.step;
+        target.attributes |= 1u << mesh_.streams[s].attribute;
+        *steps[mesh_.streams[s].attribute] = mesh_.streams[s].step;
       }
       std::memcpy(base + l.targets + t * sizeof target, &target, sizeof target);
+    });
+  }
+
+ private:
+  // Calls f(target, its first stream, the one behind its last).
+  template <class F>
+  void for_each_target(const F& f) const {
+    std::uint32_t first = 0;
+    while (first < mesh_.stream_count && mesh_.streams[first].kind != StreamKind::target) ++first;
+    for (std::uint32_t t = 0; t < mesh_.target_count; ++t) {
+      std::uint32_t end = first;
+      while (end < mesh_.stream_count && mesh_.streams[end].target == t) ++end;
+      f(t, first, end);
       first = end;
     }
   }
 
- private:
-  std::uint32_t first_target_stream() const {
-    std::uint32_t i = 0;
-    while (i < mesh_.stream_count && mesh_.streams[i].kind != StreamKind::target) ++i;
-    return i;
+  // Calls f(block, its vertices) for the blocks that the streams move. A target without streams, which takes a byte of
+  // a file, takes no pass over the vertices.
+  template <class F>
+  void for_each_moved(std::uint32_t first, std::uint32_t end, const F& f) const {
+    if (first == end) return;
+    std::uint32_t block = 0;
+    for_each_block(
+        mesh_, a_, [](std::uint32_t, std::uint32_t, std::uint32_t) {},
+        [&](const std::uint32_t(&v)[4], std::uint32_t) {
+          if (moves(first, end, v)) f(block, v);
+          ++block;
+        });
   }
-  std::uint32_t end_of(std::uint32_t first, std::uint32_t target) const {
-    while (first < mesh_.stream_count && mesh_.streams[first].target == target) ++first;
-    return first;
-  }
+
   static std::int32_t nothing(const Stream& s) { return 1 << (s.bits - 1); }
 
   bool moves(std::uint32_t first, std::uint32_t end, const std::uint32_t (&v)[4]) const {
@@ -258,13 +267,6 @@ class TargetWriter {
           if (s.values[std::size_t{vertex} * 3 + c] != nothing(s)) return true;
     }
     return false;
-  }
-  std::uint32_t count_blocks(std::uint32_t first, std::uint32_t end) const {
-    std::uint32_t count = 0;
-    for_each_block(
-        mesh_, a_, [](std::uint32_t, std::uint32_t, std::uint32_t) {},
-        [&](const std::uint32_t(&v)[4], std::uint32_t) { count += moves(first, end, v) ? 1u : 0u; });
-    return count;
   }
   static void write_record(const Stream& s, const std::uint32_t (&v)[4], std::int16_t* out) {
     for (std::uint32_t c = 0; c < 3; ++c)

@@ -12,6 +12,7 @@
 #include "marrow/unpack.h"
 #include "support/aligned.h"
 #include "support/golden.h"
+#include "unpack/geometry.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -181,6 +182,72 @@ TEST(Unpack, GivesBlocksByHand) {
   for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(static_cast<const std::uint16_t*>(g.indices)[i], indices[i]) << i;
   EXPECT_EQ(g.box_min[0], -1);
   EXPECT_EQ(g.box_max[2], 9.5f);
+}
+
+// The fan with two morph targets: the first lifts vertex 3 by a half and lowers vertex 4 by a quarter, the second
+// nothing.
+std::vector<std::byte> morphed_fan(std::uint32_t targets) {
+  Bytes b;
+  b.u8(format::kHasNormals | format::kHasUvs | format::kHasMorphTargets).u8(5).u8(3).u8(3).u8(2);
+  for (; targets >= 0x80; targets >>= 7) b.u8((targets & 0x7F) | 0x80);
+  b.u8(targets);
+  return b.all;
+}
+
+std::vector<std::byte> fan_with_targets(std::uint32_t targets) {
+  const std::vector<std::byte> fan = fan_record();
+  constexpr std::size_t kCounts = 5, kQuantisation = 1 + 16 + 1 + 1 + 12 + 1;
+  Bytes b;
+  b.add(morphed_fan(targets));
+  b.add({fan.begin() + kCounts, fan.begin() + kCounts + kQuantisation});
+  b.u8(kMorphsPositions).u8(4).f32(0.25f);  // 4 bits: 8 is nothing
+  for (std::uint32_t t = 1; t < targets; ++t) b.u8(0);
+  b.add({fan.begin() + kCounts + kQuantisation, fan.end()});
+  b.numbers({8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 10, 8, 8, 7, 8});
+  return b.all;
+}
+
+// What unpacking makes of a record alone.
+const char* expand(const std::vector<std::byte>& record, std::vector<float>& out, std::uint32_t& bytes) {
+  std::vector<float> scratch(65536);
+  out.assign(1 << 20, 0.0f);
+  return unpack_geometry({record.data(), record.size()}, kPlainDecoder[0],
+                         {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4},
+                         {reinterpret_cast<std::byte*>(out.data()), out.size() * 4}, bytes);
+}
+
+TEST(Unpack, GivesMorphTargetsByHand) {
+  std::vector<float> memory;
+  std::uint32_t bytes = 0;
+  ASSERT_EQ(expand(fan_with_targets(2), memory, bytes), nullptr);
+  const auto* const base = reinterpret_cast<const std::byte*>(memory.data());
+  format::GeometryHeader g;
+  std::memcpy(&g, base, sizeof g);
+  format::MorphHeader h;
+  std::memcpy(&h, base + format::morph_start(layout(g)), sizeof h);
+  EXPECT_EQ(h.target_count, 2u);
+  EXPECT_EQ(h.block_count, 2u);
+  EXPECT_EQ(h.record_count, 2u);
+  const format::MorphLayout l = layout(h, layout(g));
+  EXPECT_EQ(bytes, l.bytes);
+  const auto* const targets = reinterpret_cast<const MorphTarget*>(base + l.targets);
+  EXPECT_EQ(targets[0].attributes, std::uint32_t{kMorphsPositions});
+  EXPECT_EQ(targets[0].position_step, 0.25f);
+  EXPECT_EQ(targets[1].block_count + targets[1].attributes, 0u);
+  const auto* const blocks = reinterpret_cast<const std::uint16_t*>(base + l.blocks);
+  EXPECT_EQ(blocks[0], 0) << "vertex 4 in slot 2, and again in slot 3";
+  EXPECT_EQ(blocks[1], 1) << "vertex 3 in slots 5 to 7";
+  const std::int16_t records[] = {0, 0, 0, 0, 0, 0, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, 0, 0, 0, 0};
+  for (std::size_t i = 0; i < 24; ++i)
+    EXPECT_EQ(reinterpret_cast<const std::int16_t*>(base + l.records)[i], records[i]) << i;
+}
+
+TEST(Unpack, ManyEmptyTargetsCostNothing) {
+  std::vector<float> memory;
+  std::uint32_t bytes = 0;
+  // Scratch memory for their streams is claimed, so a file must at least claim to need it.
+  EXPECT_STREQ(expand(fan_with_targets(60000), memory, bytes), "memory_bytes too small");
+  EXPECT_EQ(expand(fan_with_targets(1000), memory, bytes), nullptr);
 }
 
 TEST(Unpack, SaysWhatItLacks) {
