@@ -1,0 +1,138 @@
+// Rules of GEOM and MESH sections.
+#include "asset/checker.h"
+
+namespace marrow {
+
+using format::layout;
+
+template <class Index>
+bool Checker::below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule) {
+  Index largest = 0;
+  for (std::uint64_t i = 0; i < count; ++i) largest = first[i] > largest ? first[i] : largest;
+  return count == 0 || largest < limit || fail(first, rule);
+}
+
+bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets) {
+  std::uint64_t vertices = 0, blocks = 0, influence_blocks = 0, entries = 0;
+  for (std::uint32_t r = 0; r < h.run_count; ++r) {
+    const Run& run = runs[r];
+    if (run.vertex_count == 0) return fail(&run, "a run has vertices");
+    if (run.influences == 0 || run.influences > kMaxInfluences) return fail(&run, "1 to 8 influences");
+    const std::uint64_t run_blocks = (std::uint64_t{run.vertex_count} + 3) / 4;
+    vertices += run.vertex_count;
+    blocks += run_blocks;
+    influence_blocks += run_blocks * run.influences;
+    entries += run.influences;
+  }
+  if (vertices != h.vertex_count || blocks != h.block_count || influence_blocks != h.influence_blocks ||
+      entries != h.set_count)
+    return fail(&h, "runs do not add up to the geometry's counts");
+  return below(sets, h.set_count, h.joint_count, "a set refers to a joint outside the palette");
+}
+
+// Each moves some blocks, in ascending order, and adds to what the geometry has; lists and records stand back to back.
+bool Checker::morphs(const File::Section& s, const format::GeometryHeader& g) {
+  const auto* h = at<format::MorphHeader>(s, format::morph_start(layout(g)));
+  const format::MorphLayout l = layout(*h, layout(g));
+  if (h->target_count == 0) return fail(h, "a flag without morph targets");
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  const std::uint32_t allowed = kMorphsPositions | ((g.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
+                                ((g.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
+  std::uint64_t blocks = 0, records = 0;
+  for (const MorphTarget& t : Span<const MorphTarget>{at<MorphTarget>(s, l.targets), h->target_count}) {
+    if ((t.attributes & ~allowed) != 0) return fail(&t.attributes, "a target moves what the geometry has");
+    if ((t.attributes == 0) != (t.block_count == 0)) return fail(&t.attributes, "what moves has blocks");
+    if (t.first_block != blocks || t.first_record != records) return fail(&t, "targets stand back to back");
+    if (t.reserved != 0) return fail(&t.reserved, "reserved must be 0");
+    if (!finite(&t.position_step, 12)) return false;
+    blocks += t.block_count;
+    records += std::uint64_t{t.block_count} * count_bits(t.attributes);
+    if (blocks > h->block_count || records > h->record_count) return fail(&t, "a target outside the records");
+    const std::uint64_t first = l.blocks + std::uint64_t{t.first_block} * layout(g).index_bytes;
+    const bool good = layout(g).index_bytes == 2 ? morph_blocks(at<std::uint16_t>(s, first), t, g.block_count)
+                                                 : morph_blocks(at<std::uint32_t>(s, first), t, g.block_count);
+    if (!good) return false;
+  }
+  return (blocks == h->block_count && records == h->record_count) || fail(h, "records that no target uses");
+}
+
+template <class Index>
+bool Checker::morph_blocks(const Index* blocks, const MorphTarget& t, std::uint32_t block_count) {
+  for (std::uint32_t i = 1; i < t.block_count; ++i)
+    if (blocks[i - 1] >= blocks[i]) return fail(blocks + i, "a target's blocks ascend");
+  return t.block_count == 0 || blocks[t.block_count - 1] < block_count ||
+         fail(blocks + t.block_count - 1, "a target's block outside the vertices");
+}
+
+// The header, if the section is as long as its counts say; else null.
+const format::GeometryHeader* Checker::geometry_header(const File::Section& s) {
+  if (s.codec != format::kCodecRaw) {
+    error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
+    return nullptr;
+  }
+  const auto* h = at<format::GeometryHeader>(s, 0);
+  if (s.bytes < sizeof *h) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
+  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
+  if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences"), nullptr;
+  const format::GeometryLayout l = layout(*h);
+  std::uint64_t bytes = l.bytes;
+  if ((h->flags & format::kHasMorphTargets) != 0) {
+    const std::uint64_t start = format::morph_start(l);
+    bytes = start + sizeof(format::MorphHeader);
+    if (bytes <= s.bytes) bytes = layout(*at<format::MorphHeader>(s, start), l).bytes;
+  }
+  return bytes == s.bytes ? h : (fail(h, "section size differs from its counts"), nullptr);
+}
+
+bool Checker::geometry(const File::Section& s) {
+  const auto* h = geometry_header(s);
+  if (h == nullptr) return false;
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if ((h->flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return fail(&h->flags, "unknown flag");
+  if (h->block_count > 0x3FFFFFFF) return fail(&h->block_count, "too many vertices");
+  if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 palette entries");
+  if (h->index_count % 3 != 0) return fail(&h->index_count, "three indices a triangle");
+  if ((h->flags & format::kHasSourceSlots) == 0 && h->source_vertex_count != 0)
+    return fail(&h->source_vertex_count, "source vertices without slots");
+  const format::GeometryLayout l = layout(*h);
+  const std::uint64_t slots = std::uint64_t{h->block_count} * 4;
+  const bool indices_fit =
+      l.index_bytes == 2
+          ? below(at<std::uint16_t>(s, l.indices), h->index_count, slots, "an index outside the vertices")
+          : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
+  return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
+         source_slots(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots) && finite(h->box_min, 24) &&
+         finite(at<float>(s, l.skin), l.colours - l.skin) &&
+         ((h->flags & format::kHasMorphTargets) == 0 || morphs(s, *h));
+}
+
+bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots) {
+  for (std::uint64_t i = 0; i < count; ++i)
+    if (first[i] >= slots && first[i] != kNoSlot) return fail(first + i, "a slot outside the vertices");
+  return true;
+}
+
+bool Checker::mesh(const File::Section& s) {
+  const auto* h = header<format::MeshHeader>(s);
+  if (h == nullptr) return false;
+  if (h->material_section > counts_[format::kMaterials]) return fail(&h->material_section, "no such material");
+  if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
+  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
+  if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
+  const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  const File::Section& of_geometry = nth(format::kGeometries, h->geometry);
+  const auto* geometry = at<format::GeometryHeader>(of_geometry, 0);
+  if (h->joint_count != geometry->joint_count) return fail(&h->joint_count, "as many joints as the geometry");
+  const std::uint64_t morphs = format::morph_start(layout(*geometry));
+  const bool has_targets = (geometry->flags & format::kHasMorphTargets) != 0;
+  if (h->target_count != (has_targets ? at<format::MorphHeader>(of_geometry, morphs)->target_count : 0u))
+    return fail(&h->target_count, "as many morph targets as the geometry");
+  const format::MeshLayout l = layout(*h);
+  for (const MeshTarget& t : Span<const MeshTarget>{at<MeshTarget>(s, l.targets), h->target_count})
+    if (!name(t.name) || !name(t.channel) || !finite(&t.weight, 4)) return false;
+  return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
+         finite(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&
+         below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");
+}
+
+}  // namespace marrow

@@ -1,0 +1,93 @@
+// The rules of docs/format.md, section by section; validate.cpp goes through a block with them.
+#pragma once
+
+#include <cstring>
+
+#include "asset/format.h"
+
+namespace marrow {
+
+// A block under examination: the first broken rule is kept with its place.
+class Checker {
+ public:
+  // first, counts: for each kind of section, its first one and how many there are.
+  Checker(Span<const std::byte> block, Span<const File::Section> sections, const std::uint32_t* first,
+          const std::uint32_t* counts)
+      : block_(block), sections_(sections), first_(first), counts_(counts) {}
+
+  bool all();
+  const DataError& error() const { return error_; }
+
+ private:
+  bool fail(const void* where, const char* rule) {
+    const auto offset = static_cast<const std::byte*>(where) - block_.data;
+    error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
+    return false;
+  }
+  template <class Header>
+  const Header* header(const File::Section& s) {
+    if (s.codec != format::kCodecRaw) {
+      error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
+      return nullptr;
+    }
+    if (s.bytes < sizeof(Header)) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
+    const auto* h = reinterpret_cast<const Header*>(block_.data + s.offset);
+    if (format::layout(*h).bytes != s.bytes) return fail(h, "section size differs from its counts"), nullptr;
+    return h;
+  }
+  template <class T>
+  const T* at(const File::Section& s, std::uint64_t offset) const {
+    return reinterpret_cast<const T*>(block_.data + s.offset + offset);
+  }
+
+  bool name(const std::uint32_t& n) {
+    return n < sections_[sections_.size - 1].bytes || fail(&n, "name outside the name section");
+  }
+  bool finite(const void* first, std::uint64_t bytes);
+  bool names(const File::Section& s);
+  bool skeleton(const File::Section& s);
+  bool reference(const File::Section& s);
+  bool joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
+              std::uint32_t root_count);
+  std::uint32_t joint_count_of(const format::ClipHeader& h) const;
+  bool clip(const File::Section& s);
+  bool clip_header(const File::Section& s);
+  bool tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count);
+  template <class Keyed>
+  bool keys(const format::ClipHeader& h, const Keyed& t, std::uint32_t floats_per_key);
+  bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
+  bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
+  bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
+  bool segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l);
+  bool geometry(const File::Section& s);
+  const format::GeometryHeader* geometry_header(const File::Section& s);
+  bool morphs(const File::Section& s, const format::GeometryHeader& h);
+  template <class Index>
+  bool morph_blocks(const Index* blocks, const MorphTarget& t, std::uint32_t block_count);
+  bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
+  template <class Index>
+  bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
+  bool source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots);
+  bool mesh(const File::Section& s);
+  bool material(const File::Section& s);
+  bool texture(const Texture& t, std::uint32_t& roles);
+  bool image(const File::Section& s);
+  bool node(const File::Section& s);
+  bool property(const Property& p);
+
+  const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
+
+  Span<const std::byte> block_;
+  Span<const File::Section> sections_;
+  const std::uint32_t* first_;
+  const std::uint32_t* counts_;
+  DataError error_;
+};
+
+inline std::uint32_t count_bits(std::uint32_t bits) {
+  std::uint32_t count = 0;
+  for (; bits != 0; bits &= bits - 1) ++count;
+  return count;
+}
+
+}  // namespace marrow
