@@ -1,5 +1,6 @@
 #include "cook/cook.h"
 
+#include "common/section_names.h"
 #include "cook/gltf/read.h"
 #include "cook/report.h"
 #include "cook/write.h"
@@ -9,21 +10,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string type_name(std::uint32_t type) {
-  std::string name;
-  for (int i = 0; i < 4; ++i) name += static_cast<char>(type >> (8 * i) & 0xFF);
-  return name;
-}
-
 ordered_json report_sections(const WrittenFile& written) {
   ordered_json out = ordered_json::array();
   for (const WrittenFile::Part& part : written.sections)
-    out.push_back({{"type", type_name(part.type)}, {"bytes", part.bytes}});
+    out.push_back({{"type", tools::section_name(part.type)}, {"bytes", part.bytes}});
   return out;
-}
-
-const char* codec_name(std::uint8_t codec) {
-  return codec == packed::kDraco ? "draco" : codec == packed::kMeshopt ? "meshopt" : "none";
 }
 
 // A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
@@ -42,7 +33,7 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"triangles", h.index_count / 3},
                    {"influences", geometry.influences},
                    {"joints", mesh.joints.size()},
-                   {"codec", codec_name(geometry.codec)},
+                   {"codec", tools::mesh_codec_name(geometry.codec)},
                    {"bytes", bytes},
                    {"max_position_error_m", geometry.error.position_m},
                    {"max_normal_error_deg", geometry.error.normal_deg},

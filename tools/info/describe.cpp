@@ -7,27 +7,21 @@
 
 #include <fmt/format.h>
 
+#include "common/section_names.h"
 #include "info/looks.h"
 #include "marrow/clip_pack.h"
 #include "pose/evaluate.h"
-#include "unpack/packed.h"
 
 namespace marrow::tools {
 namespace {
 
 using nlohmann::ordered_json;
 
-std::string type_name(std::uint32_t type) {
-  std::string name;
-  for (int i = 0; i < 4; ++i) name += static_cast<char>(type >> (8 * i) & 0xFF);
-  return name;
-}
-
 // The sections of one type, in their order.
 std::vector<File::Section> sections_of(const LoadedFile& loaded, const char* type) {
   std::vector<File::Section> out;
   for (const File::Section& s : loaded.stored)
-    if (type_name(s.type) == type) out.push_back(s);
+    if (section_name(s.type) == type) out.push_back(s);
   return out;
 }
 
@@ -65,10 +59,6 @@ double diagonal(const Character& character, std::uint32_t skeleton) {
   return std::sqrt(squared);
 }
 
-const char* codec_name(std::uint32_t codec) {
-  return codec == packed::kDraco ? "draco" : codec == packed::kMeshopt ? "meshopt" : "none";
-}
-
 ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File::Section& geometry,
                            bool first_of_geometry) {
   std::uint32_t influences = 0;
@@ -93,7 +83,7 @@ ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File:
           {"targets", g.targets.size},
           {"source_order", !g.source_slots.empty()},
           {"geometry", mesh.geometry_index},
-          {"codec", codec_name(geometry.codec)},
+          {"codec", mesh_codec_name(geometry.codec)},
           {"bytes", mesh_bytes + (first_of_geometry ? geometry.bytes : 0)},
           {"bytes_per_vertex", static_cast<double>(geometry.bytes) / g.vertex_count}};
 }
@@ -112,7 +102,7 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
   r["sections"] = ordered_json::array();
   for (const File::Section& s : loaded.stored)
     r["sections"].push_back(
-        {{"type", type_name(s.type)}, {"offset", s.offset}, {"bytes", s.bytes}, {"codec", s.codec}});
+        {{"type", section_name(s.type)}, {"offset", s.offset}, {"bytes", s.bytes}, {"codec", s.codec}});
   const std::vector<File::Section> skeletons = sections_of(loaded, "SKEL"), clips = sections_of(loaded, "CLIP"),
                                    meshes = sections_of(loaded, "MESH"), geometries = sections_of(loaded, "GEOM");
   r["skeletons"] = ordered_json::array();
