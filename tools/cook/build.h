@@ -85,7 +85,8 @@ struct AdditiveReference {
 std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules,
                                                    std::vector<RawWarning>& warnings);
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
-// One primitive's vertices: quantised, welded, in an order that GPUs like, encoded, decoded again.
+// One primitive's vertices: quantised, welded, in an order that GPUs like, encoded, decoded again. Throws
+// tools::Failure (internal), without a place, if that is not what was encoded.
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                              std::size_t joint_count, const MeshGrid& grid, const CookOptions& options);
 // Of meshes built before.

@@ -144,11 +144,16 @@ bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
 }
 
 // On all cores; returns for each task which geometry it has become, of those that differ.
-std::vector<std::uint32_t> build_geometries(const std::vector<Task>& tasks, const CookOptions& options,
-                                            BuiltScene& out) {
+std::vector<std::uint32_t> build_geometries(const std::string& source, const std::vector<Task>& tasks,
+                                            const CookOptions& options, BuiltScene& out) {
   std::vector<BuiltGeometry> built(tasks.size());
   tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
-    built[i] = build_geometry(*tasks[i].primitive, tasks[i].bindings, tasks[i].joint_count, tasks[i].grid, options);
+    const Task& task = tasks[i];
+    try {
+      built[i] = build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, options);
+    } catch (const tools::Failure& failure) {
+      throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
+    }
   });
   std::vector<std::uint32_t> number;
   for (BuiltGeometry& geometry : built) {
@@ -208,7 +213,7 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
       out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skin, out));
     }
   }
-  const std::vector<std::uint32_t> geometries = build_geometries(tasks, options, out);
+  const std::vector<std::uint32_t> geometries = build_geometries(scene.source, tasks, options, out);
   for (BuiltMesh& mesh : out.meshes) {
     mesh.geometry = geometries[mesh.geometry];
     mesh.targets.resize(out.geometries[mesh.geometry].target_count);
