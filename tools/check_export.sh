@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Cooks and exports every model of MARROW_ASSETS and the project's own, raw and compressed, and runs the Khronos glTF
-# validator over what comes out; exit 1 if it finds errors, 3 if npm or the network is missing.
+# Cooks and exports every model of MARROW_ASSETS and the project's own, compressed with images inside and raw with images
+# beside, and runs the Khronos glTF validator over what comes out; exit 1 if it finds errors, 3 without npm or network.
 # usage: tools/check_export.sh MARROW      (the program; the folder of models is $MARROW_ASSETS or shared/assets beside)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,12 +16,17 @@ else
 fi
 count=0
 for model in "${models[@]}"; do
-  for options in "" "--keep-vertex-order --clip-codec raw"; do
+  for options in "--images embed" "--images reference --keep-vertex-order --clip-codec raw"; do
+    folder="$work/$count"
+    mkdir "$folder"
     # shellcheck disable=SC2086  # several words
-    "$marrow" cook "$model" -o "$work/$count.mrw" $options >/dev/null 2>&1 ||
+    "$marrow" cook "$model" -o "$folder/cooked.mrw" $options >/dev/null 2>&1 ||
       { echo "check_export: $model cannot be cooked" >&2; exit 1; }
-    "$marrow" export "$work/$count.mrw" -o "$work/$count.glb" || { echo "check_export: $model" >&2; exit 1; }
+    "$marrow" export "$folder/cooked.mrw" -o "$folder/$(basename "${model%.*}").glb" ||
+      { echo "check_export: $model" >&2; exit 1; }
+    # What the model names by reference lies beside it.
+    find "$(dirname "$model")" -mindepth 1 -maxdepth 1 ! -name '*.gl[bt]*' -exec ln -s {} "$folder" \;
     count=$((count + 1))
   done
 done
-"$here/tools/validate_gltf.sh" "$work"/*.glb
+"$here/tools/validate_gltf.sh" "$work"/*/*.glb

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the Khronos glTF validator over GLB files; exit 1 if one has errors, 3 if npm or the network is missing.
+# Runs the Khronos glTF validator over GLB files, and over the images beside them that they name; exit 1 if one has errors, 3 if npm or the network is missing.
 # usage: tools/validate_gltf.sh FILE.glb ...
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,11 +11,15 @@ if [ ! -d "$modules/node_modules/gltf-validator" ]; then
     { echo "validate_gltf: npm cannot be reached" >&2; exit 3; }
 fi
 NODE_PATH="$modules/node_modules" node -e '
-const fs = require("fs"), validator = require("gltf-validator");
+const fs = require("fs"), path = require("path"), validator = require("gltf-validator");
 (async () => {
   let errors = 0, warnings = 0;
   for (const file of process.argv.slice(1)) {
-    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), { maxIssues: 1000 });
+    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {
+      maxIssues: 1000,
+      externalResourceFunction: async (uri) =>
+        new Uint8Array(fs.readFileSync(path.join(path.dirname(file), decodeURIComponent(uri)))),
+    });
     const { numErrors, numWarnings, messages } = report.issues;
     errors += numErrors;
     warnings += numWarnings;
