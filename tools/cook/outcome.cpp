@@ -33,9 +33,9 @@ Counts counts_of(const ordered_json& r) {
 }
 
 constexpr std::size_t kColumns = 9;
-using Row = std::array<std::string, kColumns>;
+using TableRow = std::array<std::string, kColumns>;
 
-Row row_of(const std::string& name, const Counts& c, const std::string& seconds) {
+TableRow row_of(const std::string& name, const Counts& c, const std::string& seconds) {
   const double ratio = static_cast<double>(c.cooked) / static_cast<double>(std::max<std::uint64_t>(1, c.source));
   return {name,
           std::to_string(c.source),
@@ -48,11 +48,11 @@ Row row_of(const std::string& name, const Counts& c, const std::string& seconds)
           std::to_string(c.warnings)};
 }
 
-void print_rows(const std::vector<Row>& rows) {
+void print_rows(const std::vector<TableRow>& rows) {
   std::array<std::size_t, kColumns> widths{};
-  for (const Row& row : rows)
+  for (const TableRow& row : rows)
     for (std::size_t i = 0; i < kColumns; ++i) widths[i] = std::max(widths[i], row[i].size());
-  for (const Row& row : rows) {
+  for (const TableRow& row : rows) {
     std::string line = fmt::format("{:<{}}", row[0], widths[0]);
     for (std::size_t i = 1; i < kColumns; ++i) line += fmt::format("  {:>{}}", row[i], widths[i]);
     fmt::print("{}\n", line);
@@ -86,7 +86,7 @@ void print_summary(const CookJob& job, const Outcome& outcome) {
 }
 
 void print_table(const std::vector<CookJob>& jobs, const std::vector<Outcome>& outcomes, double seconds) {
-  std::vector<Row> rows = {
+  std::vector<TableRow> rows = {
       {"file", "source B", "cooked B", "ratio", "joints", "vertices", "clips", "seconds", "warnings"}};
   Counts sum;
   std::size_t from_cache = 0, failed = 0;

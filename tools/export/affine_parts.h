@@ -1,12 +1,17 @@
 // Affine maps as glTF's nodes can hold them: translation, rotation and scale, which have no shear.
 #pragma once
 
+#include <cstring>
 #include <vector>
 
 #include "export/glb.h"
 #include "marrow/pose.h"
 
 namespace marrow::tools {
+
+inline bool same(const Affine& a, const Affine& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 struct Parts {
   double translation[3] = {0, 0, 0};

@@ -21,7 +21,7 @@ const float (*lanes_of(const SoaTransform& four, Path path))[4] {
   return path == Path::translation ? four.translation : path == Path::rotation ? four.rotation : four.scale;
 }
 
-std::size_t parts_of(Path path) {
+std::size_t components_of(Path path) {
   return path == Path::rotation ? 4 : 3;
 }
 
@@ -78,7 +78,7 @@ class ClipExport {
       if (last_[{track.joint, track.path}] != &track) continue;
       const float* const t = clip_.times_s + track.first_time;
       const float* const v = clip_.values + track.first_value;
-      const std::size_t each = parts_of(track.path) * (track.interpolation == Interpolation::cubic_spline ? 3 : 1);
+      const std::size_t each = components_of(track.path) * (track.interpolation == Interpolation::cubic_spline ? 3 : 1);
       add_path(track.joint, track.path, {t, t + track.key_count}, {v, v + track.key_count * each}, track.interpolation);
     }
   }
@@ -121,7 +121,7 @@ class ClipExport {
       for (std::size_t c = 0; c < 4; ++c) dot += lanes[c][lane] * values[values.size() - 4 + c];
       sign = dot < 0 ? -1.0f : 1.0f;
     }
-    for (std::size_t c = 0; c < parts_of(path); ++c) values.push_back(sign * lanes[c][lane]);
+    for (std::size_t c = 0; c < components_of(path); ++c) values.push_back(sign * lanes[c][lane]);
   }
 
   void add_coded() {

@@ -1,5 +1,4 @@
 // Meshes become primitives of skinned meshes, or, bound to one joint, of meshes on a node below it.
-#include <cstring>
 #include <optional>
 
 #include <glm/mat4x4.hpp>
@@ -15,10 +14,6 @@
 
 namespace marrow::tools {
 namespace {
-
-bool same(const Affine& a, const Affine& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
 
 // Meshes share a skin as long as they agree on the inverse binds.
 struct Skin {

@@ -1,6 +1,5 @@
 // Skeletons become trees of nodes: the joints, and above the roots what never moves.
 #include <cmath>
-#include <cstring>
 
 #include "export/affine_parts.h"
 #include "export/export_parts.h"
@@ -40,10 +39,6 @@ std::size_t add_fixed(ExportScene& scene, const Affine& map, const std::string& 
     parent = scene.add_node(std::move(node), parent);
   }
   return parent;
-}
-
-bool same(const Affine& a, const Affine& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 // glTF wants the joints of a skin under one node, so several roots get one.
