@@ -23,6 +23,13 @@ inline f32x4 dot3(const BlockRow& row, const float* v) {
   return row.x * load_aligned(v) + row.y * load_aligned(v + 4) + row.z * load_aligned(v + 8);
 }
 
+// Whether kernels are also made for fixed numbers of influences, whose loops unroll: not where code is to be small.
+#ifdef __OPTIMIZE_SIZE__
+inline constexpr bool kUnrolled = false;
+#else
+inline constexpr bool kUnrolled = true;
+#endif
+
 // What a kernel writes beside positions.
 enum class Directions { none, blended_normals, blended_tangents, exact_normals, exact_tangents };
 

@@ -11,7 +11,7 @@ struct Ssd {
     JointSet joints;
     load_joint_set(set, influences, palette, joints);
     if (influences == 1) return blend<D, 1>(joints, influences, blocks, at);
-    if constexpr (!is_exact(D)) {  // there the loop over joints is a small part of the work
+    if constexpr (kUnrolled && !is_exact(D)) {  // there the loop over joints is a small part of the work
       if (influences == 2) return blend<D, 2>(joints, influences, blocks, at);
       if (influences == 3) return blend<D, 3>(joints, influences, blocks, at);
       if (influences == 4) return blend<D, 4>(joints, influences, blocks, at);
