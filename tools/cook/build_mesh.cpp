@@ -8,7 +8,6 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/build.h"
-#include "cook/normals.h"
 
 namespace marrow::cook {
 namespace {
@@ -122,11 +121,6 @@ struct Task {
 
 Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const std::vector<int>& joint_of_node,
                      Task& task) {
-  if (primitive.normals.empty()) {
-    generate_normals(primitive);
-    generate_target_normals(primitive);
-    warn(scene, primitive.pointer, "normals-generated", "the file has no normals; smooth ones are computed");
-  }
   Bound bound;
   if (skin != kNone) {
     bound.palette =

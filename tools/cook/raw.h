@@ -143,7 +143,7 @@ struct RawClip {
 
 struct RawWarning {
   std::string pointer;  // JSON pointer into the source
-  std::string rule;     // short, kebab-case: "normals-generated"
+  std::string rule;     // short, kebab-case: "weights-zero"
   std::string text;     // one sentence
 };
 
