@@ -102,7 +102,7 @@ bool Checker::segments(const File::Section& s, const format::CodedHeader& h, con
 bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count) {
   const auto* h = at<format::CodedHeader>(s, start);
   if (s.bytes - start < sizeof *h) return fail(block_.data + s.offset, "section too short for its header");
-  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (h->time_count != 0 && h->time_count != h->frame_count) return fail(&h->time_count, "a time a frame or none");
   if (h->frame_count < 2 || h->frame_count > format::kMaxFrames) return fail(h, "2 to 16777216 frames");
   if (h->segment_intervals == 0) return fail(&h->segment_intervals, "a segment has intervals");
   if (!finite(&h->start_s, 8)) return false;
@@ -110,6 +110,11 @@ bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t j
   if (h->payload_bytes < format::kPayloadPadding) return fail(&h->payload_bytes, "payload without padding");
   const format::CodedLayout l = layout(*h, start, joint_count);
   if (l.bytes != s.bytes) return fail(h, "section size differs from its counts");
+  const auto* times = at<float>(s, l.times);
+  if (!finite(times, l.offsets - l.times)) return false;
+  if (h->time_count > 0 && times[0] != h->start_s) return fail(times, "frame 0 at start_s");
+  for (std::uint32_t i = 1; i < h->time_count; ++i)
+    if (!(times[i - 1] < times[i])) return fail(times + i, "times must increase");
   const auto* groups = at<GroupMasks>(s, l.masks);
   return masks(*h, groups, joint_count) && constants(groups, at<format::Constant>(s, l.constants), joint_count) &&
          segments(s, *h, l);

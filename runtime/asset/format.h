@@ -85,11 +85,11 @@ struct CodedHeader {
   std::uint32_t frame_count;        // 2 … kMaxFrames
   std::uint32_t segment_intervals;  // ≥ 1
   float start_s;                    // of frame 0
-  float frames_per_s;
+  float frames_per_s;               // of uneven ones the mean
   std::uint32_t track_count;     // Σ bits of the masks of moving sub-tracks
   std::uint32_t constant_count;  // Σ bits of the masks of constant ones
   std::uint32_t payload_bytes;   // kPayloadPadding included
-  std::uint32_t reserved;        // 0
+  std::uint32_t time_count;      // 0: frames at even steps; else frame_count
 };
 static_assert(sizeof(CodedHeader) == 32);
 
@@ -247,12 +247,13 @@ constexpr std::uint32_t segment_count(const CodedHeader& h) {
 
 // Behind the raw tracks of a coded clip, on a boundary of four bytes.
 struct CodedLayout {
-  std::uint64_t header, offsets, masks, constants, payload, bytes;
+  std::uint64_t header, times, offsets, masks, constants, payload, bytes;
 };
 constexpr CodedLayout layout(const CodedHeader& h, std::uint64_t start, std::uint32_t joint_count) {
   CodedLayout l{};
   l.header = start;
-  l.offsets = l.header + sizeof(CodedHeader);
+  l.times = l.header + sizeof(CodedHeader);
+  l.offsets = l.times + std::uint64_t{h.time_count} * 4;
   l.masks = l.offsets + std::uint64_t{segment_count(h)} * 4;
   l.constants = l.masks + (std::uint64_t{joint_count} + 3) / 4 * sizeof(GroupMasks);
   l.payload = l.constants + std::uint64_t{h.constant_count} * sizeof(Constant);

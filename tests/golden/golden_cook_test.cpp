@@ -29,6 +29,7 @@ void expect_golden(const cook::CookResult& cooked, const test::AlignedBlock& gol
 TEST(GoldenCook, GivesTheGoldenBytes) {
   expect_golden(cook_file("tiny.gltf", true), test::golden_copy());
   expect_golden(cook_file("dance.gltf", false), test::golden_coded_copy());
+  expect_golden(cook_file("stride.gltf", false), test::golden_uneven_copy());
   expect_golden(cook_file("face.gltf", false, {{"speak", "first"}}), test::golden_channels_copy());
   cook::CookOptions pack;
   pack.clips_only = true;

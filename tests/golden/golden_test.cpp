@@ -1,5 +1,6 @@
 // Files of every version of the format keep loading and keep their shape: today's loader on the golden file of
 // version 1.
+#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -124,6 +125,29 @@ TEST_F(Golden, PosesAsTheSpecificationSays) {
     }
   }
   EXPECT_EQ(cases, 50);
+}
+
+// stride.gltf's keys, and straight lines between them: at a key, on the way, in the long gap, before and behind.
+TEST(GoldenStride, FramesAtUnevenTimes) {
+  const test::AlignedBlock block = test::golden_uneven_copy();
+  File file;
+  ASSERT_EQ(load(block, file), Status::ok);
+  const Clip clip = file.clip(0);
+  ASSERT_EQ(clip.coded.frame_count, 7u);
+  EXPECT_EQ(clip.coded.time_of(4), 1.0833334f);
+  struct Moment {
+    float time_s, hips_x, knee_degrees;
+  };
+  const Moment moments[] = {{-1, 0, 0},        {0, 0, 0},        {0.125f, 0.5f, 15},      {0.25f, 1, 30},
+                            {0.75f, 2, 20},    {0.8333333f, 1.25f, 10}, {1.0f, -0.25f, -10}, {1.0833334f, -1, -20},
+                            {1.3333334f, 1, -50}, {1.4583334f, 0.5f, -25}, {1.5833334f, 0, 0}, {9, 0, 0}};
+  for (const Moment& m : moments) {
+    SoaTransform local;
+    ASSERT_EQ(sample(file.skeleton(0), clip, m.time_s, {&local, 1}), Status::ok);
+    EXPECT_NEAR(local.translation[0][0], m.hips_x, 1e-4) << m.time_s;
+    EXPECT_NEAR(local.rotation[0][1], std::sin(m.knee_degrees * 3.14159265f / 360), 1e-3) << m.time_s;
+    EXPECT_NEAR(local.rotation[3][1], std::cos(m.knee_degrees * 3.14159265f / 360), 1e-3) << m.time_s;
+  }
 }
 
 }  // namespace

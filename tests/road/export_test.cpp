@@ -120,7 +120,8 @@ TEST_P(Export, CodedClipsAgreeBetweenFrames) {
     std::vector<Affine> scene(skeleton.joint_count);
     const std::uint32_t quarters = 4 * (clip.coded.frame_count - 1), step = std::max(1u, quarters / 64) | 1u;
     for (std::uint32_t q = 0; q <= quarters; q += step) {
-      const float time_s = clip.coded.start_s + static_cast<float>(q) / (4 * clip.coded.frames_per_s);
+      const float frame_s = clip.coded.time_of(q / 4), next_s = clip.coded.time_of(std::min(q / 4 + 1, quarters / 4));
+      const float time_s = frame_s + (next_s - frame_s) * static_cast<float>(q % 4) / 4;
       ASSERT_EQ(sample(skeleton, clip, time_s, local), Status::ok);
       ASSERT_EQ(local_to_model(skeleton, local, scene), Status::ok);
       const std::vector<Map> nodes = back.nodes_at(c, static_cast<double>(time_s));

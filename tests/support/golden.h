@@ -16,6 +16,8 @@ extern const unsigned char pack_v1[];
 extern const unsigned long long pack_v1_size;
 extern const unsigned char looks_v1[];
 extern const unsigned long long looks_v1_size;
+extern const unsigned char stride_v1[];
+extern const unsigned long long stride_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -37,6 +39,11 @@ inline AlignedBlock golden_channels_copy() {
 // A clip pack.
 inline AlignedBlock golden_pack_copy() {
   return AlignedBlock(embedded::pack_v1, static_cast<std::size_t>(embedded::pack_v1_size));
+}
+
+// A file whose coded clip has frames at uneven times.
+inline AlignedBlock golden_uneven_copy() {
+  return AlignedBlock(embedded::stride_v1, static_cast<std::size_t>(embedded::stride_v1_size));
 }
 
 // A file with materials, embedded images and kept nodes.

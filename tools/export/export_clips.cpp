@@ -99,7 +99,7 @@ class ClipExport {
     for (std::uint32_t f = 0; f < coded.frame_count; ++f) {
       const double time_s =
           static_cast<double>(coded.start_s) + static_cast<double>(f) / static_cast<double>(coded.frames_per_s);
-      const auto rounded = static_cast<float>(time_s);
+      const float rounded = coded.times_s != nullptr ? coded.times_s[f] : static_cast<float>(time_s);
       if (!std::isfinite(rounded) || (f > 0 && !(rounded > out.back())))
         throw Failure(Exit::unsupported, scene_.name, "",
                       "clip \"" + std::string(clip_.name) + "\": frames too near to each other",

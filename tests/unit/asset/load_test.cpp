@@ -259,6 +259,29 @@ TEST_F(LoadCoded, Clips) {
   EXPECT_EQ(refused_, 23);
 }
 
+class LoadUneven : public Load {
+ protected:
+  LoadUneven() : Load(&test::golden_uneven_copy) {}
+};
+
+TEST_F(LoadUneven, Times) {
+  const std::size_t base = at(format::kClips);
+  const format::ClipLayout raw = layout(header<format::ClipHeader>(format::kClips));
+  format::CodedHeader h;
+  std::memcpy(&h, block_.data() + base + raw.bytes, sizeof h);
+  ASSERT_EQ(h.frame_count, 7u);
+  ASSERT_EQ(h.time_count, 7u);
+  const std::size_t start = base + raw.bytes, times = start + sizeof h;
+  refuse(start + 28, std::uint32_t{6}, "a time fewer");
+  refuse(start + 28, std::uint32_t{0}, "no times, but room for them");
+  refuse(start + 28, std::uint32_t{0xFFFFFFFF}, "too many times");
+  refuse(times, -0.5f, "a first time that is not start_s");
+  refuse(times + 8, 0.25f, "a time twice");
+  refuse(times + 12, kNaN, "a time that is not a number");
+  refuse(times + 24, kInfinity, "no last time");
+  EXPECT_EQ(refused_, 7);
+}
+
 class LoadPack : public Load {
  protected:
   LoadPack() : Load(&test::golden_pack_copy) {}

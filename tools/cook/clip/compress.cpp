@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "cook/clip/constant.h"
+#include "cook/clip/grid.h"
 #include "cook/clip/pack.h"
 #include "cook/clip/segment.h"
 #include "marrow/local_to_model.h"
@@ -14,82 +14,10 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kGridSlack = 1e-3;  // of a frame
-constexpr std::size_t kMostIntervals = 20000;
-constexpr double kMostRefined = 8;                              // frames between two keys of the shortest distance
 constexpr std::size_t kMostTransforms = 1'000'000;              // a joint and moment: 80 MB; larger clips stay raw
 constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
 constexpr double kStillShare = 0.05;                            // of the promise, below which a movement does not count
 constexpr double kShares[] = {0.97, 0.9, 0.75};                 // of the promise, that the search may use up
-
-// A STEP track that changes cannot be blended between frames. Exporters write STEP for what is constant but for the
-// rounding of floats.
-bool jumps(const BuiltClip& clip, const Track& track) {
-  constexpr float kRounding = 1e-6f;
-  if (track.interpolation != Interpolation::step) return false;
-  const std::size_t width = format::floats_per_key(track.path, track.interpolation);
-  const float* const first = clip.values.data() + track.first_value;
-  float largest = track.path == Path::translation ? 0.0f : 1.0f;
-  for (std::size_t i = 0; i < width; ++i) largest = std::max(largest, std::fabs(first[i]));
-  for (std::size_t i = width; i < track.key_count * width; ++i)
-    if (!(std::fabs(first[i] - first[i % width]) <= kRounding * largest)) return true;
-  return false;
-}
-
-// Even steps of time.
-struct Grid {
-  float start_s, end_s;
-  std::size_t intervals;
-};
-
-// The times of the keys that are to be coded.
-std::set<float> key_times(const BuiltClip& clip) {
-  std::set<float> times;
-  for (const Track& track : clip.tracks) {
-    const auto first = clip.times_s.begin() + track.first_time;
-    if (!jumps(clip, track)) times.insert(first, first + track.key_count);
-  }
-  return times;
-}
-
-// The coarsest steps that every key falls on; nullopt if there are none.
-std::optional<Grid> find_grid(const std::set<float>& times) {
-  const double start = static_cast<double>(*times.begin()), length = static_cast<double>(*times.rbegin()) - start;
-  double least = length;
-  for (auto a = times.begin(), b = std::next(a); b != times.end(); ++a, ++b)
-    least = std::min(least, static_cast<double>(*b) - static_cast<double>(*a));
-  const double fewest = std::round(length / least);
-  const auto on_grid = [&](double intervals) {
-    return std::all_of(times.begin(), times.end(), [&](float t) {
-      const double at = (static_cast<double>(t) - start) / length * intervals;
-      return std::fabs(at - std::round(at)) <= kGridSlack;
-    });
-  };
-  for (double n = fewest; n <= std::min(kMostRefined * fewest, static_cast<double>(kMostIntervals)); ++n)
-    if (on_grid(n)) return Grid{*times.begin(), *times.rbegin(), static_cast<std::size_t>(n)};
-  return std::nullopt;
-}
-
-bool has_cubic(const BuiltClip& clip) {
-  return std::any_of(clip.tracks.begin(), clip.tracks.end(),
-                     [](const Track& t) { return t.interpolation == Interpolation::cubic_spline; });
-}
-
-// Grids worth trying, coarse to fine: the keys' own, or even steps that come close enough to other curves.
-std::vector<Grid> grids(const BuiltClip& clip) {
-  const std::set<float> times = key_times(clip);
-  std::vector<Grid> out;
-  if (times.empty()) return out;
-  if (times.size() == 1) return {{*times.begin(), *times.begin() + 1, 1}};  // nothing moves
-  const std::optional<Grid> own = find_grid(times);
-  if (own && !has_cubic(clip)) return {*own};
-  const double length = static_cast<double>(*times.rbegin()) - static_cast<double>(*times.begin());
-  const double coarsest = own ? static_cast<double>(own->intervals) : std::ceil(length * 30);
-  for (const double finer : {1.0, 2.0, 4.0, 8.0})
-    if (coarsest * finer <= static_cast<double>(kMostIntervals))
-      out.push_back({*times.begin(), *times.rbegin(), static_cast<std::size_t>(coarsest * finer)});
-  return out;
-}
 
 // The tracks that stay raw, with the times and values that they use.
 BuiltClip keep_jumping(const BuiltClip& clip) {
@@ -137,10 +65,8 @@ class Compressor {
 
  private:
   double time_of(std::size_t moment) const {
-    const double start = static_cast<double>(grid_.start_s), length = static_cast<double>(grid_.end_s) - start;
     // Rounded as the runtime's argument is, so that both are on the same side of a jump.
-    const double exact = start + length * static_cast<double>(moment) / static_cast<double>(intervals_ * kMoments);
-    return static_cast<double>(static_cast<float>(exact));
+    return static_cast<double>(static_cast<float>(grid_.exact_time_of(moment)));
   }
   bool stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const;
   Transform middle(std::size_t joint) const;
@@ -258,7 +184,7 @@ std::optional<BuiltCoded> Compressor::code(const Promise& promise, std::size_t l
     if (!segment.search()) return std::nullopt;
     packer.add(segment.tracks());
   }
-  return packer.finish(intervals_, each, grid_.start_s, grid_.end_s);
+  return packer.finish(grid_, each);
 }
 
 std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
@@ -286,7 +212,7 @@ std::size_t bytes_of(const BuiltClip& clip) {
   return clip.tracks.size() * sizeof(Track) + 4 * (clip.times_s.size() + clip.values.size()) +
          clip.coded.payload.size() + 4 * clip.coded.offsets.size() + sizeof(GroupMasks) * clip.coded.masks.size() +
          sizeof(format::Constant) * clip.coded.constants.size() +
-         (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
+         4 * clip.coded.times_s.size() + (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
 }
 
 }  // namespace

@@ -72,13 +72,16 @@ void Packer::add(const std::vector<CodedTrack>& tracks) {
   }
 }
 
-BuiltCoded Packer::finish(std::size_t intervals, std::size_t segment_intervals, float start_s, float end_s) {
+BuiltCoded Packer::finish(const Grid& grid, std::size_t segment_intervals) {
   out_.payload.insert(out_.payload.end(), format::kPayloadPadding, std::byte{0});
-  out_.header.frame_count = static_cast<std::uint32_t>(intervals + 1);
+  out_.header.frame_count = static_cast<std::uint32_t>(grid.intervals + 1);
   out_.header.segment_intervals = static_cast<std::uint32_t>(segment_intervals);
   out_.header.frames_per_s =
-      static_cast<float>(static_cast<double>(intervals) / (static_cast<double>(end_s) - static_cast<double>(start_s)));
-  out_.header.start_s = start_s;
+      static_cast<float>(static_cast<double>(grid.intervals) /
+                         (static_cast<double>(grid.end_s) - static_cast<double>(grid.start_s)));
+  out_.header.start_s = grid.start_s;
+  out_.header.time_count = static_cast<std::uint32_t>(grid.times_s.size());
+  out_.times_s = grid.times_s;
   out_.header.payload_bytes = static_cast<std::uint32_t>(out_.payload.size());
   return std::move(out_);
 }
@@ -108,6 +111,7 @@ Clip view(const BuiltClip& clip, const Skeleton& skeleton) {
   out.coded.segment_intervals = c.header.segment_intervals;
   out.coded.start_s = c.header.start_s;
   out.coded.frames_per_s = c.header.frames_per_s;
+  out.coded.times_s = c.times_s.empty() ? nullptr : c.times_s.data();
   out.coded.masks = c.masks.data();
   out.coded.segment_offsets = c.offsets.data();
   out.coded.constants = reinterpret_cast<const std::byte*>(c.constants.data());

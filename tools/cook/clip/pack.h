@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cook/clip/constant.h"
+#include "cook/clip/grid.h"
 #include "cook/clip/segment.h"
 #include "marrow/file.h"
 
@@ -13,7 +14,7 @@ class Packer {
   Packer(const std::vector<TrackId>& moving, const std::vector<ConstantTrack>& constant, std::size_t joint_count);
   // A segment's tracks, one for each that moves.
   void add(const std::vector<CodedTrack>& tracks);
-  BuiltCoded finish(std::size_t intervals, std::size_t segment_intervals, float start_s, float end_s);
+  BuiltCoded finish(const Grid& grid, std::size_t segment_intervals);
 
  private:
   BuiltCoded out_;
