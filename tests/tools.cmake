@@ -11,6 +11,7 @@ marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
 marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
 marrow_embed(marrow_cook_tests pack_v1 golden/pack_v1.mrw)
 marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
+marrow_embed(marrow_cook_tests stride_v1 golden/stride_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 

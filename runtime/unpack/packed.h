@@ -24,6 +24,24 @@ static_assert(sizeof(Header) == 32);
 // How a record stands for its section. Below kFirstCodec: the section's own bytes and codec.
 enum Codec : std::uint8_t { kFirstCodec = 16, kDraco = 16, kMeshopt = 17, kCompact = 18 };
 
+// A joint of a compact SKEL: what follows its flags, and in the highest bits its number of children.
+enum JointFlags : std::uint32_t {
+  kJointTranslates = 1,  // 1, 2, 4: along x, y, z
+  kJointRotates = 8,
+  kJointScales = 16,
+  kJointNameIsOld = 32,
+};
+inline constexpr std::uint32_t kJointChildrenShift = 6, kJointManyChildren = 3;
+
+// Of a compact MESH.
+enum PackedMeshFlags : std::uint32_t {
+  kMeshIsDoubleSided = format::kDoubleSided,
+  kMeshHasColour = 2,
+  kMeshHasPlace = 4,    // scene_from_mesh is not the identity
+  kMeshGivesBinds = 8,  // not all inverse binds follow from the rest pose
+  kAllPackedMeshFlags = 15,
+};
+
 inline constexpr std::uint32_t kMaxDirectionBits = 16;
 inline constexpr std::uint32_t kMaxWeightBits = 16;
 inline constexpr std::uint32_t kMaxTargetBits = 16;

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "unpack/geometry.h"
+#include "unpack/structure.h"
 
 namespace marrow {
 namespace {
@@ -42,6 +43,13 @@ Record take_record(Reader& reader) {
   return r;
 }
 
+// The last record's bytes if they are compact names, else none.
+Span<const std::byte> find_names(Reader reader, std::uint32_t record_count) {
+  Record last;
+  for (std::uint32_t i = 0; i < record_count && !reader.failed(); ++i) last = take_record(reader);
+  return last.kind == format::kNames && last.codec == packed::kCompact ? last.bytes : Span<const std::byte>();
+}
+
 const char* codec_name(std::uint32_t codec) {
   if (codec == packed::kDraco) return "meshes are compressed with Draco: pass marrow::draco_decoder()";
   if (codec == packed::kMeshopt) return "meshes are compressed with meshoptimizer: pass marrow::meshopt_decoder()";
@@ -51,8 +59,12 @@ const char* codec_name(std::uint32_t codec) {
 // Writes sections one behind the other into the front part of memory.
 class Unpacker {
  public:
-  Unpacker(const Header& header, Span<const MeshDecoder> decoders, Span<std::byte> memory)
-      : header_(header), decoders_(decoders), memory_(memory), scratch_at_(format::align16(header.file_bytes)) {}
+  Unpacker(const Header& header, Span<const MeshDecoder> decoders, NameReader names, Span<std::byte> memory)
+      : header_(header),
+        decoders_(decoders),
+        names_(names),
+        memory_(memory),
+        scratch_at_(format::align16(header.file_bytes)) {}
 
   // The end of a header and of a table with this many entries.
   bool begin() {
@@ -73,18 +85,11 @@ class Unpacker {
       section.bytes = static_cast<std::uint32_t>(record.bytes.size);
       section.codec = record.codec;
     } else {
-      if (record.kind != format::kGeometries) return bad(rule, "a codec that is none of this kind of record");
-      const MeshDecoder* decoder = nullptr;
-      for (const MeshDecoder& d : decoders_)
-        if (d.codec == record.codec) decoder = &d;
-      if (decoder == nullptr) {
-        rule = codec_name(record.codec);
-        return Status::unsupported;
-      }
-      const Span<std::byte> scratch(memory_.data + scratch_at_, header_.memory_bytes - scratch_at_);
-      rule = unpack_geometry(record.bytes, *decoder, scratch, out, section.bytes);
-      if (rule != nullptr) return Status::bad_data;
+      const Status status = expand(record, out, section.bytes, rule);
+      if (status != Status::ok) return status;
     }
+    if (record.kind == format::kSkeletons && record.codec == packed::kCompact && compact_skeletons_ == index)
+      ++compact_skeletons_;
     std::memcpy(memory_.data + sizeof(format::Header) + index * sizeof section, &section, sizeof section);
     end_ = offset + section.bytes;
     return Status::ok;
@@ -109,11 +114,39 @@ class Unpacker {
     return Status::bad_data;
   }
 
+  // A record that is not a section as it stands.
+  Status expand(const Record& record, Span<std::byte> out, std::uint32_t& bytes, const char*& rule) {
+    const Span<std::byte> scratch(memory_.data + scratch_at_, header_.memory_bytes - scratch_at_);
+    if (record.kind == format::kGeometries && record.codec != packed::kCompact) {
+      const MeshDecoder* decoder = nullptr;
+      for (const MeshDecoder& d : decoders_)
+        if (d.codec == record.codec) decoder = &d;
+      if (decoder == nullptr) {
+        rule = codec_name(record.codec);
+        return Status::unsupported;
+      }
+      rule = unpack_geometry(record.bytes, *decoder, scratch, out, bytes);
+    } else if (record.codec != packed::kCompact) {
+      rule = "a codec that is none of this kind of record";
+    } else if (record.kind == format::kSkeletons) {
+      rule = unpack_skeleton(record.bytes, names_, out, bytes);
+    } else if (record.kind == format::kMeshes) {
+      rule = unpack_mesh(record.bytes, {memory_.data, compact_skeletons_}, scratch, out, bytes);
+    } else if (record.kind == format::kNames) {
+      rule = unpack_names(record.bytes, out, bytes);
+    } else {
+      rule = "a codec that is none of this kind of record";
+    }
+    return rule == nullptr ? Status::ok : Status::bad_data;
+  }
+
   const Header& header_;
   Span<const MeshDecoder> decoders_;
+  NameReader names_;  // stands at the next skeleton's
   Span<std::byte> memory_;
   std::uint64_t scratch_at_;
   std::uint64_t end_ = 0;
+  std::uint32_t compact_skeletons_ = 0;  // at the front of the table
 };
 
 }  // namespace
@@ -139,8 +172,8 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
   if (status != Status::ok) return status;
   MARROW_REQUIRE(memory.size >= h.memory_bytes);
   MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % 16 == 0);
-  Unpacker unpacker(h, decoders, memory);
   Reader reader(packed.data + sizeof h, packed.size - sizeof h);
+  Unpacker unpacker(h, decoders, NameReader(find_names(reader, h.record_count)), memory);
   if (format::align16(h.file_bytes) > h.memory_bytes || !unpacker.begin())
     return fail(error, Status::bad_data, 12, "file_bytes or memory_bytes out of range");
   for (std::uint32_t i = 0; i < h.record_count; ++i) {

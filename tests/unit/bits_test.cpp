@@ -250,7 +250,7 @@ TEST(Bits, GoldenFile) {
   test::AlignedBlock block = test::golden_copy();
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
-  EXPECT_EQ(test::exercise(file), 0x669C3A0FDCE9E829u);
+  EXPECT_EQ(test::exercise(file), 0x14A70071EBF2E07Cu);
 }
 
 TEST(Bits, ChannelsAndAdditiveClips) {
@@ -258,7 +258,15 @@ TEST(Bits, ChannelsAndAdditiveClips) {
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
   ASSERT_EQ(file.clip(0).channels.size, 7u);
-  EXPECT_EQ(test::exercise(file), 0xA2E8466AA45C0D67u);
+  EXPECT_EQ(test::exercise(file), 0x8606DD1E7C102618u);
+}
+
+TEST(Bits, UnevenClip) {
+  test::AlignedBlock block = test::golden_uneven_copy();
+  File file;
+  ASSERT_EQ(load(block, file), Status::ok);
+  ASSERT_NE(file.clip(0).coded.times_s, nullptr);
+  EXPECT_EQ(test::exercise(file), 0xAFBEA18630CBECCAu);
 }
 
 TEST(Bits, CodedClip) {
@@ -266,7 +274,7 @@ TEST(Bits, CodedClip) {
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
   ASSERT_GT(file.clip(0).coded.frame_count, 0u);
-  EXPECT_EQ(test::exercise(file), 0x2FDEBBBA3F5EE9Fu);
+  EXPECT_EQ(test::exercise(file), 0xC4E91FDABA39CC42u);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(Includes, PointOneWay) {
                                                                 {"curve", {"core", "math", "curve"}},
                                                                 {"skin", {"core", "math", "asset", "skin"}},
                                                                 {"gles3", {"core", "math", "asset", "skin", "gles3"}},
-                                                                {"unpack", {"core", "asset", "unpack"}},
+                                                                {"unpack", {"core", "math", "asset", "pose", "unpack"}},
                                                                 {"draco", {"core", "asset", "unpack", "draco"}},
                                                                 {"meshopt", {"core", "asset", "unpack", "meshopt"}}};
   int checked = 0;

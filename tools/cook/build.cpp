@@ -7,6 +7,7 @@
 #include "common/parallel.h"
 #include "common/pattern.h"
 #include "cook/clip/compress.h"
+#include "cook/compact.h"
 #include "cook/group_trees.h"
 
 namespace marrow::cook {
@@ -137,6 +138,7 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   build_skeletons(scene, out);
   build_clips(scene, options, out);
   build_meshes(scene, options, out);
+  if (options.mesh_codec != MeshCodec::none) derive_inverse_binds(out);
   build_materials(scene, options.images, out);
   build_nodes(scene, options.keep, out);
   return out;

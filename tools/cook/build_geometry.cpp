@@ -57,6 +57,7 @@ BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Bi
     const bool draco = options.mesh_codec == MeshCodec::draco;
     const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
     out.codec = draco ? packed::kDraco : packed::kMeshopt;
+    out.position_step_m = grid.step;
     out.record = geometry_record(streams, encoded);
     out.scratch_bytes = geometry_scratch_bytes(streams.view());
   }

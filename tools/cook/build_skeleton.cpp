@@ -6,6 +6,7 @@
 #include "common/failure.h"
 #include "cook/build.h"
 #include "cook/group_trees.h"
+#include "cook/rest.h"
 
 namespace marrow::cook {
 namespace {
@@ -131,6 +132,7 @@ BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, con
     if (up.joint == kNone) out.scene_from_root.push_back(to_affine(up.joint_from_node));
     set_rest(node, j % 4, out.rest[j / 4]);
   }
+  round_rest(out);
   out.node_of_joint = std::move(joints);
   out.name = out.joint_names.front();
   return out;

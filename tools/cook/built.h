@@ -29,11 +29,15 @@ struct BuiltSkeleton {
   std::vector<Affine> scene_from_root;
   std::vector<SoaTransform> rest;
   std::vector<int> node_of_joint;  // the way back to the source
+  // The rest pose as packed files hold it, see unpack/rest.h.
+  std::int32_t translation_exponent = 0;
+  std::vector<std::uint64_t> rotation_codes;
 };
 
 // A clip's tracks in segments, as format::CodedHeader has them; frame_count is 0 without.
 struct BuiltCoded {
   format::CodedHeader header{};
+  std::vector<float> times_s;  // a frame; none at even steps
   std::vector<std::uint32_t> offsets;
   std::vector<GroupMasks> masks;
   std::vector<format::Constant> constants;
@@ -72,6 +76,7 @@ struct BuiltGeometry {
   std::vector<std::byte> record;    // what a packed file has instead
   std::uint64_t scratch_bytes = 0;  // of memory, to unpack the record
   std::uint32_t target_count = 0;   // morph targets; 0 if none moves anything
+  double position_step_m = 0;       // of a packed one's positions
   MeshError error;
 };
 
@@ -84,6 +89,8 @@ struct BuiltMesh {
   std::uint32_t geometry = 0;
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
+  Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
+  std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
   std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};
   bool double_sided = false;

@@ -8,12 +8,13 @@
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
+#include "cook/compact.h"
 #include "cook/mesh/record.h"
 
 namespace marrow::cook {
 namespace {
 
-// Bytes of one section in the making.
+// Bytes of one section in the making, and of the record that packed files have instead, if there is one.
 class Section {
  public:
   template <class T>
@@ -26,6 +27,7 @@ class Section {
   }
   const std::vector<std::byte>& bytes() const { return bytes_; }
   std::uint32_t codec = format::kCodecRaw;
+  std::vector<std::byte> compact;
 
  private:
   void add_bytes(const void* data, std::size_t size) {
@@ -45,6 +47,12 @@ class Names {
     if (is_new) pool_.insert(pool_.end(), text.c_str(), text.c_str() + text.size() + 1);
     return at->second;
   }
+  // As compact records have it: 0 if this adds the name, else its offset, plus one.
+  std::uint32_t add_in_turn(const std::string& name, std::uint32_t& offset) {
+    const std::size_t end = pool_.size();
+    offset = add(name);
+    return offset == end ? 0 : offset + 1;
+  }
   const std::vector<char>& pool() const { return pool_; }
 
  private:
@@ -55,11 +63,18 @@ class Names {
 Section write_skeleton(const BuiltSkeleton& s, Names& names) {
   Section out;
   const auto joints = static_cast<std::uint32_t>(s.parents.size());
-  out.add(format::SkeletonHeader{names.add(s.name), joints, static_cast<std::uint32_t>(s.scene_from_root.size()), 0});
+  std::uint32_t name = 0;
+  const std::uint32_t name_code = names.add_in_turn(s.name, name);
+  out.add(format::SkeletonHeader{name, joints, static_cast<std::uint32_t>(s.scene_from_root.size()), 0});
   out.add_all(s.scene_from_root);
   out.add_all(s.rest);
-  for (const std::string& name : s.joint_names) out.add(names.add(name));
+  std::vector<std::uint32_t> codes;
+  for (const std::string& joint : s.joint_names) {
+    codes.push_back(names.add_in_turn(joint, name));
+    out.add(name);
+  }
   out.add_all(s.parents);
+  out.compact = compact_skeleton(s, name_code, codes);
   return out;
 }
 
@@ -81,6 +96,7 @@ Section write_reference(const BuiltSkeleton& s, Names& names) {
 void add_coded(const BuiltCoded& coded, Section& out) {
   out.codec = format::kCodecSegments;
   out.add(coded.header);
+  out.add_all(coded.times_s);
   out.add_all(coded.offsets);
   out.add_all(coded.masks);
   out.add_all(coded.constants);
@@ -121,8 +137,11 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.target_count = static_cast<std::uint32_t>(m.targets.size());
   out.add(h);
   out.add_all(m.inverse_bind);
-  for (const RawTargetWeight& t : m.targets) out.add(MeshTarget{names.add(t.target), names.add(t.channel), t.rest});
+  std::vector<MeshTarget> targets;
+  for (const RawTargetWeight& t : m.targets) targets.push_back({names.add(t.target), names.add(t.channel), t.rest});
+  out.add_all(targets);
   out.add_all(m.joints);
+  if (!m.bind_is_given.empty()) out.compact = compact_mesh(m, h, targets);
   return out;
 }
 
@@ -235,6 +254,15 @@ void check(const tools::AlignedBytes& file, const std::string& source) {
                          error.rule);
 }
 
+// A packed file must unpack to the plain one.
+void check_packed(const std::vector<std::byte>& packed, const std::vector<Entry>& entries, const std::string& source) {
+  const tools::AlignedBytes file = tools::unpacked(packed, source);
+  const std::vector<std::byte> plain = write_plain(entries, source);
+  if (file.size() != plain.size() || std::memcmp(file.data(), plain.data(), plain.size()) != 0)
+    throw tools::Failure(tools::Exit::internal, source, "", "packed-file", "the file does not unpack to itself");
+  check(file, source);
+}
+
 }  // namespace
 
 WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
@@ -244,16 +272,21 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   sections.reserve(scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
                    scene.images.size() + scene.nodes.size() + 1);
   std::vector<Entry> entries;
+  const bool is_packed = std::any_of(scene.geometries.begin(), scene.geometries.end(),
+                                     [](const BuiltGeometry& g) { return g.codec != 0; });
   const auto add = [&](format::Kind kind, Section section) {
     const Section& kept = sections.emplace_back(std::move(section));
-    entries.push_back({kind, kept.codec, kept.bytes(), kept.codec, kept.bytes()});
-    return kept.bytes().size();
+    const bool compact = is_packed && !kept.compact.empty();
+    entries.push_back({kind, kept.codec, kept.bytes(), compact ? std::uint32_t{packed::kCompact} : kept.codec,
+                       compact ? kept.compact : kept.bytes()});
+    return entries.back().record.size();
   };
   std::uint64_t scratch_bytes = 0;
-  bool is_packed = false;
-  for (const BuiltSkeleton& skeleton : scene.skeletons)
+  for (const BuiltSkeleton& skeleton : scene.skeletons) {
     scene.is_pack ? add(format::kReferences, write_reference(skeleton, names))
                   : add(format::kSkeletons, write_skeleton(skeleton, names));
+    scratch_bytes = std::max(scratch_bytes, compact_scratch_bytes(skeleton));
+  }
   for (const BuiltClip& clip : scene.clips) out.clip_bytes.push_back(add(format::kClips, write_clip(clip, names)));
   for (const BuiltGeometry& g : scene.geometries) {
     const std::span<const std::byte> section(g.section.data(), g.section.size());
@@ -262,7 +295,6 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
                        has_record ? std::span<const std::byte>(g.record) : section});
     out.geometry_bytes.push_back(entries.back().record.size());
     scratch_bytes = std::max(scratch_bytes, g.scratch_bytes);
-    is_packed = is_packed || has_record;
   }
   for (const BuiltMesh& mesh : scene.meshes) out.mesh_bytes.push_back(add(format::kMeshes, write_mesh(mesh, names)));
   for (const BuiltMaterial& material : scene.materials) add(format::kMaterials, write_material(material, names));
@@ -270,14 +302,14 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   for (const BuiltNode& node : scene.nodes) add(format::kNodes, write_node(node, names));
   Section pool;
   pool.add_all(names.pool());
+  pool.compact = compact_names(names.pool());
   add(format::kNames, std::move(pool));
 
   out.bytes = is_packed ? write_packed(entries, scratch_bytes, source) : write_plain(entries, source);
   for (const Entry& e : entries)
-    out.sections.push_back(
-        {format::kTypes[e.kind], static_cast<std::uint32_t>((is_packed ? e.record : e.section).size())});
-  check(is_packed ? tools::unpacked(out.bytes, source) : tools::AlignedBytes{std::span<const std::byte>(out.bytes)},
-        source);
+    out.sections.push_back({format::kTypes[e.kind], static_cast<std::uint32_t>(e.record.size())});
+  is_packed ? check_packed(out.bytes, entries, source)
+            : check(tools::AlignedBytes{std::span<const std::byte>(out.bytes)}, source);
   return out;
 }
 

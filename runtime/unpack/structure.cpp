@@ -1,0 +1,221 @@
+#include "unpack/structure.h"
+
+#include "marrow/local_to_model.h"
+#include "math/affine.h"
+#include "unpack/rest.h"
+
+namespace marrow {
+namespace {
+
+constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+constexpr SoaTransform kIdentities = {{}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}};
+
+template <class T>
+T* at(Span<std::byte> section, std::uint64_t offset) {
+  return reinterpret_cast<T*>(section.data + offset);
+}
+
+std::int32_t take_24_bits(Reader& reader) {
+  const std::uint32_t low = reader.take<std::uint16_t>(), high = reader.take<std::uint8_t>();
+  return static_cast<std::int32_t>((high << 16 | low) << 8) >> 8;
+}
+
+// 0: the next new name; else an offset, plus one.
+std::uint32_t take_name(Reader& reader, NameReader& names) {
+  const std::uint32_t code = reader.take_varint();
+  return code == 0 ? names.next() : code - 1;
+}
+
+// What is not said is the identity's.
+void take_joint(Reader& reader, std::uint32_t flags, std::int32_t exponent, std::size_t lane, SoaTransform& four) {
+  for (std::uint32_t axis = 0; axis < 3; ++axis)
+    if ((flags & packed::kJointTranslates << axis) != 0)
+      four.translation[axis][lane] = decode_translation(take_24_bits(reader), exponent);
+  if ((flags & packed::kJointRotates) != 0) {
+    float q[4];
+    decode_rotation(reader.take<std::uint64_t>(), q);
+    for (int i = 0; i < 4; ++i) four.rotation[i][lane] = q[i];
+  }
+  if ((flags & packed::kJointScales) != 0)
+    for (auto& axis : four.scale) axis[lane] = reader.take<float>();
+}
+
+// Without its names. Null pointers past the last.
+Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index) {
+  Skeleton s;
+  if (index >= skeletons.count) return s;
+  File::Section entry;
+  std::memcpy(&entry, skeletons.file + sizeof(format::Header) + index * sizeof entry, sizeof entry);
+  const std::byte* const section = skeletons.file + entry.offset;
+  format::SkeletonHeader h;
+  std::memcpy(&h, section, sizeof h);
+  const format::SkeletonLayout l = layout(h);
+  s.joint_count = h.joint_count;
+  s.root_count = h.root_count;
+  s.scene_from_root = reinterpret_cast<const Affine*>(section + l.roots);
+  s.rest = reinterpret_cast<const SoaTransform*>(section + l.rest);
+  s.parents = reinterpret_cast<const std::uint16_t*>(section + l.parents);
+  return s;
+}
+
+}  // namespace
+
+NameReader::NameReader(Span<const std::byte> record) : reader_(record.data, record.size) {
+  pool_bytes_ = reader_.take_varint();
+}
+
+std::uint32_t NameReader::next(char* pool) {
+  const std::uint32_t head = reader_.take<std::uint8_t>(), shared = head & 63;
+  const auto from = last_[head >> 6];
+  const std::uint32_t offset = end_;
+  if (reader_.failed() || shared > from.length || shared > pool_bytes_ || offset > pool_bytes_ - shared) {
+    failed_ = true;
+    return 0;
+  }
+  if (pool != nullptr)
+    for (std::uint32_t i = 0; i < shared; ++i) pool[offset + i] = pool[from.offset + i];
+  end_ += shared;
+  char c = 0;
+  do {
+    c = static_cast<char>(reader_.take<std::uint8_t>());
+    if (reader_.failed() || end_ >= pool_bytes_) {
+      failed_ = true;
+      return 0;
+    }
+    if (pool != nullptr) pool[end_] = c;
+    ++end_;
+  } while (c != 0);
+  for (int i = 3; i > 0; --i) last_[i] = last_[i - 1];
+  last_[0] = {offset, end_ - 1 - offset};
+  return offset;
+}
+
+const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes) {
+  NameReader names(record);
+  if (names.pool_bytes() < 1) return "a pool without the empty name";
+  if (names.pool_bytes() > out.size) return "file_bytes too small";
+  auto* const pool = reinterpret_cast<char*>(out.data);
+  pool[0] = 0;
+  std::uint32_t end = 1;
+  while (!names.at_end()) {
+    const std::uint32_t offset = names.next(pool);
+    if (names.failed()) return "a name that does not fit";
+    end = offset;
+    while (pool[end] != 0) ++end;
+    ++end;
+  }
+  if (end != names.pool_bytes()) return "names that do not fill their pool";
+  bytes = names.pool_bytes();
+  return nullptr;
+}
+
+const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Span<std::byte> out,
+                            std::uint32_t& bytes) {
+  Reader reader(record.data, record.size);
+  format::SkeletonHeader h{};
+  h.name = take_name(reader, names);
+  h.joint_count = reader.take_varint();
+  h.root_count = reader.take_varint();
+  if (h.joint_count > kMaxJoints || h.root_count < 1 || h.root_count > h.joint_count) return "a count out of range";
+  const format::SkeletonLayout l = layout(h);
+  if (l.bytes > out.size) return "file_bytes too small";
+  std::memcpy(out.data, &h, sizeof h);
+  for (std::uint32_t r = 0; r < h.root_count; ++r)
+    at<Affine>(out, l.roots)[r] = reader.take<std::uint8_t>() != 0 ? reader.take<Affine>() : kIdentity;
+
+  const std::int32_t exponent = reader.take<std::int8_t>();
+  auto* const rest = at<SoaTransform>(out, l.rest);
+  auto* const parents = at<std::uint16_t>(out, l.parents);
+  std::uint32_t known = h.root_count;  // joints whose parents are
+  for (std::uint32_t j = 0; j < h.root_count; ++j) parents[j] = kNoParent;
+  for (std::uint32_t j = 0; j < h.joint_count; ++j) {
+    if (j % 4 == 0) rest[j / 4] = kIdentities;
+    const std::uint32_t flags = reader.take<std::uint8_t>();
+    std::uint32_t children = flags >> packed::kJointChildrenShift;
+    if (children == packed::kJointManyChildren) children = reader.take_varint();
+    if (j >= known || children > h.joint_count - known) return "joints that hang together wrongly";
+    for (; children > 0; --children) parents[known++] = static_cast<std::uint16_t>(j);
+    at<std::uint32_t>(out, l.names)[j] =
+        (flags & packed::kJointNameIsOld) != 0 ? reader.take_varint() : names.next();
+    take_joint(reader, flags, exponent, j % 4, rest[j / 4]);
+  }
+  if (reader.failed() || names.failed() || reader.left() != 0) return "a skeleton that is too short or too long";
+  bytes = static_cast<std::uint32_t>(l.bytes);
+  return nullptr;
+}
+
+Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh) {
+  const auto& m = model.rows;
+  Affine inverse;
+  float determinant = 0;
+  for (int c = 0; c < 3; ++c) {
+    const int c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+    for (int r = 0; r < 3; ++r) {
+      const int r1 = (r + 1) % 3, r2 = (r + 2) % 3;
+      inverse.rows[c][r] = m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
+    }
+    determinant += m[0][c] * inverse.rows[c][0];
+  }
+  for (auto& row : inverse.rows) {
+    for (int c = 0; c < 3; ++c) row[c] /= determinant;
+    row[3] = -(row[0] * m[0][3] + row[1] * m[1][3] + row[2] * m[2][3]);
+  }
+  Affine out;
+  multiply(inverse, scene_from_mesh, out);
+  return out;
+}
+
+const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
+                        Span<std::byte> out, std::uint32_t& bytes) {
+  Reader reader(record.data, record.size);
+  const std::uint32_t flags = reader.take_varint();
+  format::MeshHeader h{};
+  h.flags = flags & packed::kMeshIsDoubleSided;
+  h.name = reader.take_varint();
+  h.material = reader.take_varint();
+  h.material_section = reader.take_varint();
+  h.skeleton = reader.take_varint();
+  h.geometry = reader.take_varint();
+  h.joint_count = reader.take_varint();
+  h.target_count = reader.take_varint();
+  for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
+  const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? reader.take<Affine>() : kIdentity;
+  if ((flags & ~std::uint32_t{packed::kAllPackedMeshFlags}) != 0) return "unknown mesh flags";
+  const Skeleton skeleton = skeleton_at(skeletons, h.skeleton);
+  if (skeleton.joint_count == 0) return "no such skeleton among the compact ones";
+  const format::MeshLayout l = layout(h);
+  if (h.joint_count > kMaxJoints || l.bytes > out.size) return "file_bytes too small";
+  Arena arena(scratch.data, scratch.size);
+  Affine* const model = arena.take<Affine>(skeleton.joint_count);
+  if (model == nullptr) return "memory_bytes too small";
+  (void)local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, {model, skeleton.joint_count});
+
+  std::memcpy(out.data, &h, sizeof h);
+  auto* const joints = at<std::uint16_t>(out, l.joints);
+  std::uint32_t joint = 0xFFFFFFFF;
+  for (std::uint32_t i = 0; i < h.joint_count; ++i) {
+    const std::uint32_t step = reader.take_varint();  // from the one behind the last, zigzag
+    joint += 1 + (step >> 1 ^ (0 - (step & 1)));
+    if (joint >= skeleton.joint_count) return "a joint out of range";
+    joints[i] = static_cast<std::uint16_t>(joint);
+  }
+  const Span<const std::byte> given =
+      reader.take_bytes((flags & packed::kMeshGivesBinds) != 0 ? (h.joint_count + 7) / 8 : 0);
+  auto* const inverse_bind = at<Affine>(out, l.inverse_bind);
+  for (std::uint32_t i = 0; i < h.joint_count; ++i)
+    inverse_bind[i] = given.size > 0 && (static_cast<std::uint32_t>(given[i / 8]) >> i % 8 & 1) != 0
+                          ? reader.take<Affine>()
+                          : derived_inverse_bind(model[joints[i]], scene_from_mesh);
+  for (std::uint32_t t = 0; t < h.target_count; ++t) {
+    MeshTarget target{};
+    target.name = reader.take_varint();
+    target.channel = reader.take_varint();
+    target.weight = reader.take<float>();
+    std::memcpy(out.data + l.targets + t * sizeof target, &target, sizeof target);
+  }
+  if (reader.failed() || reader.left() != 0) return "a mesh that is too short or too long";
+  bytes = static_cast<std::uint32_t>(l.bytes);
+  return nullptr;
+}
+
+}  // namespace marrow

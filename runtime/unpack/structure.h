@@ -1,0 +1,49 @@
+// Skeletons, meshes and names in packed files (docs/format.md, "Packed files") → their sections.
+#pragma once
+
+#include "marrow/file.h"
+#include "unpack/packed.h"
+#include "unpack/reader.h"
+
+namespace marrow {
+
+// The strings of a NAME record, one after the other; each may begin like one of the four before it.
+class NameReader {
+ public:
+  explicit NameReader(Span<const std::byte> record);
+
+  std::uint32_t pool_bytes() const { return pool_bytes_; }
+  // Where in the pool the next string stands; written there if there is a pool. Past the last one, or with anything
+  // that does not fit: 0, and failed().
+  std::uint32_t next(char* pool = nullptr);
+  bool at_end() const { return !reader_.failed() && reader_.left() == 0; }
+  bool failed() const { return failed_ || reader_.failed(); }
+
+ private:
+  Reader reader_;
+  std::uint32_t pool_bytes_ = 0;
+  std::uint32_t end_ = 1;  // behind the empty name
+  bool failed_ = false;
+  struct {
+    std::uint32_t offset, length;
+  } last_[4] = {};  // newest first
+};
+
+// Each writes a section at `out`, 16-byte aligned, and says how long it is. They return null, or the rule that is
+// broken. `names` stands where the skeleton's names begin, and behind them afterwards.
+const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Span<std::byte> out, std::uint32_t& bytes);
+const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes);
+
+// A file in the making, whose first sections are skeletons that unpack_skeleton() made.
+struct UnpackedSkeletons {
+  const std::byte* file = nullptr;
+  std::uint32_t count = 0;
+};
+const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
+                        Span<std::byte> out, std::uint32_t& bytes);
+
+// Inverse binds that follow from the rest pose: joint_from_mesh = (scene_from_joint)⁻¹ · scene_from_mesh. `model` is the
+// rest pose in model space.
+Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh);
+
+}  // namespace marrow

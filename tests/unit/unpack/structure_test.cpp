@@ -1,0 +1,246 @@
+// Compact skeletons, meshes and names written by hand: what unpacking must give, and what it must refuse.
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/aligned.h"
+#include "unpack/rest.h"
+#include "unpack/structure.h"
+
+namespace marrow {
+namespace {
+
+struct Bytes {
+  std::vector<std::byte> all;
+  template <class T>
+  Bytes& add(T value) {
+    const auto* const first = reinterpret_cast<const std::byte*>(&value);
+    all.insert(all.end(), first, first + sizeof value);
+    return *this;
+  }
+  Bytes& u8(unsigned v) { return add(static_cast<std::uint8_t>(v)); }
+  Bytes& text(const std::string& s) {
+    for (const char c : s) u8(static_cast<unsigned char>(c));
+    return u8(0);
+  }
+  Span<const std::byte> span() const { return {all.data(), all.size()}; }
+};
+
+Span<const std::byte> span(const std::vector<std::byte>& bytes) {
+  return {bytes.data(), bytes.size()};
+}
+
+// "", "hips", "hip_l", "hip_r": 1 + 5 + 6 + 6 bytes.
+Bytes names_record() {
+  Bytes b;
+  b.u8(18).u8(0).text("hips");
+  b.u8(3).text("_l");           // "hip" of the one before
+  b.u8(1u << 6 | 3).text("_r");  // and of the one before that
+  return b;
+}
+
+constexpr unsigned kOneChild = 1u << 6, kTwoChildren = 2u << 6;
+
+// A quarter turn about z above two joints, 2.5 along x and 0.125 down z; the last stands for itself, named "hips" again.
+Bytes skeleton_record() {
+  constexpr std::uint64_t kHalf = 1u << 19, kRoot = (1u << 20) - 1;  // 0, and the root of one half
+  Bytes b;
+  b.u8(0 + 1).u8(3).u8(1);  // no name of its own: offset 0, plus one
+  b.u8(0);                  // nothing above the root
+  b.u8(0xFD);               // steps of 1/8
+  b.u8(kTwoChildren | packed::kJointRotates).add(kHalf | kHalf << 20 | kRoot << 40 | std::uint64_t{3} << 60);
+  b.u8(packed::kJointTranslates | packed::kJointTranslates << 2).u8(20).u8(0).u8(0).u8(0xFF).u8(0xFF).u8(0xFF);
+  b.u8(packed::kJointScales | packed::kJointNameIsOld).u8(1).add(2.0f).add(3.0f).add(4.0f);
+  return b;
+}
+
+// Entry 0 follows joint 1, entry 1 joint 0.
+Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
+  Bytes b;
+  b.u8(flags).u8(6).u8(12).u8(0).u8(0).u8(0).u8(2).u8(0);
+  if ((flags & packed::kMeshHasColour) != 0) b.add(0.25f).add(0.5f).add(0.75f).add(1.0f);
+  if ((flags & packed::kMeshHasPlace) != 0) b.add(Affine{{{2, 0, 0, 5}, {0, 2, 0, 0}, {0, 0, 2, 0}}});
+  b.u8(2).u8(3);  // one on from 0; two back from 2
+  if ((flags & packed::kMeshGivesBinds) != 0) b.u8(2).add(Affine{{{1, 0, 0, 7}, {0, 1, 0, 8}, {0, 0, 1, 9}}});
+  return b;
+}
+
+// A file with the skeleton as its only section, and behind it room.
+class Structure : public ::testing::Test {
+ protected:
+  static constexpr std::size_t kSection = 48, kMesh = 512;
+  Structure() {
+    const File::Section entry{format::kTypes[format::kSkeletons], kSection, 0, 0};
+    std::memcpy(file_.data() + sizeof(format::Header), &entry, sizeof entry);
+  }
+  const char* skeleton(Span<const std::byte> record) {
+    const Bytes pool = names_record();
+    NameReader names(pool.span());
+    return unpack_skeleton(record, names, {file_.data() + kSection, kMesh - kSection}, bytes_);
+  }
+  const char* mesh(Span<const std::byte> record, std::size_t room = 512) {
+    return unpack_mesh(record, {file_.data(), 1}, {scratch_.data(), scratch_.size()}, {file_.data() + kMesh, room},
+                       bytes_);
+  }
+  const float* floats(std::size_t offset) const { return reinterpret_cast<const float*>(file_.data() + offset); }
+
+  test::AlignedBlock file_{1024}, scratch_{3 * sizeof(Affine)};
+  std::uint32_t bytes_ = 0;
+};
+
+TEST_F(Structure, SkeletonByHand) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  const format::SkeletonHeader h{0, 3, 1, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kSection, &h, sizeof h), 0);
+  const format::SkeletonLayout l = layout(h);
+  EXPECT_EQ(bytes_, l.bytes);
+  const float* const root = floats(kSection + l.roots);
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(root[i], i % 5 == 0 ? 1.0f : 0.0f) << i;
+  const SoaTransform& rest = *reinterpret_cast<const SoaTransform*>(floats(kSection + l.rest));
+  const float want[10][4] = {{0, 2.5f, 0, 0},       {0, 0, 0, 0},          {0, -0.125f, 0, 0}, {0, 0, 0, 0},
+                             {0, 0, 0, 0},          {0.70710678f, 0, 0, 0}, {0.70710678f, 1, 1, 1},
+                             {1, 1, 2, 1},          {1, 1, 3, 1},          {1, 1, 4, 1}};
+  for (int i = 0; i < 40; ++i)
+    EXPECT_NEAR((&rest.translation[0][0])[i], want[i / 4][i % 4], i / 4 == 5 || i / 4 == 6 ? 1e-7 : 0) << i;
+  const std::uint32_t names[] = {1, 6, 1};
+  EXPECT_EQ(std::memcmp(file_.data() + kSection + l.names, names, sizeof names), 0);
+  const std::uint16_t parents[] = {kNoParent, 0, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kSection + l.parents, parents, sizeof parents), 0);
+}
+
+TEST(Rest, RotationsByHand) {
+  constexpr std::uint64_t kZero = 1u << 19;
+  const auto code = [](std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t largest, std::uint64_t sign) {
+    return a | b << 20 | c << 40 | largest << 60 | sign << 62;
+  };
+  float q[4];
+  decode_rotation(code(kZero, kZero, kZero, 3, 0), q);
+  EXPECT_EQ((std::vector<float>(q, q + 4)), (std::vector<float>{0, 0, 0, 1}));
+  decode_rotation(code(kZero, kZero, kZero, 0, 1), q);
+  EXPECT_EQ((std::vector<float>(q, q + 4)), (std::vector<float>{-1, 0, 0, 0}));
+  // (0.5, -0.5, 0.5, 0.5) but for rounding, y left out: 0.5 is 370727.03 steps of 0.70710678 / 524287.
+  decode_rotation(code(kZero + 370727, kZero + 370727, kZero + 370727, 1, 1), q);
+  const float want[4] = {0.5f, -0.5f, 0.5f, 0.5f};
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(q[i], want[i], 2e-6) << i;
+  // Numbers that no rotation has: still finite.
+  decode_rotation(~std::uint64_t{0}, q);
+  for (const float x : q) EXPECT_LE(std::abs(x), 1.0f);
+}
+
+TEST_F(Structure, MeshByHand) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  ASSERT_STREQ(mesh(mesh_record().span()), nullptr);
+  const format::MeshHeader h{6, 12, 0, 0, 2, format::kDoubleSided, {1, 1, 1, 1}, 0, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
+  const format::MeshLayout l = layout(h);
+  EXPECT_EQ(bytes_, l.bytes);
+  const std::uint16_t joints[] = {1, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.joints, joints, sizeof joints), 0);
+  // Joint 1 stands at (0, 2.5, -0.125) and is turned as the root: back a quarter turn about z.
+  const float want[24] = {0, 1, 0, -2.5f, -1, 0, 0, 0, 0, 0, 1, 0.125f, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0};
+  for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(floats(kMesh + l.inverse_bind)[i], want[i], 1e-6) << i;
+}
+
+TEST_F(Structure, MeshThatStandsElsewhere) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  ASSERT_STREQ(mesh(mesh_record(packed::kMeshHasColour | packed::kMeshHasPlace | packed::kMeshGivesBinds).span()),
+               nullptr);
+  const format::MeshHeader h{6, 12, 0, 0, 2, 0, {0.25f, 0.5f, 0.75f, 1}, 0, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
+  // Twice as large and 5 along x, which the quarter turn back makes -y; the second is given.
+  const float want[24] = {0, 2, 0, -2.5f, -2, 0, 0, -5, 0, 0, 2, 0.125f, 1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9};
+  for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(floats(kMesh + layout(h).inverse_bind)[i], want[i], 2e-6) << i;
+}
+
+TEST(Names, ByHand) {
+  const Bytes record = names_record();
+  test::AlignedBlock pool(18);
+  std::uint32_t bytes = 0;
+  ASSERT_STREQ(unpack_names(record.span(), {pool.data(), pool.size()}, bytes), nullptr);
+  EXPECT_EQ(bytes, 18u);
+  const char want[] = "\0hips\0hip_l\0hip_r";
+  static_assert(sizeof want == 18);
+  EXPECT_EQ(std::memcmp(pool.data(), want, sizeof want), 0);
+}
+
+TEST(Names, Refused) {
+  test::AlignedBlock pool(64);
+  const auto refused = [&](const Bytes& record) {
+    std::uint32_t bytes = 0;
+    return unpack_names(record.span(), {pool.data(), pool.size()}, bytes) != nullptr;
+  };
+  EXPECT_TRUE(refused(Bytes())) << "nothing";
+  EXPECT_TRUE(refused(Bytes().u8(0))) << "not even the empty name";
+  EXPECT_TRUE(refused(Bytes().u8(65).u8(0).text(std::string(62, 'a')))) << "more than there is room for";
+  EXPECT_TRUE(refused(Bytes().u8(6).u8(1).text("abc"))) << "shares with a name that is not there";
+  EXPECT_TRUE(refused(Bytes().u8(9).u8(0).text("ab").u8(3).text("c"))) << "shares more than a name has";
+  EXPECT_TRUE(refused(Bytes().u8(4).u8(0).text("abc"))) << "pool too small";
+  EXPECT_TRUE(refused(Bytes().u8(6).u8(0).text("abc"))) << "pool not filled";
+  EXPECT_FALSE(refused(Bytes().u8(5).u8(0).text("abc")));
+}
+
+TEST_F(Structure, Refused) {
+  struct Case {
+    const char* what;
+    std::size_t byte;
+    unsigned now;
+  };
+  const Case skeletons[] = {{"no joints", 1, 0}, {"no roots", 2, 0}, {"more roots than joints", 2, 4},
+                            {"joints without a parent", 5, kOneChild | packed::kJointRotates},
+                            {"more children than joints", 5, 3u << 6 | packed::kJointRotates}};
+  for (const Case& c : skeletons) {
+    Bytes record = skeleton_record();
+    record.all[c.byte] = static_cast<std::byte>(c.now);
+    EXPECT_NE(skeleton(record.span()), nullptr) << c.what;
+  }
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  const Case meshes[] = {{"unknown flags", 0, 16}, {"no such skeleton", 4, 1}, {"a joint behind the last", 8, 6},
+                         {"a joint before the first", 8, 1}, {"more joints than bytes", 6, 3}};
+  for (const Case& c : meshes) {
+    Bytes record = mesh_record();
+    record.all[c.byte] = static_cast<std::byte>(c.now);
+    EXPECT_NE(mesh(record.span()), nullptr) << c.what;
+  }
+  EXPECT_STREQ(mesh(mesh_record().span(), 147), "file_bytes too small");
+  EXPECT_STREQ(unpack_mesh(mesh_record().span(), {file_.data(), 1}, {scratch_.data(), 2 * sizeof(Affine)},
+                           {file_.data() + kMesh, 512}, bytes_),
+               "memory_bytes too small");
+}
+
+// Shorter by any number of bytes, or one byte longer: refused. Any byte changed to anything: nothing but what belongs to
+// it is touched, which the sanitizers watch.
+TEST_F(Structure, Damaged) {
+  const std::vector<std::byte> skeleton_bytes = skeleton_record().all;
+  const std::vector<std::byte> mesh_bytes =
+      mesh_record(packed::kMeshHasColour | packed::kMeshHasPlace | packed::kMeshGivesBinds).all;
+  std::size_t refused = 0;
+  for (std::size_t size = 0; size < skeleton_bytes.size(); ++size)
+    refused += skeleton(span({skeleton_bytes.begin(), skeleton_bytes.begin() + static_cast<std::ptrdiff_t>(size)})) !=
+               nullptr;
+  EXPECT_EQ(refused, skeleton_bytes.size());
+  ASSERT_STREQ(skeleton(span(skeleton_bytes)), nullptr);
+  refused = 0;
+  for (std::size_t size = 0; size < mesh_bytes.size(); ++size)
+    refused += mesh(span({mesh_bytes.begin(), mesh_bytes.begin() + static_cast<std::ptrdiff_t>(size)})) != nullptr;
+  EXPECT_EQ(refused, mesh_bytes.size());
+  std::size_t tried = 0;
+  for (const bool of_mesh : {true, false}) {
+    const std::vector<std::byte>& whole = of_mesh ? mesh_bytes : skeleton_bytes;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      for (unsigned v = 0; v < 256; ++v, ++tried) {
+        std::vector<std::byte> changed = whole;
+        changed[i] = static_cast<std::byte>(v);
+        (void)(of_mesh ? mesh(span(changed)) : skeleton(span(changed)));
+      }
+    std::vector<std::byte> longer = whole;
+    longer.push_back(std::byte{0});
+    EXPECT_NE(of_mesh ? mesh(span(longer)) : skeleton(span(longer)), nullptr);
+  }
+  EXPECT_EQ(tried, 256 * (mesh_bytes.size() + skeleton_bytes.size()));
+}
+
+}  // namespace
+}  // namespace marrow

@@ -1,0 +1,219 @@
+#include "cook/compact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "cook/build.h"
+#include "cook/mesh/record.h"
+#include "marrow/local_to_model.h"
+#include "unpack/structure.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+constexpr std::size_t kTries = 4;  // joints whose bind pose may say where the mesh stands
+
+bool same(const Affine& a, const Affine& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+glm::dmat4 to_matrix(const Affine& a) {
+  glm::dmat4 m(1.0);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) m[column][row] = static_cast<double>(a.rows[row][column]);
+  return m;
+}
+
+std::vector<Affine> rest_in_model_space(const BuiltSkeleton& s) {
+  Skeleton view;
+  view.joint_count = static_cast<std::uint32_t>(s.parents.size());
+  view.root_count = static_cast<std::uint32_t>(s.scene_from_root.size());
+  view.scene_from_root = s.scene_from_root.data();
+  view.rest = s.rest.data();
+  view.parents = s.parents.data();
+  std::vector<Affine> model(s.parents.size());
+  (void)local_to_model(view, {s.rest.data(), s.rest.size()}, {model.data(), model.size()});
+  return model;
+}
+
+// How far a corner of the box goes if one inverse bind takes the place of another, in the mesh's space. Infinite for
+// what cannot be inverted.
+double displacement(const Affine& given, const Affine& derived, const format::GeometryHeader& box) {
+  const glm::dmat4 change = glm::inverse(to_matrix(given)) * to_matrix(derived);
+  double most = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    glm::dvec4 v(0, 0, 0, 1);
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] = static_cast<double>((corner >> axis & 1) != 0 ? box.box_max[axis] : box.box_min[axis]);
+    const double distance = glm::length(glm::dvec3(change * v - v));
+    if (!std::isfinite(distance)) return HUGE_VAL;
+    most = std::max(most, distance);
+  }
+  return most;
+}
+
+// Where the mesh would stand for most of its inverse binds to follow from the rest pose, and which of them do not.
+void derive(const std::vector<Affine>& model, double allowed_m, const format::GeometryHeader& box, BuiltMesh& mesh,
+            double& moved_m) {
+  std::vector<Affine> places = {kIdentity};
+  for (std::size_t i = 0; i < std::min(mesh.joints.size(), kTries); ++i)
+    places.push_back(to_affine(to_matrix(model[mesh.joints[i]]) * to_matrix(mesh.inverse_bind[i])));
+  std::size_t fewest = mesh.joints.size() + 1;
+  std::vector<Affine> derived;
+  double most = 0;
+  for (const Affine& place : places) {
+    std::vector<Affine> binds;
+    std::vector<char> given;
+    double worst = 0;
+    for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
+      binds.push_back(derived_inverse_bind(model[mesh.joints[i]], place));
+      const double moved = displacement(mesh.inverse_bind[i], binds.back(), box);
+      given.push_back(moved > allowed_m);
+      if (given.back() == 0) worst = std::max(worst, moved);
+    }
+    const auto count = static_cast<std::size_t>(std::count(given.begin(), given.end(), 1));
+    if (count >= fewest) continue;
+    fewest = count;
+    mesh.scene_from_mesh = place;
+    mesh.bind_is_given = std::move(given);
+    derived = std::move(binds);
+    most = worst;
+  }
+  for (std::size_t i = 0; i < mesh.joints.size(); ++i)
+    if (mesh.bind_is_given[i] == 0) mesh.inverse_bind[i] = derived[i];
+  moved_m = std::max(moved_m, most);
+}
+
+void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
+  for (int shift = 0; shift < 24; shift += 8) out.push_back(static_cast<std::byte>(value >> shift & 0xFF));
+}
+
+std::uint32_t shared_start(const std::string& a, const std::string& b) {
+  const std::size_t most = std::min({a.size(), b.size(), std::size_t{63}});
+  return static_cast<std::uint32_t>(std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(most), b.begin()).first -
+                                    a.begin());
+}
+
+}  // namespace
+
+void derive_inverse_binds(BuiltScene& scene) {
+  std::vector<std::vector<Affine>> models;
+  for (const BuiltSkeleton& skeleton : scene.skeletons) models.push_back(rest_in_model_space(skeleton));
+  std::vector<double> moved_m(scene.geometries.size(), 0);
+  for (BuiltMesh& mesh : scene.meshes) {
+    const BuiltGeometry& g = scene.geometries[mesh.geometry];
+    derive(models[mesh.skeleton], g.position_step_m / 8, g.header, mesh, moved_m[mesh.geometry]);
+  }
+  for (std::size_t i = 0; i < scene.geometries.size(); ++i) scene.geometries[i].error.position_m += moved_m[i];
+}
+
+std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t name,
+                                        const std::vector<std::uint32_t>& joint_names) {
+  const std::size_t joints = s.parents.size(), roots = s.scene_from_root.size();
+  std::vector<std::byte> out;
+  add_varint(name, out);
+  add_varint(static_cast<std::uint32_t>(joints), out);
+  add_varint(static_cast<std::uint32_t>(roots), out);
+  for (const Affine& above : s.scene_from_root) {
+    add_value(static_cast<std::uint8_t>(same(above, kIdentity) ? 0 : 1), out);
+    if (!same(above, kIdentity)) add_value(above, out);
+  }
+  add_value(static_cast<std::int8_t>(s.translation_exponent), out);
+  std::vector<std::uint32_t> children(joints, 0);
+  for (std::size_t j = roots; j < joints; ++j) ++children[s.parents[j]];
+  for (std::size_t j = 0; j < joints; ++j) {
+    const SoaTransform& four = s.rest[j / 4];
+    const std::size_t lane = j % 4;
+    float t[3], q[4];
+    std::uint32_t flags = 0;
+    bool scales = false;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      t[i] = four.translation[i][lane];
+      if (t[i] != 0) flags |= packed::kJointTranslates << i;
+      scales = scales || four.scale[i][lane] != 1;
+    }
+    for (int i = 0; i < 4; ++i) q[i] = four.rotation[i][lane];
+    if (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 1) flags |= packed::kJointRotates;
+    if (scales) flags |= packed::kJointScales;
+    if (joint_names[j] != 0) flags |= packed::kJointNameIsOld;
+    const bool many = children[j] >= packed::kJointManyChildren;
+    flags |= (many ? packed::kJointManyChildren : children[j]) << packed::kJointChildrenShift;
+    add_value(static_cast<std::uint8_t>(flags), out);
+    if (many) add_varint(children[j], out);
+    if (joint_names[j] != 0) add_varint(joint_names[j] - 1, out);
+    for (const float x : t)
+      if (x != 0) add_24_bits(static_cast<std::int32_t>(std::ldexp(x, -s.translation_exponent)), out);
+    if ((flags & packed::kJointRotates) != 0) add_value(s.rotation_codes[j], out);
+    if (scales)
+      for (const auto& axis : four.scale) add_value(axis[lane], out);
+  }
+  return out;
+}
+
+std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHeader& h,
+                                    const std::vector<MeshTarget>& targets) {
+  const bool coloured = std::any_of(h.base_colour, h.base_colour + 4, [](float c) { return c != 1; });
+  const bool placed = !same(mesh.scene_from_mesh, kIdentity);
+  const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
+  std::vector<std::byte> out;
+  add_varint(h.flags | (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
+                 (gives ? packed::kMeshGivesBinds : 0u),
+             out);
+  for (const std::uint32_t n :
+       {h.name, h.material, h.material_section, h.skeleton, h.geometry, h.joint_count, h.target_count})
+    add_varint(n, out);
+  if (coloured) add_value(h.base_colour, out);
+  if (placed) add_value(mesh.scene_from_mesh, out);
+  std::uint32_t next = 0;
+  for (const std::uint16_t joint : mesh.joints) {
+    const std::uint32_t step = joint - next;
+    add_varint(step << 1 ^ (0 - (step >> 31)), out);
+    next = joint + 1u;
+  }
+  if (gives) {
+    for (std::size_t i = 0; i < mesh.joints.size(); i += 8) {
+      unsigned bits = 0;
+      for (std::size_t k = i; k < std::min(i + 8, mesh.joints.size()); ++k)
+        bits |= static_cast<unsigned>(mesh.bind_is_given[k] != 0) << (k - i);
+      out.push_back(static_cast<std::byte>(bits));
+    }
+    for (std::size_t i = 0; i < mesh.joints.size(); ++i)
+      if (mesh.bind_is_given[i] != 0) add_value(mesh.inverse_bind[i], out);
+  }
+  for (const MeshTarget& t : targets) {
+    add_varint(t.name, out);
+    add_varint(t.channel, out);
+    add_value(t.weight, out);
+  }
+  return out;
+}
+
+std::vector<std::byte> compact_names(const std::vector<char>& pool) {
+  std::vector<std::byte> out;
+  add_varint(static_cast<std::uint32_t>(pool.size()), out);
+  std::string last[4];  // newest first
+  for (std::size_t at = 1; at < pool.size();) {
+    const std::string name(pool.data() + at);
+    at += name.size() + 1;
+    unsigned best = 0;
+    for (unsigned i = 1; i < 4; ++i)
+      if (shared_start(name, last[i]) > shared_start(name, last[best])) best = i;
+    const std::uint32_t shared = shared_start(name, last[best]);
+    out.push_back(static_cast<std::byte>(best << 6 | shared));
+    for (std::size_t i = shared; i <= name.size(); ++i) out.push_back(static_cast<std::byte>(name.c_str()[i]));
+    std::rotate(last, last + 3, last + 4);
+    last[0] = name;
+  }
+  return out;
+}
+
+std::uint64_t compact_scratch_bytes(const BuiltSkeleton& skeleton) {
+  return skeleton.parents.size() * sizeof(Affine);
+}
+
+}  // namespace marrow::cook
