@@ -65,6 +65,25 @@ TEST_F(CliCache, WhatCounts) {
   EXPECT_EQ(run_marrow({"cook", gltf(), "-o", out(), "--cache", cache()}).code, 2) << "a buffer is gone";
 }
 
+// A pack is another one for another character.
+TEST_F(CliCache, CountsTheSkeleton) {
+  const std::string source = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf", character = folder_ / "c.gltf";
+  nlohmann::json scene = nlohmann::json::parse(read_text(source));
+  write_text(character, scene.dump());
+  const auto pack = [&] {
+    const Ran ran = run_marrow({"cook", source, "-o", out(), "--cache", cache(), "--clips-only", "--skeleton", character});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.out.find("from the cache") != std::string::npos;
+  };
+  EXPECT_FALSE(pack());
+  const std::string first = read_text(out());
+  EXPECT_TRUE(pack());
+  scene["nodes"][1]["translation"] = {0, 2, 0};
+  write_text(character, scene.dump());
+  EXPECT_FALSE(pack());
+  EXPECT_TRUE(read_text(out()) != first);
+}
+
 TEST_F(CliCache, GoesByContentsNotByName) {
   EXPECT_FALSE(cook());
   fs::create_directory(folder_ / "b");

@@ -17,6 +17,7 @@
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/hash.h"
 #include "common/load_mrw.h"
 #include "common/parallel.h"
 #include "cook/batch.h"
@@ -154,6 +155,23 @@ cook::Character read_character(const std::string& path) {
   return cook::view_character(path, loaded.file);
 }
 
+// All that cooking onto it depends on.
+std::string hash_of(const cook::Character& character) {
+  Hasher hasher;
+  const auto add = [&](const auto& values) {
+    hasher.add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]});
+  };
+  hasher.add(character.file);
+  for (const cook::BuiltSkeleton& skeleton : character.skeletons) {
+    hasher.add(skeleton.name);
+    for (const std::string& name : skeleton.joint_names) hasher.add(name);
+    add(skeleton.parents);
+    add(skeleton.scene_from_root);
+    add(skeleton.rest);
+  }
+  return hasher.hex();
+}
+
 class Cook {
  public:
   explicit Cook(const CookArguments& arguments) : a_(arguments) {
@@ -169,16 +187,18 @@ class Cook {
     Cooked out;
     std::optional<cook::CookResult> result;
     cook::CookOptions options = order.options;
-    const bool from_cache = cache_.has_value() && options.skeleton_file.empty();
-    if (from_cache) result = cache_->find(order.job.in, order.options_text);
+    std::string options_text = order.options_text;
+    if (!options.skeleton_file.empty()) {
+      options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
+      options_text += "\nskeleton " + hash_of(*options.onto);
+    }
+    if (cache_) result = cache_->find(order.job.in, options_text);
     out.outcome.from_cache = result.has_value();
     if (!result) {
-      if (!options.skeleton_file.empty())
-        options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
       cook::RawScene scene = cook::read_gltf(order.job.in, {.image_bytes = options.images == cook::Images::embed});
       const MemoryGate::Pass pass(memory_, scene.source_bytes);
       result = cook::cook_scene(std::move(scene), options);
-      if (from_cache) note_trouble(cache_->store(*result, order.options_text));
+      if (cache_) note_trouble(cache_->store(*result, options_text));
     }
     result->report["source"]["file"] = order.job.in;
     result->report["output"]["file"] = order.job.out;
