@@ -1,0 +1,62 @@
+// A game's calls, so that tools/sizes/code.sh can say what linking them costs. Never run. STAGES: 0 nothing, 1 poses,
+// 2 and skinning; UNPACK: a function of marrow/draco.h or marrow/meshopt.h.
+#include "marrow/blend.h"
+#include "marrow/draco.h"
+#include "marrow/file.h"
+#include "marrow/local_to_model.h"
+#include "marrow/meshopt.h"
+#include "marrow/palette.h"
+#include "marrow/sample.h"
+#include "marrow/skin.h"
+#include "marrow/unpack.h"
+
+#if STAGES == 0
+int main() {
+  return 0;
+}
+#else
+
+namespace {
+
+// Nothing is known of what lies here, so nothing can be left out.
+struct Memory {
+  std::byte* bytes;
+  marrow::SoaTransform* poses[2];
+  marrow::Affine *joints, *palette;
+  float *positions, *normals, *coordinates;
+  std::size_t size;
+};
+
+marrow::Status frame(marrow::Span<const std::byte> bytes, const Memory& m) {
+#ifdef UNPACK
+  const marrow::MeshDecoder decoders[] = {marrow::UNPACK()};
+  if (unpack(bytes, {decoders, 1}, {m.bytes, m.size}, bytes) != marrow::Status::ok) return marrow::Status::bad_data;
+#endif
+  marrow::File file;
+  if (load(bytes, file) != marrow::Status::ok) return marrow::Status::bad_data;
+  const marrow::Skeleton skeleton = file.skeleton(0);
+  marrow::BlendLayer layers[2];
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    sample(skeleton, file.clip(i), 0.5f, {m.poses[i], m.size});
+    layers[i].pose = {m.poses[i], m.size};
+  }
+  blend(skeleton, {layers, 2}, {m.poses[0], m.size});
+  local_to_model(skeleton, {m.poses[0], m.size}, {m.joints, m.size});
+#if STAGES == 2
+  const marrow::Mesh mesh = file.mesh(0);
+  build_palette(mesh, {m.joints, m.size}, {m.palette, m.size});
+  const marrow::SkinOutput out{.positions = {m.positions, m.size}, .normals = {m.normals, m.size}, .tangents = {}};
+  skin_ssd(mesh, {m.palette, m.size}, out);
+  as_coordinates(mesh.geometry, {m.coordinates, m.size});
+  skin_as(mesh, {m.coordinates, m.size}, {m.palette, m.size}, out);
+#endif
+  return marrow::Status::ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return static_cast<int>(frame({reinterpret_cast<const std::byte*>(argv[0]), static_cast<std::size_t>(argc)},
+                                *reinterpret_cast<const Memory*>(argv[1])));
+}
+#endif
