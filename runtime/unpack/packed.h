@@ -42,6 +42,16 @@ enum PackedMeshFlags : std::uint32_t {
   kAllPackedMeshFlags = 15,
 };
 
+// Of a compact CLIP.
+enum PackedClipFlags : std::uint32_t {
+  kClipIsCoded = 1,
+  kClipIsAdditive = 2,
+  kClipHasLists = 4,     // of tracks, channels, times, values, or a reference
+  kClipStartsLater = 8,  // start_s is not 0
+  kClipIsUneven = 16,
+  kAllClipFlags = 31,
+};
+
 inline constexpr std::uint32_t kMaxDirectionBits = 16;
 inline constexpr std::uint32_t kMaxWeightBits = 16;
 inline constexpr std::uint32_t kMaxTargetBits = 16;

@@ -40,7 +40,8 @@ void take_joint(Reader& reader, std::uint32_t flags, std::int32_t exponent, std:
     for (auto& axis : four.scale) axis[lane] = reader.take<float>();
 }
 
-// Without its names. Null pointers past the last.
+}  // namespace
+
 Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index) {
   Skeleton s;
   if (index >= skeletons.count) return s;
@@ -57,8 +58,6 @@ Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index) {
   s.parents = reinterpret_cast<const std::uint16_t*>(section + l.parents);
   return s;
 }
-
-}  // namespace
 
 NameReader::NameReader(Span<const std::byte> record) : reader_(record.data, record.size) {
   pool_bytes_ = reader_.take_varint();

@@ -1,4 +1,4 @@
-// Skeletons, meshes and names in packed files (docs/format.md, "Packed files") → their sections.
+// Skeletons, clips, meshes and names in packed files (docs/format.md, "Packed files") → their sections.
 #pragma once
 
 #include "marrow/file.h"
@@ -39,6 +39,10 @@ struct UnpackedSkeletons {
   const std::byte* file = nullptr;
   std::uint32_t count = 0;
 };
+// The view lacks names; without joints past the last.
+Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index);
+const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> out,
+                        std::uint32_t& bytes, std::uint32_t& codec);
 const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
                         Span<std::byte> out, std::uint32_t& bytes);
 

@@ -85,7 +85,7 @@ class Unpacker {
       section.bytes = static_cast<std::uint32_t>(record.bytes.size);
       section.codec = record.codec;
     } else {
-      const Status status = expand(record, out, section.bytes, rule);
+      const Status status = expand(record, out, section, rule);
       if (status != Status::ok) return status;
     }
     if (record.kind == format::kSkeletons && record.codec == packed::kCompact && compact_skeletons_ == index)
@@ -115,7 +115,9 @@ class Unpacker {
   }
 
   // A record that is not a section as it stands.
-  Status expand(const Record& record, Span<std::byte> out, std::uint32_t& bytes, const char*& rule) {
+  Status expand(const Record& record, Span<std::byte> out, File::Section& section, const char*& rule) {
+    const UnpackedSkeletons skeletons{memory_.data, compact_skeletons_};
+    std::uint32_t& bytes = section.bytes;
     const Span<std::byte> scratch(memory_.data + scratch_at_, header_.memory_bytes - scratch_at_);
     if (record.kind == format::kGeometries && record.codec != packed::kCompact) {
       const MeshDecoder* decoder = nullptr;
@@ -130,8 +132,10 @@ class Unpacker {
       rule = "a codec that is none of this kind of record";
     } else if (record.kind == format::kSkeletons) {
       rule = unpack_skeleton(record.bytes, names_, out, bytes);
+    } else if (record.kind == format::kClips) {
+      rule = unpack_clip(record.bytes, skeletons, out, bytes, section.codec);
     } else if (record.kind == format::kMeshes) {
-      rule = unpack_mesh(record.bytes, {memory_.data, compact_skeletons_}, scratch, out, bytes);
+      rule = unpack_mesh(record.bytes, skeletons, scratch, out, bytes);
     } else if (record.kind == format::kNames) {
       rule = unpack_names(record.bytes, out, bytes);
     } else {

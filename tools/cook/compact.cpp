@@ -15,11 +15,11 @@
 namespace marrow::cook {
 namespace {
 
-constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+constexpr Affine kIdentityMap = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 constexpr std::size_t kTries = 4;  // joints whose bind pose may say where the mesh stands
 
-bool same(const Affine& a, const Affine& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+bool is_identity(const Affine& a) {
+  return std::memcmp(&a, &kIdentityMap, sizeof a) == 0;
 }
 
 glm::dmat4 to_matrix(const Affine& a) {
@@ -60,7 +60,7 @@ double displacement(const Affine& given, const Affine& derived, const format::Ge
 // Where the mesh would stand for most of its inverse binds to follow from the rest pose, and which of them do not.
 void derive(const std::vector<Affine>& model, double allowed_m, const format::GeometryHeader& box, BuiltMesh& mesh,
             double& moved_m) {
-  std::vector<Affine> places = {kIdentity};
+  std::vector<Affine> places = {kIdentityMap};
   for (std::size_t i = 0; i < std::min(mesh.joints.size(), kTries); ++i)
     places.push_back(to_affine(to_matrix(model[mesh.joints[i]]) * to_matrix(mesh.inverse_bind[i])));
   std::size_t fewest = mesh.joints.size() + 1;
@@ -120,8 +120,8 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
   add_varint(static_cast<std::uint32_t>(joints), out);
   add_varint(static_cast<std::uint32_t>(roots), out);
   for (const Affine& above : s.scene_from_root) {
-    add_value(static_cast<std::uint8_t>(same(above, kIdentity) ? 0 : 1), out);
-    if (!same(above, kIdentity)) add_value(above, out);
+    add_value(static_cast<std::uint8_t>(is_identity(above) ? 0 : 1), out);
+    if (!is_identity(above)) add_value(above, out);
   }
   add_value(static_cast<std::int8_t>(s.translation_exponent), out);
   std::vector<std::uint32_t> children(joints, 0);
@@ -155,10 +155,61 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
   return out;
 }
 
+std::vector<std::byte> compact_clip(std::span<const std::byte> section, std::uint32_t codec, std::size_t joint_count) {
+  format::ClipHeader h;
+  std::memcpy(&h, section.data(), sizeof h);
+  const format::ClipLayout lists = layout(h);
+  const bool coded = codec == format::kCodecSegments;
+  format::CodedHeader c{};
+  if (coded) std::memcpy(&c, section.data() + lists.bytes, sizeof c);
+  std::uint32_t flags = coded ? packed::kClipIsCoded : 0u;
+  if (h.additive != 0) flags |= packed::kClipIsAdditive;
+  if (lists.bytes > sizeof h) flags |= packed::kClipHasLists;
+  if (c.start_s != 0) flags |= packed::kClipStartsLater;
+  if (c.time_count != 0) flags |= packed::kClipIsUneven;
+
+  std::vector<std::byte> out = {static_cast<std::byte>(flags)};
+  const auto add_bytes = [&](std::uint64_t first, std::uint64_t end) {
+    const auto part = section.subspan(first, end - first);
+    out.insert(out.end(), part.begin(), part.end());
+  };
+  add_varint(h.name, out);
+  add_varint(h.skeleton, out);
+  add_value(h.duration_s, out);
+  if ((flags & packed::kClipHasLists) != 0) {
+    for (const std::uint32_t count : {h.track_count, h.channel_count, h.time_count, h.value_count})
+      add_varint(count, out);
+    add_value(h.reference_groups, out);
+  }
+  add_bytes(sizeof h, lists.bytes);
+  if (!coded) return out;
+
+  const format::CodedLayout l = layout(c, lists.bytes, static_cast<std::uint32_t>(joint_count));
+  add_varint(c.frame_count, out);
+  add_varint(c.segment_intervals, out);
+  add_value(c.frames_per_s, out);
+  if (c.start_s != 0) add_value(c.start_s, out);
+  add_bytes(l.times, l.offsets);
+  std::uint32_t before = 0;
+  for (std::uint64_t at = l.offsets + 4; at < l.masks; at += 4) {
+    std::uint32_t offset = 0;
+    std::memcpy(&offset, section.data() + at, sizeof offset);
+    add_varint(offset - before, out);
+    before = offset;
+  }
+  for (std::uint64_t at = l.masks; at < l.constants; at += 2) {
+    std::uint16_t mask = 0;
+    std::memcpy(&mask, section.data() + at, sizeof mask);
+    add_varint(mask, out);
+  }
+  add_bytes(l.constants, l.bytes - format::kPayloadPadding);
+  return out;
+}
+
 std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHeader& h,
                                     const std::vector<MeshTarget>& targets) {
   const bool coloured = std::any_of(h.base_colour, h.base_colour + 4, [](float c) { return c != 1; });
-  const bool placed = !same(mesh.scene_from_mesh, kIdentity);
+  const bool placed = !is_identity(mesh.scene_from_mesh);
   const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
   std::vector<std::byte> out;
   add_varint(h.flags | (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |

@@ -103,7 +103,7 @@ void add_coded(const BuiltCoded& coded, Section& out) {
   out.add_all(coded.payload);
 }
 
-Section write_clip(const BuiltClip& c, Names& names) {
+Section write_clip(const BuiltClip& c, std::size_t joint_count, Names& names) {
   Section out;
   out.add(format::ClipHeader{names.add(c.name), c.skeleton, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
                              static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
@@ -120,6 +120,7 @@ Section write_clip(const BuiltClip& c, Names& names) {
   out.add_all(c.times_s);
   out.add_all(c.values);
   if (c.coded.header.frame_count > 0) add_coded(c.coded, out);
+  out.compact = compact_clip(out.bytes(), out.codec, joint_count);
   return out;
 }
 
@@ -287,7 +288,7 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
                   : add(format::kSkeletons, write_skeleton(skeleton, names));
     scratch_bytes = std::max(scratch_bytes, compact_scratch_bytes(skeleton));
   }
-  for (const BuiltClip& clip : scene.clips) out.clip_bytes.push_back(add(format::kClips, write_clip(clip, names)));
+  for (const BuiltClip& clip : scene.clips) out.clip_bytes.push_back(add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names)));
   for (const BuiltGeometry& g : scene.geometries) {
     const std::span<const std::byte> section(g.section.data(), g.section.size());
     const bool has_record = g.codec != 0;

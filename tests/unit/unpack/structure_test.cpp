@@ -1,4 +1,4 @@
-// Compact skeletons, meshes and names written by hand: what unpacking must give, and what it must refuse.
+// Compact skeletons, clips, meshes and names written by hand: what unpacking must give, and what it must refuse.
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -68,6 +68,27 @@ Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
   return b;
 }
 
+// Of three joints, one group: the first turns in three frames of 1 + 1 bytes, the second stays somewhere else. Two
+// segments of one interval each; a key of a channel; the third frame is late.
+Bytes clip_record() {
+  Bytes b;
+  b.u8(packed::kClipIsCoded | packed::kClipHasLists | packed::kClipStartsLater | packed::kClipIsUneven);
+  b.u8(6).u8(0).add(2.0f);
+  b.u8(0).u8(1).u8(1).u8(1).u8(0).u8(0);  // one channel, time and value
+  b.add(Channel{12, 0.5f, 1, 0, 0, Interpolation::linear, {}}).add(0.25f).add(0.75f);
+  b.u8(3).u8(1).add(1.25f).add(0.25f);
+  b.add(0.25f).add(0.5f).add(1.85f);
+  b.u8(15);           // the second segment behind the first, 4 + 9 + 2 bytes long
+  b.u8(1).u8(0x20);   // joint 0 turns; joint 1 has a translation of its own
+  b.add(std::int16_t{1}).add(std::int16_t{2}).add(std::int16_t{3}).add(std::int16_t{100});
+  for (int segment = 0; segment < 2; ++segment) {
+    b.add(std::uint32_t{1}).u8(0x10).u8(0x11).u8(100);  // a bit each
+    for (int i = 0; i < 6; ++i) b.u8(0);
+    b.u8(1).u8(2);
+  }
+  return b;
+}
+
 // A file with the skeleton as its only section, and behind it room.
 class Structure : public ::testing::Test {
  protected:
@@ -85,10 +106,13 @@ class Structure : public ::testing::Test {
     return unpack_mesh(record, {file_.data(), 1}, {scratch_.data(), scratch_.size()}, {file_.data() + kMesh, room},
                        bytes_);
   }
+  const char* clip(Span<const std::byte> record, std::size_t room = 512) {
+    return unpack_clip(record, {file_.data(), 1}, {file_.data() + kMesh, room}, bytes_, codec_);
+  }
   const float* floats(std::size_t offset) const { return reinterpret_cast<const float*>(file_.data() + offset); }
 
   test::AlignedBlock file_{1024}, scratch_{3 * sizeof(Affine)};
-  std::uint32_t bytes_ = 0;
+  std::uint32_t bytes_ = 0, codec_ = 99;
 };
 
 TEST_F(Structure, SkeletonByHand) {
@@ -155,6 +179,43 @@ TEST_F(Structure, MeshThatStandsElsewhere) {
   for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(floats(kMesh + layout(h).inverse_bind)[i], want[i], 2e-6) << i;
 }
 
+TEST_F(Structure, ClipByHand) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  ASSERT_STREQ(clip(clip_record().span()), nullptr);
+  EXPECT_EQ(codec_, format::kCodecSegments);
+  const format::ClipHeader h{6, 0, 2.0f, 0, 1, 1, 1, 0, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
+  const std::uint64_t start = layout(h).bytes;
+  ASSERT_EQ(start, 32u + 24 + 4 + 4);
+  EXPECT_EQ(floats(kMesh + 56)[0], 0.25f);
+  EXPECT_EQ(floats(kMesh + 56)[1], 0.75f);
+  const format::CodedHeader c{3, 1, 0.25f, 1.25f, 1, 1, 2 * 15 + 8, 3};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + start, &c, sizeof c), 0);
+  const format::CodedLayout l = layout(c, start, 3);
+  EXPECT_EQ(bytes_, l.bytes);
+  const float times_s[] = {0.25f, 0.5f, 1.85f};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.times, times_s, sizeof times_s), 0);
+  const std::uint32_t offsets[] = {0, 15};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.offsets, offsets, sizeof offsets), 0);
+  const GroupMasks masks{1, 0x20};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.masks, &masks, sizeof masks), 0);
+  const format::Constant constant{{1, 2, 3, 100}};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.constants, &constant, sizeof constant), 0);
+  const unsigned char payload[38] = {1, 0, 0, 0, 0x10, 0x11, 100, 0, 0, 0, 0, 0, 0, 1, 2,
+                                     1, 0, 0, 0, 0x10, 0x11, 100, 0, 0, 0, 0, 0, 0, 1, 2};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.payload, payload, sizeof payload), 0);
+}
+
+// No lists and nothing coded: a header.
+TEST_F(Structure, ClipOfNothing) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  ASSERT_STREQ(clip(Bytes().u8(packed::kClipIsAdditive).u8(6).u8(0).add(1.5f).span()), nullptr);
+  const format::ClipHeader h{6, 0, 1.5f, 0, 0, 0, 0, 1, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
+  EXPECT_EQ(bytes_, 32u);
+  EXPECT_EQ(codec_, format::kCodecRaw);
+}
+
 TEST(Names, ByHand) {
   const Bytes record = names_record();
   test::AlignedBlock pool(18);
@@ -204,42 +265,52 @@ TEST_F(Structure, Refused) {
     record.all[c.byte] = static_cast<std::byte>(c.now);
     EXPECT_NE(mesh(record.span()), nullptr) << c.what;
   }
+  // At byte 45 the frames begin.
+  const Case clips[] = {{"unknown flags", 0, 32}, {"no such skeleton", 2, 1}, {"one frame", 45, 1},
+                        {"no intervals", 46, 0}, {"more channels than bytes", 8, 100}};
+  ASSERT_STREQ(clip(clip_record().span()), nullptr);
+  for (const Case& c : clips) {
+    Bytes record = clip_record();
+    record.all[c.byte] = static_cast<std::byte>(c.now);
+    EXPECT_NE(clip(record.span()), nullptr) << c.what;
+  }
+  EXPECT_STREQ(clip(clip_record().span(), 165), "file_bytes too small");
+  EXPECT_STREQ(clip(clip_record().span(), 63), "file_bytes too small");
   EXPECT_STREQ(mesh(mesh_record().span(), 147), "file_bytes too small");
   EXPECT_STREQ(unpack_mesh(mesh_record().span(), {file_.data(), 1}, {scratch_.data(), 2 * sizeof(Affine)},
                            {file_.data() + kMesh, 512}, bytes_),
                "memory_bytes too small");
 }
 
-// Shorter by any number of bytes, or one byte longer: refused. Any byte changed to anything: nothing but what belongs to
-// it is touched, which the sanitizers watch.
+// Shorter by any number of bytes, or one byte longer: refused, but for what is a payload. Any byte changed to anything:
+// nothing but what belongs to it is touched, which the sanitizers watch.
 TEST_F(Structure, Damaged) {
-  const std::vector<std::byte> skeleton_bytes = skeleton_record().all;
-  const std::vector<std::byte> mesh_bytes =
-      mesh_record(packed::kMeshHasColour | packed::kMeshHasPlace | packed::kMeshGivesBinds).all;
-  std::size_t refused = 0;
-  for (std::size_t size = 0; size < skeleton_bytes.size(); ++size)
-    refused += skeleton(span({skeleton_bytes.begin(), skeleton_bytes.begin() + static_cast<std::ptrdiff_t>(size)})) !=
-               nullptr;
-  EXPECT_EQ(refused, skeleton_bytes.size());
-  ASSERT_STREQ(skeleton(span(skeleton_bytes)), nullptr);
-  refused = 0;
-  for (std::size_t size = 0; size < mesh_bytes.size(); ++size)
-    refused += mesh(span({mesh_bytes.begin(), mesh_bytes.begin() + static_cast<std::ptrdiff_t>(size)})) != nullptr;
-  EXPECT_EQ(refused, mesh_bytes.size());
-  std::size_t tried = 0;
-  for (const bool of_mesh : {true, false}) {
-    const std::vector<std::byte>& whole = of_mesh ? mesh_bytes : skeleton_bytes;
-    for (std::size_t i = 0; i < whole.size(); ++i)
-      for (unsigned v = 0; v < 256; ++v, ++tried) {
-        std::vector<std::byte> changed = whole;
-        changed[i] = static_cast<std::byte>(v);
-        (void)(of_mesh ? mesh(span(changed)) : skeleton(span(changed)));
-      }
-    std::vector<std::byte> longer = whole;
+  const std::vector<std::byte> whole[] = {
+      mesh_record(packed::kMeshHasColour | packed::kMeshHasPlace | packed::kMeshGivesBinds).all, clip_record().all,
+      skeleton_record().all};
+  const auto run = [&](std::size_t kind, const std::vector<std::byte>& bytes) {
+    return kind == 0 ? mesh(span(bytes)) : kind == 1 ? clip(span(bytes)) : skeleton(span(bytes));
+  };
+  ASSERT_STREQ(skeleton(span(whole[2])), nullptr);
+  std::size_t refused = 0, tried = 0, bytes = 0;
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    bytes += whole[kind].size();
+    for (std::size_t size = 0; size < whole[kind].size(); ++size)
+      refused += run(kind, {whole[kind].begin(), whole[kind].begin() + static_cast<std::ptrdiff_t>(size)}) != nullptr;
+    std::vector<std::byte> longer = whole[kind];
     longer.push_back(std::byte{0});
-    EXPECT_NE(of_mesh ? mesh(span(longer)) : skeleton(span(longer)), nullptr);
+    EXPECT_EQ(run(kind, longer) != nullptr, kind != 1);
+    ASSERT_STREQ(run(2, whole[2]), nullptr);
   }
-  EXPECT_EQ(tried, 256 * (mesh_bytes.size() + skeleton_bytes.size()));
+  EXPECT_EQ(refused, bytes - 2 * 15) << "load() sees that segments are missing";
+  for (std::size_t kind = 0; kind < 3; ++kind)
+    for (std::size_t i = 0; i < whole[kind].size(); ++i)
+      for (unsigned v = 0; v < 256; ++v, ++tried) {
+        std::vector<std::byte> changed = whole[kind];
+        changed[i] = static_cast<std::byte>(v);
+        (void)run(kind, changed);
+      }
+  EXPECT_EQ(tried, 256 * bytes);
 }
 
 }  // namespace
