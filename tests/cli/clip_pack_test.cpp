@@ -46,7 +46,10 @@ TEST_F(CliClipPack, PlaysAsTheClipsCookedWithTheirCharacter) {
   EXPECT_TRUE(info.at("meshes").empty());
   EXPECT_EQ(info.at("references").at(0).at("hash"), whole_info.at("skeletons").at(0).at("hash"));
   EXPECT_EQ(info.at("references").at(0).at("joint_list"), whole_info.at("skeletons").at(0).at("joint_list"));
-  EXPECT_EQ(info.at("clips"), whole_info.at("clips"));
+  auto clips = info.at("clips"), whole_clips = whole_info.at("clips");
+  for (auto* list : {&clips, &whole_clips})
+    for (auto& clip : *list) clip.erase("bytes");  // fewer in a packed file
+  EXPECT_EQ(clips, whole_clips);
   std::size_t compared = 0;
   for (const auto& clip : info.at("clips")) {
     const auto name = clip.at("name").get<std::string>();

@@ -126,9 +126,9 @@ class SettingsOf {
   void warn_of_unused(const std::vector<std::string>& inputs) const {
     std::error_code ignored;
     for (const auto& [path, known] : known_) {
+      const fs::path own = known.settings.folder;
       const bool all = std::ranges::any_of(inputs, [&](const std::string& input) {
         const fs::path folder = fs::weakly_canonical(fs::absolute(input), ignored);
-        const fs::path own = known.settings.folder;
         return fs::is_directory(folder, ignored) &&
                std::mismatch(folder.begin(), folder.end(), own.begin(), own.end()).first == folder.end();
       });

@@ -82,8 +82,9 @@ class Reader {
   Given read_options(const toml::table& table, std::string_view but) const {
     Given given;
     for (const auto& [key, node] : table) {
-      if (key.str() == but) continue;
-      const auto option = std::ranges::find_if(option_table(), [&](const Option& o) { return key.str() == o.name; });
+      const std::string_view name = key.str();
+      if (name == but) continue;
+      const auto option = std::ranges::find_if(option_table(), [&](const Option& o) { return name == o.name; });
       if (option == option_table().end()) unknown(key, but);
       given[option->name] = values(*option, node);
     }
