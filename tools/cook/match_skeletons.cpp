@@ -121,7 +121,7 @@ void Matching::check_moved() {
     }
   if (strangers.empty()) return;
   std::ranges::sort(strangers);
-  strangers.erase(std::ranges::unique(strangers).begin(), strangers.end());
+  strangers.erase(std::unique(strangers.begin(), strangers.end()), strangers.end());
   std::string names;
   for (const int node : strangers) names.append(names.empty() ? "" : ", ").append(name_of(node));
   fail(strangers.front(), "no such joint in " + character_.file,

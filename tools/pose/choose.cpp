@@ -45,7 +45,7 @@ std::uint32_t fitting_skeleton(const std::string& pack_path, const File& pack, s
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i)
     if (std::ranges::find(play.parts, i, &Play::Part::skeleton) == play.parts.end()) order.push_back(i);
-  std::ranges::stable_partition(order, [&](std::uint32_t i) { return file.skeleton(i).name == name; });
+  std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return file.skeleton(i).name == name; });
   std::size_t fewest = SIZE_MAX;
   std::uint32_t closest = 0;
   for (const std::uint32_t i : order) {
