@@ -76,18 +76,17 @@ Clip File::clip(std::uint32_t index) const {
   if (sections_[first_[format::kClips] + index].codec == format::kCodecSegments) {
     const auto& coded = *at<format::CodedHeader>(base, l.bytes);
     const format::CodedLayout k = layout(coded, l.bytes, c.joint_count);
-    c.coded = {
-        coded.frame_count,
-        coded.track_count,
-        coded.constant_count,
-        coded.segment_intervals,
-        coded.start_s,
-        coded.frames_per_s,
-        coded.time_count > 0 ? at<float>(base, k.times) : nullptr,
-        at<GroupMasks>(base, k.masks),
-        at<std::uint32_t>(base, k.offsets),
-        base + k.constants,
-        base + k.payload};
+    c.coded = {coded.frame_count,
+               coded.track_count,
+               coded.constant_count,
+               coded.segment_intervals,
+               coded.start_s,
+               coded.frames_per_s,
+               coded.time_count > 0 ? at<float>(base, k.times) : nullptr,
+               at<GroupMasks>(base, k.masks),
+               at<std::uint32_t>(base, k.offsets),
+               base + k.constants,
+               base + k.payload};
   }
   return c;
 }

@@ -86,10 +86,10 @@ struct CodedHeader {
   std::uint32_t segment_intervals;  // ≥ 1
   float start_s;                    // of frame 0
   float frames_per_s;               // of uneven ones the mean
-  std::uint32_t track_count;     // Σ bits of the masks of moving sub-tracks
-  std::uint32_t constant_count;  // Σ bits of the masks of constant ones
-  std::uint32_t payload_bytes;   // kPayloadPadding included
-  std::uint32_t time_count;      // 0: frames at even steps; else frame_count
+  std::uint32_t track_count;        // Σ bits of the masks of moving sub-tracks
+  std::uint32_t constant_count;     // Σ bits of the masks of constant ones
+  std::uint32_t payload_bytes;      // kPayloadPadding included
+  std::uint32_t time_count;         // 0: frames at even steps; else frame_count
 };
 static_assert(sizeof(CodedHeader) == 32);
 

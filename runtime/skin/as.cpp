@@ -21,7 +21,8 @@ struct AnimationSpace {
                   Cursor& at) {
     JointSet joints;
     load_joint_set(set, influences, palette, joints);
-    if constexpr (kUnrolled && D == Directions::none) {  // with directions there are too few registers to gain from this
+    if constexpr (kUnrolled &&
+                  D == Directions::none) {  // with directions there are too few registers to gain from this
       if (influences == 1) return blend<D, 1>(joints, influences, blocks, at);
       if (influences == 2) return blend<D, 2>(joints, influences, blocks, at);
       if (influences == 3) return blend<D, 3>(joints, influences, blocks, at);

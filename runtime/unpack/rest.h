@@ -6,9 +6,9 @@
 
 namespace marrow {
 
-// Smallest three: bits 0–59 hold the numbers of x, y, z, w but for the largest, 20 bits each, in that order; 60–61 which
-// is the largest; 62 whether it is negative. A number n stands for (n - 2^19) · kRotationStep, so that the angle is
-// within 2e-6 rad.
+// Smallest three: bits 0–59 hold the numbers of x, y, z, w but for the largest, 20 bits each, in that order; 60–61
+// which is the largest; 62 whether it is negative. A number n stands for (n - 2^19) · kRotationStep, so that the angle
+// is within 2e-6 rad.
 inline constexpr std::int32_t kRotationMiddle = 1 << 19;
 inline constexpr float kRotationStep = 0.70710678f / (kRotationMiddle - 1);
 

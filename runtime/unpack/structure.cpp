@@ -134,8 +134,7 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
     if (children == packed::kJointManyChildren) children = reader.take_varint();
     if (j >= known || children > h.joint_count - known) return "joints that hang together wrongly";
     for (; children > 0; --children) parents[known++] = static_cast<std::uint16_t>(j);
-    at<std::uint32_t>(out, l.names)[j] =
-        (flags & packed::kJointNameIsOld) != 0 ? reader.take_varint() : names.next();
+    at<std::uint32_t>(out, l.names)[j] = (flags & packed::kJointNameIsOld) != 0 ? reader.take_varint() : names.next();
     take_joint(reader, flags, exponent, j % 4, rest[j / 4]);
   }
   if (reader.failed() || names.failed() || reader.left() != 0) return "a skeleton that is too short or too long";

@@ -46,8 +46,8 @@ const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeleton
 const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
                         Span<std::byte> out, std::uint32_t& bytes);
 
-// Inverse binds that follow from the rest pose: joint_from_mesh = (scene_from_joint)⁻¹ · scene_from_mesh. `model` is the
-// rest pose in model space.
+// Inverse binds that follow from the rest pose: joint_from_mesh = (scene_from_joint)⁻¹ · scene_from_mesh. `model` is
+// the rest pose in model space.
 Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh);
 
 }  // namespace marrow

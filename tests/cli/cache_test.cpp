@@ -67,11 +67,13 @@ TEST_F(CliCache, WhatCounts) {
 
 // A pack is another one for another character.
 TEST_F(CliCache, CountsTheSkeleton) {
-  const std::string source = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf", character = folder_ / "c.gltf";
+  const std::string source = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf",
+                    character = folder_ / "c.gltf";
   nlohmann::json scene = nlohmann::json::parse(read_text(source));
   write_text(character, scene.dump());
   const auto pack = [&] {
-    const Ran ran = run_marrow({"cook", source, "-o", out(), "--cache", cache(), "--clips-only", "--skeleton", character});
+    const Ran ran =
+        run_marrow({"cook", source, "-o", out(), "--cache", cache(), "--clips-only", "--skeleton", character});
     EXPECT_EQ(ran.code, 0) << ran.err;
     return ran.out.find("from the cache") != std::string::npos;
   };

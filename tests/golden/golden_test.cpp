@@ -138,9 +138,12 @@ TEST(GoldenStride, FramesAtUnevenTimes) {
   struct Moment {
     float time_s, hips_x, knee_degrees;
   };
-  const Moment moments[] = {{-1, 0, 0},        {0, 0, 0},        {0.125f, 0.5f, 15},      {0.25f, 1, 30},
-                            {0.75f, 2, 20},    {0.8333333f, 1.25f, 10}, {1.0f, -0.25f, -10}, {1.0833334f, -1, -20},
-                            {1.3333334f, 1, -50}, {1.4583334f, 0.5f, -25}, {1.5833334f, 0, 0}, {9, 0, 0}};
+  const Moment moments[] = {{-1, 0, 0},           {0, 0, 0},
+                            {0.125f, 0.5f, 15},   {0.25f, 1, 30},
+                            {0.75f, 2, 20},       {0.8333333f, 1.25f, 10},
+                            {1.0f, -0.25f, -10},  {1.0833334f, -1, -20},
+                            {1.3333334f, 1, -50}, {1.4583334f, 0.5f, -25},
+                            {1.5833334f, 0, 0},   {9, 0, 0}};
   for (const Moment& m : moments) {
     SoaTransform local;
     ASSERT_EQ(sample(file.skeleton(0), clip, m.time_s, {&local, 1}), Status::ok);

@@ -95,8 +95,8 @@ void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
 
 std::uint32_t shared_start(const std::string& a, const std::string& b) {
   const std::size_t most = std::min({a.size(), b.size(), std::size_t{63}});
-  return static_cast<std::uint32_t>(std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(most), b.begin()).first -
-                                    a.begin());
+  return static_cast<std::uint32_t>(
+      std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(most), b.begin()).first - a.begin());
 }
 
 }  // namespace

@@ -288,7 +288,9 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
                   : add(format::kSkeletons, write_skeleton(skeleton, names));
     scratch_bytes = std::max(scratch_bytes, compact_scratch_bytes(skeleton));
   }
-  for (const BuiltClip& clip : scene.clips) out.clip_bytes.push_back(add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names)));
+  for (const BuiltClip& clip : scene.clips)
+    out.clip_bytes.push_back(
+        add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names)));
   for (const BuiltGeometry& g : scene.geometries) {
     const std::span<const std::byte> section(g.section.data(), g.section.size());
     const bool has_record = g.codec != 0;

@@ -72,16 +72,16 @@ struct Channel {
 };
 static_assert(sizeof(Channel) == 24);
 
-// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as packed
-// integers relative to the rest pose (docs/format.md). What does not move stands once.
+// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
+// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
 struct CodedTracks {
   std::uint32_t frame_count = 0;  // 0: the clip has no coded tracks; else ≥ 2
   std::uint32_t track_count = 0;  // sub-tracks that move
   std::uint32_t constant_count = 0;
-  std::uint32_t segment_intervals = 0;  // steps of time a segment; the last may have fewer
-  float start_s = 0;                    // of frame 0
-  float frames_per_s = 0;               // of uneven ones the mean
-  const float* times_s = nullptr;       // frame_count, ascending; null: even steps
+  std::uint32_t segment_intervals = 0;             // steps of time a segment; the last may have fewer
+  float start_s = 0;                               // of frame 0
+  float frames_per_s = 0;                          // of uneven ones the mean
+  const float* times_s = nullptr;                  // frame_count, ascending; null: even steps
   const GroupMasks* masks = nullptr;               // one a group of four joints
   const std::uint32_t* segment_offsets = nullptr;  // bytes into payload
   const std::byte* constants = nullptr;

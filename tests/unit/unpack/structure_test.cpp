@@ -37,14 +37,15 @@ Span<const std::byte> span(const std::vector<std::byte>& bytes) {
 Bytes names_record() {
   Bytes b;
   b.u8(18).u8(0).text("hips");
-  b.u8(3).text("_l");           // "hip" of the one before
+  b.u8(3).text("_l");            // "hip" of the one before
   b.u8(1u << 6 | 3).text("_r");  // and of the one before that
   return b;
 }
 
 constexpr unsigned kOneChild = 1u << 6, kTwoChildren = 2u << 6;
 
-// A quarter turn about z above two joints, 2.5 along x and 0.125 down z; the last stands for itself, named "hips" again.
+// A quarter turn about z above two joints, 2.5 along x and 0.125 down z; the last stands for itself, named "hips"
+// again.
 Bytes skeleton_record() {
   constexpr std::uint64_t kHalf = 1u << 19, kRoot = (1u << 20) - 1;  // 0, and the root of one half
   Bytes b;
@@ -78,8 +79,8 @@ Bytes clip_record() {
   b.add(Channel{12, 0.5f, 1, 0, 0, Interpolation::linear, {}}).add(0.25f).add(0.75f);
   b.u8(3).u8(1).add(1.25f).add(0.25f);
   b.add(0.25f).add(0.5f).add(1.85f);
-  b.u8(15);           // the second segment behind the first, 4 + 9 + 2 bytes long
-  b.u8(1).u8(0x20);   // joint 0 turns; joint 1 has a translation of its own
+  b.u8(15);          // the second segment behind the first, 4 + 9 + 2 bytes long
+  b.u8(1).u8(0x20);  // joint 0 turns; joint 1 has a translation of its own
   b.add(std::int16_t{1}).add(std::int16_t{2}).add(std::int16_t{3}).add(std::int16_t{100});
   for (int segment = 0; segment < 2; ++segment) {
     b.add(std::uint32_t{1}).u8(0x10).u8(0x11).u8(100);  // a bit each
@@ -124,9 +125,9 @@ TEST_F(Structure, SkeletonByHand) {
   const float* const root = floats(kSection + l.roots);
   for (int i = 0; i < 12; ++i) EXPECT_EQ(root[i], i % 5 == 0 ? 1.0f : 0.0f) << i;
   const SoaTransform& rest = *reinterpret_cast<const SoaTransform*>(floats(kSection + l.rest));
-  const float want[10][4] = {{0, 2.5f, 0, 0},       {0, 0, 0, 0},          {0, -0.125f, 0, 0}, {0, 0, 0, 0},
-                             {0, 0, 0, 0},          {0.70710678f, 0, 0, 0}, {0.70710678f, 1, 1, 1},
-                             {1, 1, 2, 1},          {1, 1, 3, 1},          {1, 1, 4, 1}};
+  const float want[10][4] = {
+      {0, 2.5f, 0, 0},        {0, 0, 0, 0},           {0, -0.125f, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0},
+      {0.70710678f, 0, 0, 0}, {0.70710678f, 1, 1, 1}, {1, 1, 2, 1},       {1, 1, 3, 1}, {1, 1, 4, 1}};
   for (int i = 0; i < 40; ++i)
     EXPECT_NEAR((&rest.translation[0][0])[i], want[i / 4][i % 4], i / 4 == 5 || i / 4 == 6 ? 1e-7 : 0) << i;
   const std::uint32_t names[] = {1, 6, 1};
@@ -249,7 +250,9 @@ TEST_F(Structure, Refused) {
     std::size_t byte;
     unsigned now;
   };
-  const Case skeletons[] = {{"no joints", 1, 0}, {"no roots", 2, 0}, {"more roots than joints", 2, 4},
+  const Case skeletons[] = {{"no joints", 1, 0},
+                            {"no roots", 2, 0},
+                            {"more roots than joints", 2, 4},
                             {"joints without a parent", 5, kOneChild | packed::kJointRotates},
                             {"more children than joints", 5, 3u << 6 | packed::kJointRotates}};
   for (const Case& c : skeletons) {
@@ -258,16 +261,22 @@ TEST_F(Structure, Refused) {
     EXPECT_NE(skeleton(record.span()), nullptr) << c.what;
   }
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  const Case meshes[] = {{"unknown flags", 0, 16}, {"no such skeleton", 4, 1}, {"a joint behind the last", 8, 6},
-                         {"a joint before the first", 8, 1}, {"more joints than bytes", 6, 3}};
+  const Case meshes[] = {{"unknown flags", 0, 16},
+                         {"no such skeleton", 4, 1},
+                         {"a joint behind the last", 8, 6},
+                         {"a joint before the first", 8, 1},
+                         {"more joints than bytes", 6, 3}};
   for (const Case& c : meshes) {
     Bytes record = mesh_record();
     record.all[c.byte] = static_cast<std::byte>(c.now);
     EXPECT_NE(mesh(record.span()), nullptr) << c.what;
   }
   // At byte 45 the frames begin.
-  const Case clips[] = {{"unknown flags", 0, 32}, {"no such skeleton", 2, 1}, {"one frame", 45, 1},
-                        {"no intervals", 46, 0}, {"more channels than bytes", 8, 100}};
+  const Case clips[] = {{"unknown flags", 0, 32},
+                        {"no such skeleton", 2, 1},
+                        {"one frame", 45, 1},
+                        {"no intervals", 46, 0},
+                        {"more channels than bytes", 8, 100}};
   ASSERT_STREQ(clip(clip_record().span()), nullptr);
   for (const Case& c : clips) {
     Bytes record = clip_record();

@@ -211,8 +211,8 @@ std::optional<BuiltClip> Compressor::compress(const Promise& promise, double sha
 std::size_t bytes_of(const BuiltClip& clip) {
   return clip.tracks.size() * sizeof(Track) + 4 * (clip.times_s.size() + clip.values.size()) +
          clip.coded.payload.size() + 4 * clip.coded.offsets.size() + sizeof(GroupMasks) * clip.coded.masks.size() +
-         sizeof(format::Constant) * clip.coded.constants.size() +
-         4 * clip.coded.times_s.size() + (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
+         sizeof(format::Constant) * clip.coded.constants.size() + 4 * clip.coded.times_s.size() +
+         (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kGridSlack = 1e-3;  // of a frame
 constexpr std::size_t kMostIntervals = 20000;
-constexpr double kMostRefined = 8;      // frames between two keys of the shortest distance
-constexpr std::size_t kMostEmpty = 2;   // even steps for a key
-constexpr float kLeastStep = 1e-4f;     // seconds between uneven frames
+constexpr double kMostRefined = 8;     // frames between two keys of the shortest distance
+constexpr std::size_t kMostEmpty = 2;  // even steps for a key
+constexpr float kLeastStep = 1e-4f;    // seconds between uneven frames
 
 // The times of the keys that are to be coded.
 std::set<float> key_times(const BuiltClip& clip) {

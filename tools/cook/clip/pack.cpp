@@ -76,9 +76,8 @@ BuiltCoded Packer::finish(const Grid& grid, std::size_t segment_intervals) {
   out_.payload.insert(out_.payload.end(), format::kPayloadPadding, std::byte{0});
   out_.header.frame_count = static_cast<std::uint32_t>(grid.intervals + 1);
   out_.header.segment_intervals = static_cast<std::uint32_t>(segment_intervals);
-  out_.header.frames_per_s =
-      static_cast<float>(static_cast<double>(grid.intervals) /
-                         (static_cast<double>(grid.end_s) - static_cast<double>(grid.start_s)));
+  out_.header.frames_per_s = static_cast<float>(static_cast<double>(grid.intervals) /
+                                                (static_cast<double>(grid.end_s) - static_cast<double>(grid.start_s)));
   out_.header.start_s = grid.start_s;
   out_.header.time_count = static_cast<std::uint32_t>(grid.times_s.size());
   out_.times_s = grid.times_s;
