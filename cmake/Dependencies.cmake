@@ -11,7 +11,8 @@ FetchContent_Declare(TinyGLTF GIT_REPOSITORY https://github.com/syoyo/tinygltf.g
   FIND_PACKAGE_ARGS)
 FetchContent_Declare(tomlplusplus GIT_REPOSITORY https://github.com/marzer/tomlplusplus.git GIT_TAG v3.3.0
   FIND_PACKAGE_ARGS)
-FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm TinyGLTF tomlplusplus)
+FetchContent_Declare(Eigen3 GIT_REPOSITORY https://gitlab.com/libeigen/eigen.git GIT_TAG 3.4.0 FIND_PACKAGE_ARGS)
+FetchContent_MakeAvailable(nlohmann_json CLI11 fmt glm TinyGLTF tomlplusplus Eigen3)
 # xxHash is used as a header alone.
 find_path(XXHASH_INCLUDE_DIR xxhash.h)
 if(NOT XXHASH_INCLUDE_DIR)

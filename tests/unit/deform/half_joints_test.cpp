@@ -1,0 +1,67 @@
+#include "deform/half_joints.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/deform/shapes.h"
+
+namespace marrow::deform {
+namespace {
+
+double apart(const Matrix& a, const Matrix& b) {
+  double worst = 0;
+  for (int c = 0; c < 4; ++c) worst = std::max(worst, glm::length(a[c] - b[c]));
+  return worst;
+}
+
+TEST(HalfWay, EndsAtParentAndJoint) {
+  const Matrix parent = matrix(turn(40, {1, 2, 3}), {1, 2, 3}, 1.5),
+               joint = matrix(turn(140, {3, -1, 0}), {0, 5, 1}, 0.7);
+  EXPECT_LT(apart(half_way(parent, joint, {4, 5, 6}, 0), parent), 1e-12);
+  EXPECT_LT(apart(half_way(parent, joint, {4, 5, 6}, 1), joint), 1e-12);
+}
+
+// A quarter turn about a joint at x = 2: half of it is an eighth about the same place.
+TEST(HalfWay, TurnsHalfAboutTheJoint) {
+  const glm::dvec3 centre(2, 0, 0);
+  const auto about = [&](double degrees) {
+    const glm::dquat q = turn(degrees, {0, 0, 1});
+    return matrix(q, centre - q * centre);
+  };
+  EXPECT_LT(apart(half_way(about(0), about(90), centre, 0.5), about(45)), 1e-12);
+  EXPECT_LT(apart(half_way(about(0), about(90), centre, 1.0 / 3), about(30)), 1e-12);
+  EXPECT_LT(apart(half_way(about(20), about(-70), centre, 0.5), about(-25)), 1e-12);
+}
+
+// Where the character is, and mirrored, makes no difference.
+TEST(HalfWay, MovesWithTheRoot) {
+  const Pose pose = {matrix(turn(10, {1, 0, 0}), {1, 0, 0}), matrix(turn(100, {0, 1, 1}), {0, 1, 0})};
+  const Matrix between = half_way(pose[0], pose[1], {1, 1, 1}, 0.5);
+  const Pose there = moved(turn(200, {1, 1, 0}), {7, 8, 9}, pose);
+  EXPECT_LT(apart(half_way(there[0], there[1], {1, 1, 1}, 0.5), moved(turn(200, {1, 1, 0}), {7, 8, 9}, {between})[0]),
+            1e-12);
+}
+
+TEST(WithHalfJoints, AddsOneWhereAVertexFollowsJointAndParent) {
+  SkinnedMesh mesh;
+  mesh.joint_count = 3;  // 0 ← 1 ← 2
+  mesh.positions.assign(4, glm::dvec3(0));
+  mesh.influences = {{{0, 1.0}}, {{0, 0.5}, {1, 0.5}}, {{0, 0.5}, {2, 0.5}}, {{0, 0.2}, {1, 0.3}, {2, 0.5}}};
+  const HalfJointMesh out = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, 8);
+  ASSERT_EQ(out.half_joints.size(), 4u);
+  EXPECT_EQ(out.mesh.joint_count, 7u);
+  EXPECT_EQ(out.half_joints[0].joint, 1u);
+  EXPECT_EQ(out.half_joints[0].parent, 0u);
+  EXPECT_NEAR(out.half_joints[0].share, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(out.half_joints[1].share, 2.0 / 3, 1e-12);
+  EXPECT_EQ(out.half_joints[2].joint, 2u);
+  EXPECT_EQ(out.half_joints[2].parent, 1u);
+  EXPECT_EQ(out.half_joints[2].centre, glm::dvec3(2, 0, 0));
+  const std::size_t counts[] = {1, 4, 2, 7};
+  for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(out.mesh.influences[v].size(), counts[v]) << v;
+  // Not more than allowed: the heavier joint's come first.
+  const HalfJointMesh few = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, 6);
+  EXPECT_EQ(few.mesh.influences[3].size(), 5u);
+}
+
+}  // namespace
+}  // namespace marrow::deform

@@ -1,0 +1,59 @@
+// Poses and meshes that the tests of offline deformers share.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "deform/cylinder.h"
+
+namespace marrow::deform {
+
+inline constexpr double kDegree = std::numbers::pi / 180;
+
+inline Matrix matrix(const glm::dquat& rotation, const glm::dvec3& translation, double scale = 1) {
+  const glm::dmat3 r = glm::mat3_cast(glm::normalize(rotation)) * scale;
+  return {r[0], r[1], r[2], translation};
+}
+
+inline glm::dquat turn(double degrees, const glm::dvec3& axis) {
+  return glm::angleAxis(degrees * kDegree, glm::normalize(axis));
+}
+
+// A rigid motion after a pose.
+inline Pose moved(const glm::dquat& rotation, const glm::dvec3& translation, Pose pose) {
+  for (Matrix& m : pose) {
+    for (int c = 0; c < 4; ++c) m[c] = rotation * m[c];
+    m[3] += translation;
+  }
+  return pose;
+}
+
+inline double farthest(const Positions& a, const Positions& b) {
+  double worst = a.size() == b.size() && !a.empty() ? 0 : 1e300;
+  for (std::size_t v = 0; v < std::min(a.size(), b.size()); ++v) worst = std::max(worst, glm::length(a[v] - b[v]));
+  return worst;
+}
+
+inline Positions at(const Deformer& deformer, const Pose& pose) {
+  Positions out;
+  deformer(pose, out);
+  return out;
+}
+
+// Bends to 120° and twists to 150°, as the cylinder's study has them.
+inline std::vector<Pose> random_cylinder_poses(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto up_to = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };
+  std::vector<Pose> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double bend = up_to(120), twist = up_to(150);
+    out.push_back(cylinder_pose(bend * kDegree, twist * kDegree));
+  }
+  return out;
+}
+
+}  // namespace marrow::deform

@@ -1,0 +1,90 @@
+#include "deform/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <glm/geometric.hpp>
+
+namespace marrow::deform {
+namespace {
+
+struct Edge {
+  double cotangents = 0;
+  std::uint32_t triangles = 0;
+};
+
+// 0 for triangles without area.
+double cotangent(const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& b) {
+  const double sine = glm::length(glm::cross(a - at, b - at));
+  return sine > 0 ? glm::dot(a - at, b - at) / sine : 0.0;
+}
+
+using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, Edge>;
+
+Edges edges_of(const SkinnedMesh& mesh) {
+  Edges edges;
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = mesh.indices[t + i], b = mesh.indices[t + (i + 1) % 3],
+                          opposite = mesh.indices[t + (i + 2) % 3];
+      if (a == b) continue;
+      Edge& edge = edges[std::minmax(a, b)];
+      edge.cotangents += cotangent(mesh.positions[opposite], mesh.positions[a], mesh.positions[b]);
+      ++edge.triangles;
+    }
+  }
+  return edges;
+}
+
+}  // namespace
+
+double diagonal(const SkinnedMesh& mesh) {
+  if (mesh.positions.empty()) return 0;
+  glm::dvec3 low = mesh.positions.front(), high = low;
+  for (const glm::dvec3& p : mesh.positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return glm::length(high - low);
+}
+
+Surface::Surface(const SkinnedMesh& mesh, EdgeWeights kind) {
+  const Edges edges = edges_of(mesh);
+  const std::size_t count = mesh.positions.size();
+  border_.assign(count, 0);
+  std::vector<std::vector<std::pair<std::uint32_t, double>>> around(count);
+  for (const auto& [ends, edge] : edges) {
+    const auto [a, b] = ends;
+    if (edge.triangles != 2) border_[a] = border_[b] = 1;
+    const double weight = kind == EdgeWeights::uniform ? 1.0 : std::max(edge.cotangents, 0.0);
+    around[a].emplace_back(b, weight);
+    around[b].emplace_back(a, weight);
+  }
+  first_.push_back(0);
+  for (std::vector<std::pair<std::uint32_t, double>>& star : around) {
+    double sum = 0;
+    for (const auto& [vertex, weight] : star) sum += weight;
+    for (const auto& [vertex, weight] : star) {
+      neighbours_.push_back(vertex);
+      weights_.push_back(sum > 0 ? weight / sum : 1.0 / static_cast<double>(star.size()));
+    }
+    first_.push_back(neighbours_.size());
+  }
+}
+
+std::vector<glm::dvec3> vertex_normals(const Positions& positions, std::span<const std::uint32_t> indices) {
+  std::vector<glm::dvec3> normals(positions.size(), glm::dvec3(0));
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+    const glm::dvec3 &a = positions[indices[t]], &b = positions[indices[t + 1]], &c = positions[indices[t + 2]];
+    const glm::dvec3 twice_area = glm::cross(b - a, c - a);
+    for (std::size_t i = 0; i < 3; ++i) normals[indices[t + i]] += twice_area;
+  }
+  for (glm::dvec3& n : normals) {
+    const double length = glm::length(n);
+    n = length > 0 ? n / length : glm::dvec3(0);
+  }
+  return normals;
+}
+
+}  // namespace marrow::deform
