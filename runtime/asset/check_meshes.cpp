@@ -122,7 +122,8 @@ bool Checker::mesh(const File::Section& s) {
   const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
   const File::Section& of_geometry = nth(format::kGeometries, h->geometry);
   const auto* geometry = at<format::GeometryHeader>(of_geometry, 0);
-  if (h->joint_count != geometry->joint_count) return fail(&h->joint_count, "as many joints as the geometry");
+  if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->half_joint_count != geometry->joint_count)
+    return fail(&h->joint_count, "as many palette entries as the geometry");
   const std::uint64_t morphs = format::morph_start(layout(*geometry));
   const bool has_targets = (geometry->flags & format::kHasMorphTargets) != 0;
   if (h->target_count != (has_targets ? at<format::MorphHeader>(of_geometry, morphs)->target_count : 0u))
@@ -130,6 +131,10 @@ bool Checker::mesh(const File::Section& s) {
   const format::MeshLayout l = layout(*h);
   for (const MeshTarget& t : Span<const MeshTarget>{at<MeshTarget>(s, l.targets), h->target_count})
     if (!name(t.name) || !name(t.channel) || !finite(&t.weight, 4)) return false;
+  for (const HalfJoint& half : Span<const HalfJoint>{at<HalfJoint>(s, l.half_joints), h->half_joint_count})
+    if (half.parent >= h->joint_count || half.joint >= h->joint_count || half.parent == half.joint ||
+        !(half.share > 0 && half.share < 1))
+      return fail(&half, "a half-joint stands between two joints of the mesh");
   return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
          finite(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&
          below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");

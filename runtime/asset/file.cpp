@@ -139,6 +139,7 @@ Mesh File::mesh(std::uint32_t index) const {
   m.inverse_bind = at<Affine>(base, l.inverse_bind);
   std::memcpy(m.base_colour, header.base_colour, sizeof m.base_colour);
   m.double_sided = (header.flags & format::kDoubleSided) != 0;
+  m.half_joints = {at<HalfJoint>(base, l.half_joints), header.half_joint_count};
   m.targets = {at<MeshTarget>(base, l.targets), header.target_count};
   m.geometry = geometry(header.geometry);
   return m;

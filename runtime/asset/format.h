@@ -172,7 +172,8 @@ struct MeshHeader {
   std::uint32_t skeleton;
   std::uint32_t geometry;
   std::uint32_t joint_count;
-  std::uint32_t flags;
+  std::uint16_t flags;
+  std::uint16_t half_joint_count;
   float base_colour[4];
   std::uint32_t target_count;      // the geometry's
   std::uint32_t material_section;  // 0: the material has no section; else 1 + which
@@ -313,14 +314,17 @@ constexpr MorphLayout layout(const MorphHeader& h, const GeometryLayout& geometr
 }
 
 struct MeshLayout {
-  std::uint64_t inverse_bind, targets, joints, bytes;
+  std::uint64_t inverse_bind, targets, joints, half_joints, bytes;
 };
 constexpr MeshLayout layout(const MeshHeader& h) {
   MeshLayout l{};
   l.inverse_bind = sizeof(MeshHeader);
   l.targets = l.inverse_bind + std::uint64_t{h.joint_count} * sizeof(Affine);
   l.joints = l.targets + std::uint64_t{h.target_count} * sizeof(MeshTarget);
-  l.bytes = l.joints + std::uint64_t{h.joint_count} * 2;
+  l.bytes = l.half_joints = l.joints + std::uint64_t{h.joint_count} * 2;
+  if (h.half_joint_count == 0) return l;
+  l.half_joints = (l.half_joints + 3) & ~std::uint64_t{3};
+  l.bytes = l.half_joints + std::uint64_t{h.half_joint_count} * sizeof(HalfJoint);
   return l;
 }
 

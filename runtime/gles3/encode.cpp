@@ -164,7 +164,7 @@ Layout make_layout(const Mesh& mesh) {
   for (const Run& run : g.runs) {
     if (run.influences > 4) layout.influences = 8;
   }
-  layout.joint_bytes = mesh.joint_count > 256 ? 2 : 1;
+  layout.joint_bytes = mesh.palette_size() > 256 ? 2 : 1;
   layout.ssd_weights = 8;
   layout.ssd_joints = layout.ssd_weights + 2 * layout.influences;
   layout.ssd_stride = layout.ssd_joints + layout.joint_bytes * layout.influences;

@@ -106,7 +106,7 @@ GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, 
   out.index_count = g.index_count;
   out.index_type = g.index_bytes == 2 ? kGlUnsignedShort : kGlUnsignedInt;
   out.slot_count = g.slot_count;
-  out.joint_count = mesh.joint_count;
+  out.joint_count = mesh.palette_size();
   out.vertex_bytes = g.slot_count * ((options.ssd ? layout.ssd_stride : 0) + (options.as ? layout.as_stride : 0) +
                                      layout.surface_stride);
   out.influences = static_cast<std::uint8_t>(layout.influences);
@@ -133,7 +133,7 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
   if (!options.ssd && !options.as) return Status::bad_argument;
   if (bind.size < mesh.joint_count || scratch.size < prepare_scratch_bytes(mesh, options)) return Status::bad_argument;
   const std::uint32_t fits = caps.uniform_block_bytes / 48;
-  if (mesh.joint_count > (fits < kPaletteJoints ? fits : kPaletteJoints)) return Status::unsupported;
+  if (mesh.palette_size() > (fits < kPaletteJoints ? fits : kPaletteJoints)) return Status::unsupported;
   const Layout layout = make_layout(mesh);
   // Eight influences in animation space need locations up to the last.
   if (caps.vertex_attributes <= kMorphRowLocation) return Status::unsupported;

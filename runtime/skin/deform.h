@@ -122,7 +122,7 @@ Status deform(const Mesh& mesh, const float* stream, Span<const Affine> palette,
   const std::size_t slots = g.slot_count;
   const bool normals = !out.normals.empty(), tangents = !out.tangents.empty();
   const bool exact = out.normal_transform == NormalTransform::inverse_transpose;
-  MARROW_REQUIRE(palette.size >= mesh.joint_count);
+  MARROW_REQUIRE(palette.size >= mesh.palette_size());
   MARROW_REQUIRE(aligned(g.skin) && aligned(g.normals) && aligned(g.tangents));
   MARROW_REQUIRE(out.positions.size >= slots * 3);
   MARROW_REQUIRE(!normals || (g.normals != nullptr && out.normals.size >= slots * 3));

@@ -2,13 +2,15 @@
 
 #include "core/check.h"
 #include "math/affine.h"
+#include "skin/half_way.h"
 
 namespace marrow {
 
 Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
-                     Span<Affine> out) {
+                     Span<Affine> out, Span<const HalfJoint> half_joints) {
   MARROW_REQUIRE(bind.size >= joints.size);
-  MARROW_REQUIRE(out.size >= joints.size);
+  MARROW_REQUIRE(out.size >= joints.size + half_joints.size);
+  for (const HalfJoint& h : half_joints) MARROW_REQUIRE(h.parent < joints.size && h.joint < joints.size);
   std::uint16_t last = 0;
   for (const std::uint16_t joint : joints) last = last < joint ? joint : last;
   MARROW_REQUIRE(joints.empty() || last < scene_from_joint.size);
@@ -23,11 +25,14 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
     product(i + 3);
   }
   for (; i < joints.size; ++i) product(i);
+  for (const HalfJoint& h : half_joints)
+    out.data[i++] = half_way(out.data[h.parent], out.data[h.joint], bind.data[h.joint], h.share);
   return Status::ok;
 }
 
 Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out) {
-  return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, scene_from_joint, out);
+  return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, scene_from_joint, out,
+                       mesh.half_joints);
 }
 
 }  // namespace marrow

@@ -39,7 +39,8 @@ enum PackedMeshFlags : std::uint32_t {
   kMeshHasColour = 2,
   kMeshHasPlace = 4,    // scene_from_mesh is not the identity
   kMeshGivesBinds = 8,  // not all inverse binds follow from the rest pose
-  kAllPackedMeshFlags = 15,
+  kMeshHasHalfJoints = 16,
+  kAllPackedMeshFlags = 31,
 };
 
 // Of a compact CLIP.

@@ -168,7 +168,7 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   Reader reader(record.data, record.size);
   const std::uint32_t flags = reader.take_varint();
   format::MeshHeader h{};
-  h.flags = flags & packed::kMeshIsDoubleSided;
+  h.flags = static_cast<std::uint16_t>(flags & packed::kMeshIsDoubleSided);
   h.name = reader.take_varint();
   h.material = reader.take_varint();
   h.material_section = reader.take_varint();
@@ -176,13 +176,15 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   h.geometry = reader.take_varint();
   h.joint_count = reader.take_varint();
   h.target_count = reader.take_varint();
+  const std::uint32_t half_joint_count = (flags & packed::kMeshHasHalfJoints) != 0 ? reader.take_varint() : 0;
+  h.half_joint_count = static_cast<std::uint16_t>(half_joint_count);
   for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
   const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? reader.take<Affine>() : kIdentity;
   if ((flags & ~std::uint32_t{packed::kAllPackedMeshFlags}) != 0) return "unknown mesh flags";
   const Skeleton skeleton = skeleton_at(skeletons, h.skeleton);
   if (skeleton.joint_count == 0) return "no such skeleton among the compact ones";
   const format::MeshLayout l = layout(h);
-  if (h.joint_count > kMaxJoints || l.bytes > out.size) return "file_bytes too small";
+  if (h.joint_count > kMaxJoints || half_joint_count > kMaxJoints || l.bytes > out.size) return "file_bytes too small";
   Arena arena(scratch.data, scratch.size);
   Affine* const model = arena.take<Affine>(skeleton.joint_count);
   if (model == nullptr) return "memory_bytes too small";
@@ -210,6 +212,14 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
     target.channel = reader.take_varint();
     target.weight = reader.take<float>();
     std::memcpy(out.data + l.targets + t * sizeof target, &target, sizeof target);
+  }
+  const std::uint64_t end_of_joints = l.joints + std::uint64_t{h.joint_count} * 2;
+  std::memset(out.data + end_of_joints, 0, static_cast<std::size_t>(l.half_joints - end_of_joints));
+  auto* const half_joints = at<HalfJoint>(out, l.half_joints);
+  for (std::uint32_t i = 0; i < h.half_joint_count; ++i) {
+    half_joints[i].parent = static_cast<std::uint16_t>(reader.take_varint());
+    half_joints[i].joint = static_cast<std::uint16_t>(reader.take_varint());
+    half_joints[i].share = reader.take<float>();
   }
   if (reader.failed() || reader.left() != 0) return "a mesh that is too short or too long";
   bytes = static_cast<std::uint32_t>(l.bytes);

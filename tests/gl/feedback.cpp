@@ -105,7 +105,7 @@ Feedback::Feedback(const Mesh& mesh) : mesh_(mesh), bind_(mesh.joint_count) {
   caps.uniform_offset_alignment = std::max(caps.uniform_offset_alignment, gl().caps().uniform_offset_alignment);
   prepared_ = gles3::prepare(gl(), caps, mesh, {}, scratch, bind_, gpu_);
   if (!ok()) return;
-  EXPECT_EQ(gles3::create_palette_ring(gl(), caps, 2 * mesh.joint_count, 2, ring_), Status::ok);
+  EXPECT_EQ(gles3::create_palette_ring(gl(), caps, 2 * mesh.palette_size(), 2, ring_), Status::ok);
   // A draw call wants a complete framebuffer even if nothing is rasterised.
   colour_ = tools::GlRenderbuffer(gl());
   target_ = tools::GlFramebuffer(gl());
@@ -126,8 +126,9 @@ Feedback::~Feedback() {
 
 Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights) {
   const std::size_t slots = mesh_.geometry.slot_count;
-  std::vector<Affine> palette(mesh_.joint_count);
-  EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette), Status::ok);
+  std::vector<Affine> palette(mesh_.palette_size());
+  EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette, mesh_.half_joints),
+            Status::ok);
   std::uint32_t other = 0, offset = 0;
   gles3::begin_frame(gl(), ring_);
   // Behind another palette, so that its offset is not zero.

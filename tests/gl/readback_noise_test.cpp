@@ -71,7 +71,7 @@ Worst run_character(std::uint64_t seed, std::size_t joints, bool residuals, std:
   std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
   EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
   std::vector<SoaTransform> local(skeleton.soa_size());
-  std::vector<Affine> scene(skeleton.joint_count), palette(mesh.joint_count);
+  std::vector<Affine> scene(skeleton.joint_count), palette(mesh.palette_size());
   for (int moment = 0; moment < 3; ++moment) {
     for (float& w : morphs.weights) w *= -0.75f;
     EXPECT_EQ(morph(morphs.weights, morphed), Status::ok);

@@ -90,7 +90,8 @@ struct BuiltMesh {
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
   Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
-  std::vector<char> bind_is_given;       // a joint; 0: the inverse bind follows from the rest pose; of packed files
+  std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
+  std::vector<HalfJoint> half_joints;
   std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};
   bool double_sided = false;

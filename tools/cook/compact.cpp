@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "cook/build.h"
+#include "cook/clip/pack.h"
 #include "cook/mesh/record.h"
 #include "marrow/local_to_model.h"
 #include "unpack/structure.h"
@@ -30,14 +31,8 @@ glm::dmat4 to_matrix(const Affine& a) {
 }
 
 std::vector<Affine> rest_in_model_space(const BuiltSkeleton& s) {
-  Skeleton view;
-  view.joint_count = static_cast<std::uint32_t>(s.parents.size());
-  view.root_count = static_cast<std::uint32_t>(s.scene_from_root.size());
-  view.scene_from_root = s.scene_from_root.data();
-  view.rest = s.rest.data();
-  view.parents = s.parents.data();
   std::vector<Affine> model(s.parents.size());
-  (void)local_to_model(view, {s.rest.data(), s.rest.size()}, {model.data(), model.size()});
+  (void)local_to_model(view(s), {s.rest.data(), s.rest.size()}, {model.data(), model.size()});
   return model;
 }
 
@@ -210,14 +205,16 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
                                     const std::vector<MeshTarget>& targets) {
   const bool coloured = std::any_of(h.base_colour, h.base_colour + 4, [](float c) { return c != 1; });
   const bool placed = !is_identity(mesh.scene_from_mesh);
+  const bool halves = !mesh.half_joints.empty();
   const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
   std::vector<std::byte> out;
-  add_varint(h.flags | (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
-                 (gives ? packed::kMeshGivesBinds : 0u),
+  add_varint(std::uint32_t{h.flags} | (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
+                 (gives ? packed::kMeshGivesBinds : 0u) | (halves ? packed::kMeshHasHalfJoints : 0u),
              out);
   for (const std::uint32_t n :
        {h.name, h.material, h.material_section, h.skeleton, h.geometry, h.joint_count, h.target_count})
     add_varint(n, out);
+  if (halves) add_varint(h.half_joint_count, out);
   if (coloured) add_value(h.base_colour, out);
   if (placed) add_value(mesh.scene_from_mesh, out);
   std::uint32_t next = 0;
@@ -240,6 +237,11 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
     add_varint(t.name, out);
     add_varint(t.channel, out);
     add_value(t.weight, out);
+  }
+  for (const HalfJoint& half : mesh.half_joints) {
+    add_varint(half.parent, out);
+    add_varint(half.joint, out);
+    add_value(half.share, out);
   }
   return out;
 }

@@ -133,7 +133,8 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.geometry = m.geometry;
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.material_section = m.material_section;
-  h.flags = m.double_sided ? format::kDoubleSided : 0u;
+  h.flags = static_cast<std::uint16_t>(m.double_sided ? format::kDoubleSided : 0);
+  h.half_joint_count = static_cast<std::uint16_t>(m.half_joints.size());
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
   h.target_count = static_cast<std::uint32_t>(m.targets.size());
   out.add(h);
@@ -142,6 +143,8 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   for (const RawTargetWeight& t : m.targets) targets.push_back({names.add(t.target), names.add(t.channel), t.rest});
   out.add_all(targets);
   out.add_all(m.joints);
+  if (!m.half_joints.empty() && m.joints.size() % 2 != 0) out.add(std::uint16_t{0});
+  out.add_all(m.half_joints);
   if (!m.bind_is_given.empty()) out.compact = compact_mesh(m, h, targets);
   return out;
 }

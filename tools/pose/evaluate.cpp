@@ -54,7 +54,7 @@ Character::Character(const File& file) : file_(file) {
   }
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
     const Mesh mesh = file_.mesh(i);
-    palettes_.emplace_back(mesh.joint_count);
+    palettes_.emplace_back(mesh.palette_size());
     coordinates_.emplace_back(as_coordinate_count(mesh.geometry));
     check(as_coordinates(mesh.geometry, coordinates_.back()));
     weights_.emplace_back(mesh.targets.size);

@@ -69,7 +69,7 @@ Figure::Figure(const Gl& gl, const File& file, const Textures* textures) : gl_(g
       marrow::tools::check(status);
     }
     make_streams(mesh, part);
-    joints += mesh.joint_count;
+    joints += mesh.palette_size();
   }
   const std::uint32_t meshes = std::max(1u, file.mesh_count());
   marrow::tools::check(gles3::create_palette_ring(gl, gl.caps(), std::max(1u, joints), meshes, ring_));
@@ -118,9 +118,10 @@ std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deform
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
     const Mesh mesh = file_.mesh(i);
     const Part& part = parts_[i];
-    palette.resize(mesh.joint_count);
+    palette.resize(mesh.palette_size());
     const Span<const std::uint16_t> joints(mesh.joints, mesh.joint_count);
-    marrow::tools::check(build_palette(joints, part.bind, character.scene_from_joint(mesh.skeleton), palette));
+    marrow::tools::check(
+        build_palette(joints, part.bind, character.scene_from_joint(mesh.skeleton), palette, mesh.half_joints));
     Drawable d;
     marrow::tools::check(gles3::push_palette(gl_, ring_, palette, d.palette_offset));
     d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;

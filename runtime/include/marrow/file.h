@@ -232,6 +232,13 @@ struct Node {
   Span<const Property> properties;
 };
 
+// A helper between two joints of a palette, for what bends or twists there: see build_palette().
+struct HalfJoint {
+  std::uint16_t parent, joint;  // palette entries, below Mesh::joint_count, not the same
+  float share;                  // of the way from parent to joint; above 0, below 1
+};
+static_assert(sizeof(HalfJoint) == 8);
+
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 struct Mesh {
   const char* name = "";
@@ -239,13 +246,17 @@ struct Mesh {
   std::uint32_t material_index = kNoMaterial;  // which material of the file, if it has more than what stands here
   std::uint32_t skeleton = 0;                  // which skeleton of the file
   std::uint32_t geometry_index = 0;            // meshes with the same number share their geometry
-  std::uint32_t joint_count = 0;               // palette entries
+  std::uint32_t joint_count = 0;               // palette entries that are joints
   const std::uint16_t* joints = nullptr;       // joint_count; palette entry → joint of the skeleton
   const Affine* inverse_bind = nullptr;        // joint_count; joint_from_mesh in the bind pose
   float base_colour[4] = {1, 1, 1, 1};         // linear RGBA
   bool double_sided = false;
-  Span<const MeshTarget> targets;  // as many as the geometry's
+  Span<const HalfJoint> half_joints;  // palette entries behind those of the joints
+  Span<const MeshTarget> targets;     // as many as the geometry's
   Geometry geometry;
+
+  // How many matrices build_palette() writes.
+  std::uint32_t palette_size() const { return joint_count + static_cast<std::uint32_t>(half_joints.size); }
 };
 
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.

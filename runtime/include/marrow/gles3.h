@@ -2,7 +2,7 @@
 //
 //   once a context   load_api, query_caps, create_palette_ring, build_program
 //   once a mesh      prepare: compact attributes, and the bind matrices that undo their quantisation
-//   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints) → push_palette →
+//   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints, …) → push_palette →
 //                    set_morphs, if it has morph targets → draw
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where

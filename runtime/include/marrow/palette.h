@@ -8,13 +8,20 @@ namespace marrow {
 // out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
 //
 // joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
-// bind that also undoes quantisation). out: at least as many. Every joint must be below scene_from_joint.size.
+// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
+// scene_from_joint.size, what half-joints name below joints.size.
 // Errors: bad_argument if a span is too short or a joint out of range.
+//
+// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
+// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
+// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
+// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+//
 // The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64. Thread-safe on different outputs; out
-// overlaps none of the inputs.
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about HALFCOST.
+// Thread-safe on different outputs; out overlaps none of the inputs.
 Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
-                     Span<Affine> out);
+                     Span<Affine> out, Span<const HalfJoint> half_joints = {});
 
 // The palette of a mesh.
 Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out);

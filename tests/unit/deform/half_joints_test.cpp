@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "marrow/palette.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {
@@ -39,6 +40,47 @@ TEST(HalfWay, MovesWithTheRoot) {
   const Pose there = moved(turn(200, {1, 1, 0}), {7, 8, 9}, pose);
   EXPECT_LT(apart(half_way(there[0], there[1], {1, 1, 1}, 0.5), moved(turn(200, {1, 1, 0}), {7, 8, 9}, {between})[0]),
             1e-12);
+}
+
+Affine to_affine(const Matrix& m) {
+  Affine out;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) out.rows[r][c] = static_cast<float>(m[c][r]);
+  return out;
+}
+
+Matrix to_matrix(const Affine& a) {
+  Matrix out;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) out[c][r] = static_cast<double>(a.rows[r][c]);
+  return out;
+}
+
+// The runtime's, in single precision and without a mathematical library.
+TEST(HalfWay, IsWhatTheRuntimeMakes) {
+  std::mt19937 random(11);
+  const auto some = [&] { return static_cast<double>(random()) / 2147483648.0 - 1; };
+  const std::vector<std::uint16_t> joints = {0, 1};
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 centre(some(), some(), some());
+    Matrix m[2];
+    for (Matrix& part : m) {
+      part = matrix(turn(180 * some(), {some(), some(), some()}), {some(), some(), some()}, 1.5 + some());
+      if (i % 3 == 0) part[0] *= -1.0;           // mirrored
+      if (i % 5 == 0) part[1] += part[0] * 0.2;  // sheared
+    }
+    // bind takes the centre to the origin, so the scene's matrices are as follows.
+    const Matrix from_bind = matrix(turn(0, {0, 0, 1}), -centre);
+    std::vector<Affine> scene;
+    for (const Matrix& part : m)
+      scene.push_back(to_affine({part[0], part[1], part[2], part[3] + linear_of(part) * centre}));
+    const std::vector<Affine> bind(2, to_affine(from_bind));
+    std::vector<Affine> out(3);
+    const float share = i % 2 == 0 ? 0.5f : 1.0f / 3;
+    ASSERT_EQ(build_palette(joints, bind, scene, out, std::vector<marrow::HalfJoint>{{0, 1, share}}), Status::ok);
+    const Matrix want = half_way(m[0], m[1], centre, static_cast<double>(share));
+    EXPECT_LT(apart(to_matrix(out[2]), want), 2e-5) << i;
+  }
 }
 
 TEST(WithHalfJoints, AddsOneWhereAVertexFollowsJointAndParent) {
