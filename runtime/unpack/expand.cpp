@@ -22,6 +22,20 @@ float value(const Stream& s, std::uint32_t vertex, std::uint32_t component) {
   return s.origin[component < 3 ? component : 0] + static_cast<float>(v) * s.step;
 }
 
+// What a biased number stands for at 0.
+std::int32_t nothing(const Stream& s) {
+  return 1 << (s.bits - 1);
+}
+
+// Component i % 4 of influence i / 4. Stored relative to the vertex, which the w carry along.
+float residual(const Stream& s, const Stream& positions, std::uint32_t vertex, std::uint32_t i) {
+  const std::int32_t* const v = s.values + std::size_t{vertex} * s.components;
+  if (s.bits == 0) return std::bit_cast<float>(v[i]);
+  const float w = static_cast<float>(v[i | 3] - nothing(s)) * s.origin[0];
+  if (i % 4 == 3) return w;
+  return static_cast<float>(v[i] - nothing(s)) * s.step + value(positions, vertex, i % 4) * w;
+}
+
 void direction(const Stream& s, std::uint32_t vertex, float out[3]) {
   const std::int32_t* const v = s.values + std::size_t{vertex} * s.components;
   if (s.bits == 0) {
@@ -44,8 +58,8 @@ const char* check(const MeshStreams& mesh) {
         return "a palette entry beyond joint_count";
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i) {
     const Stream& s = mesh.streams[i];
-    if (s.kind != StreamKind::target) continue;
-    for (std::size_t k = 0; k < std::size_t{mesh.vertex_count} * 3; ++k)
+    if ((s.kind != StreamKind::target && s.kind != StreamKind::residual) || s.bits == 0) continue;
+    for (std::size_t k = 0; k < std::size_t{mesh.vertex_count} * s.components; ++k)
       if (s.values[k] < 0 || s.values[k] >> s.bits != 0) return "a change beyond its bits";
   }
   const Stream* const weights = mesh.find(StreamKind::weights);
@@ -158,7 +172,7 @@ class Writer {
     }
     if (const Stream* const s = mesh_.find(StreamKind::residual))
       for (std::uint32_t i = 0; i < 4 * influences; ++i)
-        for (const std::uint32_t vertex : v) *residual_++ = value(*s, vertex, i);
+        for (const std::uint32_t vertex : v) *residual_++ = residual(*s, positions, vertex, i);
     for (const std::uint32_t vertex : v) write_slot(vertex);
   }
 
@@ -256,8 +270,6 @@ class TargetWriter {
           ++block;
         });
   }
-
-  static std::int32_t nothing(const Stream& s) { return 1 << (s.bits - 1); }
 
   bool moves(std::uint32_t first, std::uint32_t end, const std::uint32_t (&v)[4]) const {
     for (std::uint32_t i = first; i < end; ++i) {

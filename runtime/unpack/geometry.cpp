@@ -95,7 +95,7 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
     if (sane) weights.step = weight_step(weights.bits);
   }
   if (has(format::kHasAsResidual))
-    sane = sane && read_values(reader, 0, add(out, StreamKind::residual, 4 * out.influences, 0));
+    sane = sane && read_values(reader, 1, add(out, StreamKind::residual, 4 * out.influences, 0));
   if (out.influences > out.joint_count) return "more influences than joints";
   for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(reader, t, out);
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";

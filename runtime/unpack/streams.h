@@ -17,8 +17,8 @@ enum class StreamKind : std::uint8_t {
   colour,        // 4: 0 … 255
   joints,        // one an influence
   weights,       // one an influence but the last; 2^bits - 1 is one
-  residual,      // 4 an influence
-  target,        // 3: what a morph target adds; 2^(bits - 1) is nothing
+  residual,  // 4 an influence, relative to the vertex, see expand.cpp; w in steps of origin[0]; 2^(bits - 1) is nothing
+  target,    // 3: what a morph target adds; 2^(bits - 1) is nothing
 };
 inline constexpr std::uint32_t kBindStreams = 9;  // at most, before those of morph targets
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cook/built.h"
+#include "cook/learn.h"
 #include "cook/raw.h"
 
 namespace marrow::cook {
@@ -44,6 +45,7 @@ struct CookOptions {
   double position_error = 0;  // 0: as 14 bits on the longest side
   bool position_error_is_share = false;
   MeshPrecision precision;
+  LearnOptions learn;                            // animation space
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all

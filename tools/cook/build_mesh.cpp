@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/build.h"
+#include "cook/skin_binding.h"
 
 namespace marrow::cook {
 namespace {
@@ -16,76 +17,62 @@ namespace {
 struct Palette {
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
+  std::vector<HalfJoint> half_joints;
 };
 
 // A primitive bound to a skin, or to one joint when `skin` is kNone: done once, however many nodes draw it.
 struct Bound {
   Palette palette;  // unused for one joint: each node has its own
   std::uint32_t task = 0;
+  int learnt = kNone;  // index into BuiltScene::learnt
 };
 using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
+using SkinBindings = std::map<std::pair<int, int>, SkinBinding>;             // mesh, skin
 
-void warn(RawScene& scene, const std::string& pointer, const char* rule, const std::string& text) {
-  scene.warnings.push_back({pointer, rule, text});
-}
-
-// Merges what names a joint twice, drops zeros, keeps the largest, in double precision.
-std::vector<std::pair<std::uint32_t, double>> largest_influences(const std::vector<RawInfluence>& raw, std::size_t most,
-                                                                 std::size_t& dropped) {
-  std::map<std::uint32_t, double> merged;
-  for (const RawInfluence& i : raw)
-    if (i.weight > 0) merged[i.joint] += static_cast<double>(i.weight);
-  std::vector<std::pair<std::uint32_t, double>> kept(merged.begin(), merged.end());
-  if (kept.size() > most) {
-    std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    kept.resize(most);
-    std::sort(kept.begin(), kept.end());
-    ++dropped;
-  }
-  double sum = 0;
-  for (const auto& [joint, weight] : kept) sum += weight;
-  for (auto& [joint, weight] : kept) weight /= sum;
-  if (kept.empty()) kept.emplace_back(0u, 1.0);
-  return kept;
-}
-
-Palette bind_to_skin(RawScene& scene, const RawPrimitive& primitive, const RawSkin& skin,
-                     const std::vector<int>& joint_of_node, std::vector<Binding>& bindings) {
+// The joints that vertices use, and those that their half-joints stand between; entries in the skin's order.
+Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
+                     const std::vector<int>& joint_of_node, std::vector<std::uint16_t>& entry_of) {
+  const std::size_t joints = skin.joints.size();
+  entry_of.assign(joints + binding.half_joints.size(), 0);
+  for (const BoundVertex& vertex : vertices)
+    for (const BoundInfluence& i : vertex) entry_of[i.joint] = 1;
+  for (std::size_t h = 0; h < binding.half_joints.size(); ++h)
+    if (entry_of[joints + h] != 0) entry_of[binding.half_joints[h].parent] = entry_of[binding.half_joints[h].joint] = 1;
   Palette out;
-  std::size_t dropped = 0, unbound = 0;
-  std::vector<std::vector<std::pair<std::uint32_t, double>>> influences;
-  std::vector<std::uint16_t> entry_of_joint(skin.joints.size(), 0);
-  for (const std::vector<RawInfluence>& raw : primitive.influences) {
-    unbound += std::none_of(raw.begin(), raw.end(), [](const RawInfluence& i) { return i.weight > 0; });
-    influences.push_back(largest_influences(raw, kMaxInfluences, dropped));
-    for (const auto& [joint, weight] : influences.back()) entry_of_joint[joint] = 1;
-  }
-  for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-    if (entry_of_joint[j] == 0) continue;
-    entry_of_joint[j] = static_cast<std::uint16_t>(out.joints.size());
+  for (std::size_t j = 0; j < joints; ++j) {
+    if (entry_of[j] == 0) continue;
+    entry_of[j] = static_cast<std::uint16_t>(out.joints.size());
     out.joints.push_back(static_cast<std::uint16_t>(joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
     out.inverse_bind.push_back(to_affine(skin.inverse_bind[j]));
   }
-  for (const auto& vertex : influences) {
-    Binding binding;
-    for (const auto& [joint, weight] : vertex) {
-      binding.set.push_back(entry_of_joint[joint]);
-      binding.weights.push_back(weight);
-    }
-    bindings.push_back(std::move(binding));
+  for (std::size_t h = 0; h < binding.half_joints.size(); ++h) {
+    if (entry_of[joints + h] == 0) continue;
+    const deform::HalfJoint& half = binding.half_joints[h];
+    entry_of[joints + h] = static_cast<std::uint16_t>(out.joints.size() + out.half_joints.size());
+    out.half_joints.push_back({entry_of[half.parent], entry_of[half.joint], static_cast<float>(half.share)});
   }
-  if (dropped > 0)
-    warn(scene, primitive.pointer, "influences-dropped",
-         std::to_string(dropped) + " vertices had more than 8 influences; the 8 largest are kept and renormalised");
-  if (unbound > 0)
-    warn(scene, primitive.pointer, "weights-zero",
-         std::to_string(unbound) + " vertices had no weight above 0; they follow the skin's first joint");
+  return out;
+}
+
+Palette bind_vertices(const RawSkin& skin, const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
+                      const std::vector<int>& joint_of_node, std::vector<Binding>& bindings) {
+  std::vector<std::uint16_t> entry_of;
+  Palette out = make_palette(skin, binding, vertices, joint_of_node, entry_of);
+  for (const BoundVertex& vertex : vertices) {
+    Binding b;
+    for (const BoundInfluence& i : vertex) {
+      b.set.push_back(entry_of[i.joint]);
+      b.weights.push_back(i.weight);
+      if (binding.residual_step_m > 0) b.residual.push_back(i.residual);
+    }
+    bindings.push_back(std::move(b));
+  }
   return out;
 }
 
 // Hung rigidly: one joint, the nearest at or above the node.
 Palette bind_to_node(const NearestJoint& nearest) {
-  return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}};
+  return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}, {}};
 }
 
 // One grid for all primitives of a mesh, so that where they touch they still do.
@@ -119,18 +106,34 @@ struct Task {
   MeshGrid grid;
 };
 
-Bound bind_primitive(RawScene& scene, RawPrimitive& primitive, int skin, const std::vector<int>& joint_of_node,
-                     Task& task) {
+// skin, binding: null if the primitive hangs on a node.
+Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const RawSkin* skin, const SkinBinding* binding,
+                     const std::vector<int>& joint_of_node, Task& task) {
   Bound bound;
-  if (skin != kNone) {
-    bound.palette =
-        bind_to_skin(scene, primitive, scene.skins[static_cast<std::size_t>(skin)], joint_of_node, task.bindings);
+  if (skin != nullptr) {
+    bound.palette = bind_vertices(*skin, *binding, binding->primitives[number], joint_of_node, task.bindings);
+    task.grid.residual_step = binding->residual_step_m;
+    task.grid.residual_weight_step = binding->residual_weight_step;
   } else {
-    task.bindings.assign(primitive.positions.size(), {{0}, {1.0}});
+    task.bindings.assign(primitive.positions.size(), {{0}, {1.0}, {}});
   }
   task.primitive = &primitive;
-  task.joint_count = skin != kNone ? bound.palette.joints.size() : 1;
+  task.joint_count = skin != nullptr ? bound.palette.joints.size() + bound.palette.half_joints.size() : 1;
   return bound;
+}
+
+// Bound, and learnt from its poses, once for all its primitives.
+const SkinBinding& bind_mesh(RawScene& scene, int mesh, int skin, const CookOptions& options, SkinBindings& bindings,
+                             BuiltScene& out) {
+  const auto [at, is_new] = bindings.try_emplace({mesh, skin});
+  if (is_new) {
+    const RawMesh& source = scene.meshes[static_cast<std::size_t>(mesh)];
+    at->second = bind_to_skin(scene, source);
+    out.learnt.push_back(
+        learn_binding(scene, source, scene.skins[static_cast<std::size_t>(skin)], out, options.learn, at->second));
+    at->second.report = static_cast<int>(out.learnt.size()) - 1;
+  }
+  return at->second;
 }
 
 bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
@@ -170,8 +173,10 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.name = scene.meshes[static_cast<std::size_t>(instance.mesh)].name;
   if (mesh.name.empty()) mesh.name = scene.nodes[static_cast<std::size_t>(instance.node)].name;
   mesh.geometry = bound.task;
+  mesh.learnt = bound.learnt;
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
+  mesh.half_joints = palette.half_joints;
   mesh.targets = instance.weights;
   mesh.raw_material = primitive.material;
   if (primitive.material != kNone) {
@@ -187,6 +192,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
 
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
   BoundPrimitives bound;
+  SkinBindings bindings;
   std::vector<Task> tasks;
   for (const RawInstance& instance : scene.instances) {
     RawMesh& source = scene.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -198,9 +204,14 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
       auto found = bound.find(key);
       if (found == bound.end()) {
         Task task;
-        Bound fresh = bind_primitive(scene, primitive, skin, out.joint_of_node, task);
-        fresh.task = static_cast<std::uint32_t>(tasks.size());
         task.grid = mesh_grid(source, options);
+        const SkinBinding* const binding =
+            skin == kNone ? nullptr : &bind_mesh(scene, instance.mesh, skin, options, bindings, out);
+        Bound fresh =
+            bind_primitive(primitive, i, skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)],
+                           binding, out.joint_of_node, task);
+        fresh.learnt = binding == nullptr ? kNone : binding->report;
+        fresh.task = static_cast<std::uint32_t>(tasks.size());
         tasks.push_back(std::move(task));
         found = bound.emplace(key, std::move(fresh)).first;
       }

@@ -80,6 +80,14 @@ struct BuiltGeometry {
   MeshError error;
 };
 
+// How a mesh's animation space came about.
+struct LearnReport {
+  const char* kind = "lift";  // as it was shipped: lift, smooth or fit
+  const char* truth = "";
+  std::size_t poses = 0, made_up = 0, half_joints = 0;
+  double held_out_share = 1, worse_share = 0;  // see deform::FitQuality
+};
+
 struct BuiltMesh {
   std::string name;
   std::string material;
@@ -92,6 +100,7 @@ struct BuiltMesh {
   Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
   std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
   std::vector<HalfJoint> half_joints;
+  int learnt = kNone;                    // index into BuiltScene::learnt
   std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};
   bool double_sided = false;
@@ -126,11 +135,12 @@ struct BuiltScene {
   std::vector<NearestJoint> nearest;      // a node
   std::vector<BuiltClip> clips;           // clip by clip of the source, in each skeleton by skeleton
   std::vector<BuiltGeometry> geometries;  // no two the same
-  std::vector<BuiltMesh> meshes;          // node by node, primitive by primitive
-  std::vector<BuiltMaterial> materials;   // those with more than MESH says; no two the same
-  std::vector<RawImage> images;           // no two the same
-  std::vector<BuiltNode> nodes;           // in the source's order
-  std::vector<Kept> kept;                 // a GLOB
+  std::vector<LearnReport> learnt;
+  std::vector<BuiltMesh> meshes;         // node by node, primitive by primitive
+  std::vector<BuiltMaterial> materials;  // those with more than MESH says; no two the same
+  std::vector<RawImage> images;          // no two the same
+  std::vector<BuiltNode> nodes;          // in the source's order
+  std::vector<Kept> kept;                // a GLOB
 };
 
 }  // namespace marrow::cook

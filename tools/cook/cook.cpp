@@ -17,6 +17,16 @@ ordered_json report_sections(const WrittenFile& written) {
   return out;
 }
 
+ordered_json report_learnt(const LearnReport& learnt) {
+  return {{"kind", learnt.kind},
+          {"truth", learnt.truth},
+          {"poses", learnt.poses},
+          {"made_up_poses", learnt.made_up},
+          {"half_joints", learnt.half_joints},
+          {"held_out_share", learnt.held_out_share},
+          {"worse_share", learnt.worse_share}};
+}
+
 // A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
 ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) {
   ordered_json out = ordered_json::array();
@@ -40,6 +50,8 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"max_uv_error", geometry.error.uv},
                    {"max_weight_error", geometry.error.weight},
                    {"max_target_error_m", geometry.error.target_m}});
+    if (mesh.learnt != kNone)
+      out.back()["animation_space"] = report_learnt(built.learnt[static_cast<std::size_t>(mesh.learnt)]);
   }
   return out;
 }

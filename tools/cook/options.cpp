@@ -78,6 +78,36 @@ void set_images(CookOptions& options, const Value& given) {
   options.images = given.text == "embed" ? Images::embed : given.text == "none" ? Images::none : Images::reference;
 }
 
+void set_animation_space(CookOptions& options, const Value& given) {
+  options.learn.animation_space = given.text == "fit"      ? AnimationSpace::fit
+                                  : given.text == "smooth" ? AnimationSpace::smooth
+                                                           : AnimationSpace::lift;
+}
+
+void set_truth(CookOptions& options, const Value& given) {
+  options.learn.truth = given.text == "dqs"   ? Truth::dual_quaternions
+                        : given.text == "cor" ? Truth::centres_of_rotation
+                                              : Truth::delta_mush;
+}
+
+// "N", "N,STEP" or "N,STEP,cotangent".
+void set_delta_mush(CookOptions& options, const Value& given) {
+  deform::DeltaMushOptions& mush = options.learn.delta_mush;
+  const char* at = given.text.data();
+  const char* const end = at + given.text.size();
+  auto read = std::from_chars(at, end, mush.iterations);
+  bool good = read.ec == std::errc() && mush.iterations >= 1 && mush.iterations <= 1000;
+  if (good && read.ptr != end && *read.ptr == ',') {
+    read = std::from_chars(read.ptr + 1, end, mush.step);
+    good = read.ec == std::errc() && mush.step > 0 && mush.step <= 1;
+  }
+  const std::string_view rest(read.ptr, static_cast<std::size_t>(end - read.ptr));
+  if (rest == ",cotangent") mush.weights = deform::EdgeWeights::cotangent;
+  if (!good || !(rest.empty() || rest == ",cotangent"))
+    refuse(given, "\"" + given.text + "\" does not say how to smooth",
+           "give iterations, 1 to 1000, and a step up to 1, as in 10,0.5 or 30,1,cotangent");
+}
+
 // "CLIP" or "CLIP=REFERENCE", divided at the last "=".
 void set_additive(CookOptions& options, const Value& given) {
   const std::size_t divide = given.text.rfind('=');
@@ -146,6 +176,40 @@ const std::vector<Option>& option_table() {
        "how far it may change weights; the default is 0.00025",
        {},
        [](CookOptions& o, const Value& v) { o.precision.weight_error = number_between(v, 2e-5, 0.5); }},
+      {"as",
+       OptionKind::text,
+       "TEXT",
+       "animation space, what `skin_as` deforms by: lift: the same as linear blend skinning; smooth: delta mush in "
+       "closed "
+       "form; fit: learnt from --truth in the poses of all clips (docs/deformers.md)",
+       {"lift", "smooth", "fit"},
+       set_animation_space},
+      {"truth",
+       OptionKind::text,
+       "TEXT",
+       "what --as fit learns from: cor: optimised centres of rotation; dqs: dual quaternions; delta-mush",
+       {"cor", "dqs", "delta-mush"},
+       set_truth},
+      {"delta-mush",
+       OptionKind::text,
+       "N[,STEP[,cotangent]]",
+       "how --truth delta-mush and --as smooth smooth: iterations, how far each goes, edges by cotangents instead of "
+       "all "
+       "alike; the default is 10,0.5",
+       {},
+       set_delta_mush},
+      {"half-joints",
+       OptionKind::text,
+       "N",
+       "helpers that --as fit may put between a joint and its parent",
+       {"0", "1", "2"},
+       [](CookOptions& o, const Value& v) { o.learn.half_joints = v.text[0] - '0'; }},
+      {"keep-bind-pose",
+       OptionKind::flag,
+       "",
+       "--as fit leaves the bind pose exactly as it is",
+       {},
+       [](CookOptions& o, const Value&) { o.learn.keep_bind_pose = true; }},
       {"images",
        OptionKind::text,
        "TEXT",
@@ -200,6 +264,10 @@ CookOptions to_options(const Given& given) {
       option.set(options, value);
     }
   }
+  if (options.learn.animation_space != AnimationSpace::fit)
+    for (const char* const name : {"truth", "half-joints", "keep-bind-pose"})
+      if (const auto found = given.find(name); found != given.end() && found->second.front().text != "false")
+        refuse(found->second.front(), std::string("--") + name + " without a fit", "give --as fit too");
   if (!options.skeleton_file.empty() && !options.clips_only)
     refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");
   return options;

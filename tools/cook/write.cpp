@@ -133,7 +133,7 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.geometry = m.geometry;
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.material_section = m.material_section;
-  h.flags = static_cast<std::uint16_t>(m.double_sided ? format::kDoubleSided : 0);
+  h.flags = m.double_sided ? std::uint16_t{format::kDoubleSided} : std::uint16_t{0};
   h.half_joint_count = static_cast<std::uint16_t>(m.half_joints.size());
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
   h.target_count = static_cast<std::uint32_t>(m.targets.size());

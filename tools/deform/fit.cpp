@@ -245,7 +245,13 @@ void cross_validate(Group& group, const Equations& eq, const Training& training,
   }
 }
 
-FitQuality quality_of(const std::vector<Group>& groups, const Training& training, std::size_t strength) {
+struct HeldOut {
+  FitQuality quality;
+  double squares = 0;  // of all vertices in all shipped poses
+  std::size_t poses = 0;
+};
+
+HeldOut held_out(const std::vector<Group>& groups, const Training& training, std::size_t strength) {
   VectorXd errors = VectorXd::Zero(index(training.examples.size()));
   for (const Group& group : groups) errors += group.held_out[strength];
   double ours = 0, reference = 0;
@@ -258,23 +264,23 @@ FitQuality quality_of(const std::vector<Group>& groups, const Training& training
     worse += errors[index(e)] > training.examples[e].reference_error;
   }
   if (!(reference > 0)) return {};
-  return {std::sqrt(ours / reference), static_cast<double>(worse) / static_cast<double>(shipped)};
+  return {{std::sqrt(ours / reference), static_cast<double>(worse) / static_cast<double>(shipped)}, ours, shipped};
 }
 
 // What counts is the error, and dearly the share of poses beyond `most_worse` that become worse.
 std::size_t best_strength(const std::vector<Group>& groups, const Training& training, const FitOptions& options,
-                          FitQuality& quality) {
-  std::size_t best = 0;
+                          HeldOut& best) {
+  std::size_t chosen = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < kStrengthCount; ++s) {
-    const FitQuality q = quality_of(groups, training, s);
-    const double cost = q.share * (1 + 2 * std::max(0.0, q.worse_share - options.most_worse));
+    const HeldOut h = held_out(groups, training, s);
+    const double cost = h.quality.share * (1 + 2 * std::max(0.0, h.quality.worse_share - options.most_worse));
     if (cost >= least) continue;
     least = cost;
-    best = s;
-    quality = q;
+    chosen = s;
+    best = h;
   }
-  return best;
+  return chosen;
 }
 
 void write_solution(const Group& group, const Equations& eq, const Training& training, std::size_t strength,
@@ -303,7 +309,11 @@ Fit fit_coordinates(const Coordinates& prior, double diagonal_m, std::vector<Tra
     cross_validate(groups[g], Equations(groups[g], training, options.keep_bind_pose), training, options);
   });
   Fit out;
-  const std::size_t strength = best_strength(groups, training, options, out.quality);
+  HeldOut best;
+  const std::size_t strength = best_strength(groups, training, options, best);
+  out.quality = best.quality;
+  if (best.poses > 0)
+    out.rms = std::sqrt(best.squares / static_cast<double>(best.poses) / static_cast<double>(prior.size()));
   out.coordinates = prior;
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
     write_solution(groups[g], Equations(groups[g], training, options.keep_bind_pose), training, strength,

@@ -29,6 +29,7 @@ struct FitQuality {
 struct Fit {
   Coordinates coordinates;
   FitQuality quality;
+  double rms = 0;  // of what is left in shipped poses left out, in diagonals
 };
 
 // prior: what the ridge pulls to; its joints are those that a vertex may follow. reference: what the fit must be better

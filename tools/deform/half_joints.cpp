@@ -36,10 +36,12 @@ std::vector<std::pair<double, std::uint32_t>> joints_by_weight(const Weights& we
 }  // namespace
 
 HalfJointMesh with_half_joints(const SkinnedMesh& mesh, const std::vector<int>& parents,
-                               const std::vector<glm::dvec3>& centres, int per_joint, std::size_t most) {
+                               const std::vector<glm::dvec3>& centres, int per_joint,
+                               const std::vector<std::size_t>& most) {
   HalfJointMesh out{mesh, {}};
   std::map<std::uint32_t, std::uint32_t> first_of_joint;  // its first helper
-  for (std::vector<Influence>& influences : out.mesh.influences) {
+  for (std::size_t v = 0; v < out.mesh.influences.size(); ++v) {
+    std::vector<Influence>& influences = out.mesh.influences[v];
     Weights weights;
     for (const Influence& i : influences) weights[i.joint] = i.weight;
     std::size_t count = influences.size();
@@ -47,7 +49,7 @@ HalfJointMesh with_half_joints(const SkinnedMesh& mesh, const std::vector<int>& 
     for (const auto& [negative, joint] : joints_by_weight(own)) {
       const int parent = parents[joint];
       if (parent < 0 || !own.contains(static_cast<std::uint32_t>(parent))) continue;
-      if (count + static_cast<std::size_t>(per_joint) > most) break;
+      if (count + static_cast<std::size_t>(per_joint) > most[v]) break;
       count += static_cast<std::size_t>(per_joint);
       const auto p = static_cast<std::uint32_t>(parent);
       const auto [at, is_new] = first_of_joint.try_emplace(joint, out.mesh.joint_count);
@@ -56,7 +58,6 @@ HalfJointMesh with_half_joints(const SkinnedMesh& mesh, const std::vector<int>& 
         for (int i = 1; i <= per_joint; ++i)
           out.half_joints.push_back({p, joint, static_cast<double>(i) / (per_joint + 1), centres[joint]});
       }
-      // Both weights spread over the chain by where the vertex stands on it.
       for (int i = 0; i < per_joint; ++i) weights[at->second + static_cast<std::uint32_t>(i)] += 0;
     }
     influences.clear();

@@ -19,14 +19,15 @@ Matrix half_way(const Matrix& parent, const Matrix& joint, const glm::dvec3& cen
 // Adds a matrix for each, in order.
 void append_half_joints(const std::vector<HalfJoint>& half_joints, Pose& pose);
 
-// Splits the influences of vertices that follow a joint and its parent: weights w and v of the two are spread over the
-// chain parent, helpers, joint as if each vertex stood on it at w / (w + v). `first` is the first helper's number.
-// centres: a helper for each pair of joints in `parents` that some vertex shares. most: influences a vertex.
+// Adds influences, of weight 0, to vertices that follow a joint and its parent: of helpers between the two, `per_joint`
+// at even shares. Helpers are numbered from mesh.joint_count on. Where not all fit, those of the heaviest joints do.
+// parents, centres: of each joint. most: for each vertex how many influences it may have.
 struct HalfJointMesh {
   SkinnedMesh mesh;
   std::vector<HalfJoint> half_joints;
 };
 HalfJointMesh with_half_joints(const SkinnedMesh& mesh, const std::vector<int>& parents,
-                               const std::vector<glm::dvec3>& centres, int per_joint, std::size_t most);
+                               const std::vector<glm::dvec3>& centres, int per_joint,
+                               const std::vector<std::size_t>& most);
 
 }  // namespace marrow::deform

@@ -169,7 +169,7 @@ TEST(Morphs, AreSparseAndExactToHalfAStep) {
   CookOptions options;
   options.mesh_codec = MeshCodec::none;
   options.keep_vertex_order = true;
-  const BuiltGeometry built = build_geometry(p, std::vector<Binding>(40, {{0}, {1.0}}), 1, {}, options);
+  const BuiltGeometry built = build_geometry(p, std::vector<Binding>(40, {{0}, {1.0}, {}}), 1, {}, options);
   const std::byte* const base = built.section.data();
   const format::GeometryLayout geometry = layout(built.header);
   format::MorphHeader h;

@@ -105,7 +105,8 @@ TEST(Fit, IsTheSameEveryTime) {
 TEST(Fit, ReachesWhatAStudyFoundOnACylinder) {
   const SkinnedMesh mesh = cylinder();
   const Deformer truth = dual_quaternions(mesh), reference = ssd(mesh);
-  const HalfJointMesh half = with_half_joints(mesh, {-1, 0}, {{0, 0, 0}, {0, 0, 0}}, 1, 8);
+  const HalfJointMesh half =
+      with_half_joints(mesh, {-1, 0}, {{0, 0, 0}, {0, 0, 0}}, 1, std::vector<std::size_t>(mesh.positions.size(), 8));
   const auto with_half = [&](std::vector<Pose> poses) {
     for (Pose& pose : poses) append_half_joints(half.half_joints, pose);
     return poses;

@@ -88,7 +88,7 @@ TEST(WithHalfJoints, AddsOneWhereAVertexFollowsJointAndParent) {
   mesh.joint_count = 3;  // 0 ← 1 ← 2
   mesh.positions.assign(4, glm::dvec3(0));
   mesh.influences = {{{0, 1.0}}, {{0, 0.5}, {1, 0.5}}, {{0, 0.5}, {2, 0.5}}, {{0, 0.2}, {1, 0.3}, {2, 0.5}}};
-  const HalfJointMesh out = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, 8);
+  const HalfJointMesh out = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, {8, 8, 8, 8});
   ASSERT_EQ(out.half_joints.size(), 4u);
   EXPECT_EQ(out.mesh.joint_count, 7u);
   EXPECT_EQ(out.half_joints[0].joint, 1u);
@@ -101,7 +101,7 @@ TEST(WithHalfJoints, AddsOneWhereAVertexFollowsJointAndParent) {
   const std::size_t counts[] = {1, 4, 2, 7};
   for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(out.mesh.influences[v].size(), counts[v]) << v;
   // Not more than allowed: the heavier joint's come first.
-  const HalfJointMesh few = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, 6);
+  const HalfJointMesh few = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, {6, 6, 6, 6});
   EXPECT_EQ(few.mesh.influences[3].size(), 5u);
 }
 

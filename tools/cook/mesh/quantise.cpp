@@ -1,5 +1,6 @@
 // From the artist's floats to whole numbers, and what that costs.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -172,53 +173,118 @@ void add_uvs(const RawPrimitive& p, double allowed, OwnedStreams& out, MeshError
   }
 }
 
-// Whole numbers that sum to `one`, each at most one from its share: the largest remainders are rounded up. What would
-// be 0 is left out.
-Binding rounded(const Binding& b, std::int32_t one, std::vector<std::int32_t>& numbers) {
+// Whole numbers that sum to `one`, each at most one from its share: the largest remainders are rounded up.
+std::vector<std::int32_t> rounded_weights(const std::vector<double>& weights, std::int32_t one) {
   std::vector<std::pair<double, std::size_t>> remainders;
   std::vector<std::int32_t> all;
   std::int32_t left = one;
-  for (std::size_t j = 0; j < b.weights.size(); ++j) {
-    const double share = b.weights[j] * one;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    const double share = weights[j] * one;
     all.push_back(std::min(left, static_cast<std::int32_t>(share)));
     left -= all.back();
     remainders.emplace_back(static_cast<double>(all.back()) - share, j);
   }
   std::sort(remainders.begin(), remainders.end());
   for (std::size_t i = 0; left > 0; ++i, --left) ++all[remainders[i % remainders.size()].second];
-  Binding out;
-  numbers.clear();
-  for (std::size_t j = 0; j < all.size(); ++j) {
-    if (all[j] == 0) continue;
-    out.set.push_back(b.set[j]);
-    out.weights.push_back(b.weights[j]);
-    numbers.push_back(all[j]);
+  return all;
+}
+
+// A residual as it is stored: relative to the vertex, which the w carry along, so that it is small wherever the origin
+// lies.
+using RoundedResidual = std::array<std::int32_t, 4>;
+
+std::vector<RoundedResidual> rounded_residual(const Binding& b, const glm::vec3& v, const MeshGrid& grid) {
+  constexpr double kMost = (1 << (packed::kMaxValueBits - 2)) - 1;
+  std::vector<RoundedResidual> out;
+  std::int32_t sum = 0;
+  for (const glm::dvec4& r : b.residual) {
+    const glm::dvec3 d = glm::dvec3(r) - glm::dvec3(v) * r.w;
+    RoundedResidual& to = out.emplace_back();
+    for (int c = 0; c < 3; ++c)
+      to[static_cast<std::size_t>(c)] =
+          static_cast<std::int32_t>(std::lround(std::clamp(d[c] / grid.residual_step, -kMost, kMost)));
+    to[3] = static_cast<std::int32_t>(std::lround(std::clamp(r.w / grid.residual_weight_step, -kMost / 8, kMost / 8)));
+    sum += to[3];
+  }
+  // They sum to 0; what rounding made of that goes where it is the least of its share.
+  if (!out.empty())
+    (*std::max_element(out.begin(), out.end(), [](const RoundedResidual& x, const RoundedResidual& y) {
+      return std::abs(x[3]) < std::abs(y[3]);
+    }))[3] -= sum;
+  return out;
+}
+
+// A vertex's influences in whole numbers; those that have neither weight nor residual are left out.
+struct RoundedBinding {
+  Binding kept;
+  std::vector<std::int32_t> weights;
+  std::vector<RoundedResidual> residual;
+};
+
+RoundedBinding rounded(const Binding& b, const glm::vec3& v, std::int32_t one, const MeshGrid& grid) {
+  const std::vector<std::int32_t> weights = rounded_weights(b.weights, one);
+  const std::vector<RoundedResidual> residual = rounded_residual(b, v, grid);
+  RoundedBinding out;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    const bool moves = !residual.empty() && residual[j] != RoundedResidual{};
+    if (weights[j] == 0 && !moves) continue;
+    out.kept.set.push_back(b.set[j]);
+    out.kept.weights.push_back(b.weights[j]);
+    out.weights.push_back(weights[j]);
+    if (!residual.empty()) out.residual.push_back(residual[j]);
   }
   return out;
 }
 
-void add_influences(const std::vector<Binding>& bindings, double allowed, OwnedStreams& out, MeshError& error) {
+double weight_error(const Binding& b, const RoundedBinding& r, std::int32_t one) {
+  double worst = 0;
+  for (std::size_t j = 0, k = 0; j < b.set.size(); ++j) {
+    const bool is_kept = k < r.kept.set.size() && r.kept.set[k] == b.set[j];
+    const double now = is_kept ? static_cast<double>(r.weights[k++]) / one : 0.0;
+    worst = std::max(worst, std::abs(now - b.weights[j]));
+  }
+  return worst;
+}
+
+void add_residuals(const std::vector<RoundedBinding>& vertices, const MeshGrid& grid, OwnedStreams& out) {
+  std::int32_t most = 0;
+  for (const RoundedBinding& r : vertices)
+    for (const RoundedResidual& four : r.residual)
+      for (const std::int32_t n : four) most = std::max(most, std::abs(n));
+  if (most == 0) return;
+  out.mesh.flags |= format::kHasAsResidual;
+  Stream& s = out.add(StreamKind::residual, 4 * out.mesh.influences, bits_for(most) + 1);
+  s.step = static_cast<float>(grid.residual_step);
+  s.origin[0] = static_cast<float>(grid.residual_weight_step);
+  const std::int32_t nothing = 1 << (s.bits - 1);
+  for (const RoundedBinding& r : vertices)
+    for (std::size_t j = 0; j < out.mesh.influences; ++j)
+      for (std::size_t c = 0; c < 4; ++c)
+        out.values.back().push_back(nothing + (j < r.residual.size() ? r.residual[j][c] : 0));
+}
+
+void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings, const MeshGrid& grid, double allowed,
+                    OwnedStreams& out, MeshError& error) {
   std::uint32_t bits = 1;
   while (bits < packed::kMaxWeightBits && 1.0 / ((1 << bits) - 1) > allowed) ++bits;
   const std::int32_t one = (1 << bits) - 1;
+  std::vector<RoundedBinding> vertices;
   std::vector<Binding> kept;
-  std::vector<std::vector<std::int32_t>> numbers(bindings.size());
   out.mesh.influences = 1;
   for (std::size_t v = 0; v < bindings.size(); ++v) {
-    kept.push_back(rounded(bindings[v], one, numbers[v]));
-    out.mesh.influences = std::max(out.mesh.influences, static_cast<std::uint32_t>(kept[v].set.size()));
-    for (std::size_t j = 0, k = 0; j < bindings[v].set.size(); ++j) {
-      const bool is_kept = k < kept[v].set.size() && kept[v].set[k] == bindings[v].set[j];
-      const double now = is_kept ? static_cast<double>(numbers[v][k++]) / one : 0.0;
-      error.weight = std::max(error.weight, std::abs(now - bindings[v].weights[j]));
-    }
+    vertices.push_back(rounded(bindings[v], p.positions[v], one, grid));
+    kept.push_back(vertices.back().kept);
+    out.mesh.influences = std::max(out.mesh.influences, static_cast<std::uint32_t>(kept.back().set.size()));
+    error.weight = std::max(error.weight, weight_error(bindings[v], vertices.back(), one));
   }
   add_joints(kept, out);
-  if (out.mesh.influences < 2) return;
-  out.add(StreamKind::weights, out.mesh.influences - 1, bits).step = weight_step(bits);
-  for (const std::vector<std::int32_t>& n : numbers)
-    for (std::size_t j = 0; j + 1 < out.mesh.influences; ++j)
-      out.values_of(StreamKind::weights)->push_back(j + 1 < n.size() ? n[j] : 0);
+  if (out.mesh.influences > 1) {
+    out.add(StreamKind::weights, out.mesh.influences - 1, bits).step = weight_step(bits);
+    for (const RoundedBinding& r : vertices)
+      for (std::size_t j = 0; j + 1 < out.mesh.influences; ++j)
+        out.values_of(StreamKind::weights)->push_back(j + 1 < r.weights.size() ? r.weights[j] : 0);
+  }
+  add_residuals(vertices, grid, out);
 }
 
 // One attribute of a morph target, on steps no finer than 16 bits allow. False if nothing moves by half a step.
@@ -272,6 +338,17 @@ void add_floats(StreamKind kind, const Vectors& vectors, int components, OwnedSt
     for (int c = 0; c < components; ++c) out.values_of(kind)->push_back(std::bit_cast<std::int32_t>(v[c]));
 }
 
+void add_verbatim_residuals(const std::vector<Binding>& bindings, OwnedStreams& out) {
+  if (bindings.empty() || bindings.front().residual.empty()) return;
+  out.mesh.flags |= format::kHasAsResidual;
+  out.add(StreamKind::residual, 4 * out.mesh.influences, 0);
+  for (const Binding& b : bindings)
+    for (std::size_t j = 0; j < out.mesh.influences; ++j)
+      for (int c = 0; c < 4; ++c)
+        out.values.back().push_back(
+            std::bit_cast<std::int32_t>(j < b.residual.size() ? static_cast<float>(b.residual[j][c]) : 0.0f));
+}
+
 }  // namespace
 
 OwnedStreams verbatim_streams(const RawPrimitive& p, const std::vector<Binding>& bindings, std::size_t joint_count) {
@@ -290,6 +367,7 @@ OwnedStreams verbatim_streams(const RawPrimitive& p, const std::vector<Binding>&
         out.values_of(StreamKind::weights)
             ->push_back(std::bit_cast<std::int32_t>(j + 1 < b.set.size() ? static_cast<float>(b.weights[j]) : 0.0f));
   }
+  add_verbatim_residuals(bindings, out);
   constexpr double kNoise = 0x1p-15;  // of a unit vector, two thousandths of a degree
   MeshError ignored;
   add_targets(p, 0, kNoise, out, ignored);
@@ -313,7 +391,7 @@ OwnedStreams quantised_streams(const RawPrimitive& p, const std::vector<Binding>
   }
   add_uvs(p, precision.uv_error, out, error);
   add_colours(p, out);
-  add_influences(bindings, precision.weight_error, out, error);
+  add_influences(p, bindings, grid, precision.weight_error, out, error);
   add_targets(p, grid.step, glm::radians(precision.normal_error_deg), out, error);
   return out;
 }

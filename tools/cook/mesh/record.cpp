@@ -18,7 +18,7 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
       case StreamKind::position:
       case StreamKind::uv:
       case StreamKind::residual: {
-        const int axes = stream.kind == StreamKind::position ? 3 : stream.kind == StreamKind::uv ? 2 : 0;
+        const int axes = stream.kind == StreamKind::position ? 3 : stream.kind == StreamKind::uv ? 2 : 1;
         add_value(stream.bits, out);
         for (int c = 0; c < axes; ++c) add_value(stream.origin[c], out);
         add_value(stream.step, out);

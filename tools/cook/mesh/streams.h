@@ -13,6 +13,7 @@ namespace marrow::cook {
 struct Binding {
   std::vector<std::uint16_t> set;
   std::vector<double> weights;
+  std::vector<glm::dvec4> residual;  // of animation space; none, or as many: (d, δ)
 };
 
 class OwnedStreams {
@@ -34,6 +35,9 @@ class OwnedStreams {
 struct MeshGrid {
   glm::dvec3 origin{0};
   double step = 0;  // metres; 0: not at all, everything is kept as floats
+  // Of residuals: metres, and of their w; 0: there are none.
+  double residual_step = 0;
+  double residual_weight_step = 0;
 };
 
 struct MeshPrecision {

@@ -1,0 +1,257 @@
+// Animation space that is learnt, from the artist's file to what the runtime's kernels make of the cooked one.
+#include "cook/learn.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "common/unpack_mrw.h"
+#include "cook/cook.h"
+#include "cook/gltf/read.h"
+#include "cook/write.h"
+#include "deform/animation_space.h"
+#include "marrow/marrow.h"
+
+namespace marrow::cook {
+namespace {
+
+const char* const kNewt = MARROW_SOURCE_DIR "/tools/sample/newt.glb";
+
+CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
+  CookOptions options;
+  options.keep_vertex_order = true;
+  options.raw_clips = true;
+  options.mesh_codec = codec;
+  options.learn.animation_space = AnimationSpace::fit;
+  options.learn.truth = Truth::dual_quaternions;
+  options.learn.half_joints = 1;
+  return options;
+}
+
+struct LoadedCook {
+  explicit LoadedCook(const CookResult& result) : report(result.report) {
+    bytes = format::kPackedMagic == magic(result.file) ? tools::unpacked(result.file, "")
+                                                       : tools::AlignedBytes{std::span<const std::byte>(result.file)};
+    EXPECT_EQ(load({bytes.data(), bytes.size()}, file), Status::ok);
+  }
+  static std::uint32_t magic(const std::vector<std::byte>& file) {
+    std::uint32_t out = 0;
+    std::memcpy(&out, file.data(), sizeof out);
+    return out;
+  }
+
+  nlohmann::ordered_json report;
+  tools::AlignedBytes bytes;
+  File file;
+};
+
+struct Skins {
+  std::vector<float> ssd, as;  // 3 a slot
+};
+
+Skins skins_at(const File& file, std::uint32_t clip, float time_s, const Mesh& mesh) {
+  const Skeleton skeleton = file.skeleton(mesh.skeleton);
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<Affine> model(skeleton.joint_count), palette(mesh.palette_size());
+  EXPECT_EQ(sample(skeleton, file.clip(clip), time_s, local), Status::ok);
+  EXPECT_EQ(local_to_model(skeleton, local, model), Status::ok);
+  EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  Skins out;
+  out.ssd.resize(std::size_t{3} * mesh.geometry.slot_count);
+  out.as = out.ssd;
+  SkinOutput to;
+  to.positions = out.ssd;
+  EXPECT_EQ(skin_ssd(mesh, palette, to), Status::ok);
+  to.positions = out.as;
+  EXPECT_EQ(skin_as(mesh, coordinates, palette, to), Status::ok);
+  return out;
+}
+
+glm::dvec3 slot_of(const std::vector<float>& positions, std::uint32_t slot) {
+  return {static_cast<double>(positions[3 * slot]), static_cast<double>(positions[3 * slot + 1]),
+          static_cast<double>(positions[3 * slot + 2])};
+}
+
+// Squared errors against dual quaternions, over all skinned vertices and a few moments of a clip.
+struct Errors {
+  double ssd = 0, as = 0;
+  std::size_t vertices = 0;
+};
+
+Errors errors_against_dual_quaternions(const File& file, std::uint32_t clip) {
+  RawScene raw = read_gltf(kNewt);
+  CookOptions plain;
+  plain.raw_clips = true;
+  const BuiltScene built = build_scene(raw, plain);
+  Errors out;
+  std::uint32_t number = 0;
+  for (const RawInstance& instance : raw.instances) {
+    const RawMesh& mesh = raw.meshes[static_cast<std::size_t>(instance.mesh)];
+    if (instance.skin == kNone) {
+      number += static_cast<std::uint32_t>(mesh.primitives.size());
+      continue;
+    }
+    const RawSkin& skin = raw.skins[static_cast<std::size_t>(instance.skin)];
+    const DeformSource source = deform_source(mesh, skin, bind_to_skin(raw, mesh), built);
+    const deform::Deformer truth = deform::dual_quaternions(source.mesh);
+    for (const float part : {0.2f, 0.45f, 0.7f}) {
+      const float time_s = part * file.clip(clip).duration_s;
+      const Skeleton skeleton = file.skeleton(source.skeleton);
+      std::vector<SoaTransform> local(skeleton.soa_size());
+      EXPECT_EQ(sample(skeleton, file.clip(clip), time_s, local), Status::ok);
+      deform::Positions want;
+      truth(deform_pose(source, built.skeletons[source.skeleton], local), want);
+      for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+        const Mesh cooked = file.mesh(number + static_cast<std::uint32_t>(p));
+        const Skins skins = skins_at(file, clip, time_s, cooked);
+        for (std::size_t v = 0; v < source.vertex_of[p].size(); ++v) {
+          const std::uint32_t slot = cooked.geometry.source_slots[v];
+          if (slot == kNoSlot) continue;
+          const glm::dvec3& at = want[source.vertex_of[p][v]];
+          const glm::dvec3 ssd = slot_of(skins.ssd, slot) - at, as = slot_of(skins.as, slot) - at;
+          out.ssd += glm::dot(ssd, ssd);
+          out.as += glm::dot(as, as);
+          ++out.vertices;
+        }
+      }
+    }
+    number += static_cast<std::uint32_t>(mesh.primitives.size());
+  }
+  return out;
+}
+
+TEST(Learn, WhatIsFittedIsWhatTheRuntimeDeforms) {
+  for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt}) {
+    const LoadedCook cooked(cook_file(kNewt, fitted_to_dual_quaternions(codec)));
+    ASSERT_GT(cooked.file.clip_count(), 0u);
+    Errors all;
+    for (std::uint32_t clip = 0; clip < cooked.file.clip_count(); ++clip) {
+      const Errors e = errors_against_dual_quaternions(cooked.file, clip);
+      all.ssd += e.ssd;
+      all.as += e.as;
+      all.vertices += e.vertices;
+    }
+    EXPECT_GT(all.vertices, 10000u);
+    const double share = std::sqrt(all.as / all.ssd);
+    std::printf("  codec %d: share of SSD's error %.3f\n", static_cast<int>(codec), share);
+    EXPECT_LT(share, 0.35);
+    const auto& learnt = cooked.report["meshes"][0]["animation_space"];
+    EXPECT_EQ(learnt["kind"], "fit");
+    EXPECT_EQ(learnt["truth"], "dqs");
+    EXPECT_GT(learnt["half_joints"], 5);
+    EXPECT_LT(learnt["held_out_share"], 0.6);
+  }
+}
+
+// Who does not use animation space gets what the artist painted.
+TEST(Learn, LeavesSsdAlone) {
+  CookOptions lift = fitted_to_dual_quaternions(MeshCodec::none);
+  lift.learn = {};
+  const LoadedCook fitted(cook_file(kNewt, fitted_to_dual_quaternions(MeshCodec::none)));
+  const LoadedCook plain(cook_file(kNewt, lift));
+  ASSERT_EQ(fitted.file.mesh_count(), plain.file.mesh_count());
+  std::size_t compared = 0;
+  for (std::uint32_t m = 0; m < fitted.file.mesh_count(); ++m) {
+    const Mesh a = fitted.file.mesh(m), b = plain.file.mesh(m);
+    const Skins one = skins_at(fitted.file, 0, 0.5f, a), other = skins_at(plain.file, 0, 0.5f, b);
+    ASSERT_EQ(a.geometry.source_slots.size, b.geometry.source_slots.size);
+    for (std::size_t v = 0; v < a.geometry.source_slots.size; ++v) {
+      if (a.geometry.source_slots[v] == kNoSlot) continue;
+      EXPECT_LT(
+          glm::length(slot_of(one.ssd, a.geometry.source_slots[v]) - slot_of(other.ssd, b.geometry.source_slots[v])),
+          1e-6);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 5000u);
+}
+
+TEST(Learn, IsTheSameBytesEveryTime) {
+  const CookOptions options = fitted_to_dual_quaternions(MeshCodec::meshopt);
+  EXPECT_EQ(cook_file(kNewt, options).file, cook_file(kNewt, options).file);
+}
+
+// In the bind pose nothing moves, whatever was learnt.
+TEST(Learn, CanKeepTheBindPose) {
+  CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+  options.learn.keep_bind_pose = true;
+  const LoadedCook cooked(cook_file(kNewt, options));
+  std::size_t residuals = 0;
+  for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m) {
+    const Geometry g = cooked.file.mesh(m).geometry;
+    if (g.as_residual == nullptr) continue;
+    const float* r = g.as_residual;
+    for (const marrow::Run& run : g.runs) {
+      for (std::uint32_t block = 0; block < (run.vertex_count + 3) / 4; ++block, r += 16 * run.influences) {
+        for (int i = 0; i < 16; ++i) {
+          float sum = 0;
+          for (std::uint32_t j = 0; j < run.influences; ++j) sum += r[16 * j + static_cast<std::uint32_t>(i)];
+          EXPECT_NEAR(sum, 0, 1e-6);
+          ++residuals;
+        }
+      }
+    }
+  }
+  EXPECT_GT(residuals, 1000u);
+}
+
+// The scene of one triangle on two joints, which says nothing of how it moves.
+RawScene two_joint_scene() {
+  RawScene scene;
+  scene.source = "made.gltf";
+  scene.nodes.resize(3);
+  for (std::size_t n = 0; n < 3; ++n) scene.nodes[n].name = "n" + std::to_string(n);
+  scene.nodes[1].parent = 0;
+  scene.nodes[1].translation = {1, 0, 0};
+  RawSkin skin;
+  skin.joints = {0, 1};
+  skin.inverse_bind = {glm::dmat4(1.0), glm::dmat4(1.0)};
+  skin.inverse_bind[1][3] = {-1, 0, 0, 1};
+  scene.skins.push_back(skin);
+  RawPrimitive p;
+  p.pointer = "/meshes/0/primitives/0";
+  p.positions = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 1, 0}};
+  p.indices = {0, 1, 2, 0, 1, 3, 2, 2, 3};
+  p.influences = {{{0, 1.0f}}, {{1, 1.0f}}, {{0, 0.5f}, {1, 0.5f}}, {{0, 0.5f}, {1, 0.5f}}};
+  scene.meshes.push_back({"made", {}, {p}});
+  scene.instances.push_back({2, 0, 0, {}});
+  return scene;
+}
+
+TEST(Learn, MakesPosesUpWithoutClips) {
+  for (const Truth truth : {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush}) {
+    CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+    options.learn.truth = truth;
+    const LoadedCook cooked(cook_scene(two_joint_scene(), options));
+    const auto& learnt = cooked.report["meshes"][0]["animation_space"];
+    EXPECT_EQ(learnt["made_up_poses"], 100);
+    const Geometry g = cooked.file.mesh(0).geometry;
+    if (truth == Truth::dual_quaternions) {
+      EXPECT_EQ(learnt["kind"], "fit");
+      EXPECT_LT(learnt["held_out_share"], 0.5);
+      ASSERT_NE(g.as_residual, nullptr);
+    }
+  }
+}
+
+// A joint scaled to nothing has no rotation to learn from.
+TEST(Learn, NeverWritesNaN) {
+  RawScene scene = two_joint_scene();
+  RawChannel channel;
+  channel.node = 1;
+  channel.path = RawPath::scale;
+  channel.times_s = {0, 1};
+  channel.values = {{0, 0, 0, 0}, {1, 1, 1, 0}};
+  scene.clips.push_back({"collapse", {channel}, {}});
+  for (const Truth truth : {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush}) {
+    CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+    options.learn.truth = truth;
+    EXPECT_NO_THROW(LoadedCook(cook_scene(scene, options)));  // load() refuses what is not finite
+  }
+}
+
+}  // namespace
+}  // namespace marrow::cook

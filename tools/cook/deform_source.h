@@ -1,0 +1,29 @@
+// A mesh of the scene as the offline deformers take it, and its poses.
+#pragma once
+
+#include "cook/poses.h"
+#include "cook/skin_binding.h"
+#include "deform/mesh.h"
+
+namespace marrow::cook {
+
+struct DeformSource {
+  deform::SkinnedMesh mesh;                           // joints are the skin's; vertices that move alike are one
+  std::vector<std::vector<std::uint32_t>> vertex_of;  // for each primitive and its vertices which of the mesh's
+  // Of the skin's joints: the nearest one above (kNone: none), where it is in the bind pose, and which of the skeleton
+  // it is.
+  std::vector<int> parents;
+  std::vector<glm::dvec3> centres;
+  std::vector<std::uint16_t> joints;
+  std::vector<glm::dmat4> inverse_bind;
+  std::uint32_t skeleton = 0;
+};
+
+DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding,
+                           const BuiltScene& built);
+
+// The joints' matrices in a pose of the skeleton, half-joints not among them.
+deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skeleton,
+                         const std::vector<SoaTransform>& local);
+
+}  // namespace marrow::cook

@@ -1,0 +1,46 @@
+// Animation space out of what a better deformer does in the character's own poses.
+#pragma once
+
+#include <string>
+
+#include "cook/deform_source.h"
+#include "deform/deformers.h"
+#include "deform/fit.h"
+
+namespace marrow::cook {
+
+enum class AnimationSpace { lift, smooth, fit };
+enum class Truth { dual_quaternions, centres_of_rotation, delta_mush };
+
+struct LearnOptions {
+  AnimationSpace animation_space = AnimationSpace::lift;
+  Truth truth = Truth::centres_of_rotation;
+  deform::DeltaMushOptions delta_mush;
+  int half_joints = 0;  // between a joint and its parent, 0 … 2
+  bool keep_bind_pose = false;
+};
+
+deform::Deformer make_truth(const deform::SkinnedMesh& mesh, const LearnOptions& options);
+
+// What a fit is trained on: rest, moments of every clip, and poses that the clips could have had.
+struct Trainees {
+  std::vector<deform::TrainingPose> poses;
+  std::size_t made_up = 0;
+};
+Trainees trainees(const DeformSource& source, const BuiltScene& built);
+
+// Coordinates, and how good they are by cross-validation.
+struct Learnt {
+  deform::Coordinates coordinates;  // over the mesh's joints and, behind them, the half-joints
+  std::vector<deform::HalfJoint> half_joints;
+  deform::FitQuality quality;
+  double rms_m = 0;  // what is left, over shipped poses
+};
+// Without a better result than SSD's, SSD's. poses: of the joints; half-joints are added here.
+Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options);
+
+// Writes residuals and half-joints of `binding`. Adds a warning where the fit is not shipped.
+LearnReport learn_binding(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
+                          const LearnOptions& options, SkinBinding& binding);
+
+}  // namespace marrow::cook
