@@ -11,6 +11,7 @@
 #include "bench/bench.h"
 #include "common/failure.h"
 #include "common/files.h"
+#include "compare/compare.h"
 #include "cook/command_line.h"
 #include "diff/diff.h"
 #include "export/export.h"
@@ -120,6 +121,26 @@ void add_bench(CLI::App& app) {
   command->callback([&a] { run_bench(a); });
 }
 
+void add_compare(CLI::App& app) {
+  CompareArguments& a = arguments_of<CompareArguments>();
+  CLI::App* const command = app.add_subcommand("compare", "Say which deformer a character should use");
+  command->add_option("file", a.in, "a glTF file with a skin and clips")->type_name("IN.glb");
+  command->add_option("--sample", a.sample, "instead of a file, a mesh that deformers are commonly shown on")
+      ->check(CLI::IsMember({"cylinder"}));
+  add_cook_options(command, {"truth", "delta-mush", "keep-bind-pose"}, a.given);
+  command
+      ->add_option("--holdout", a.holdout,
+                   "what is not learnt from but judged by: alternate frames of every clip, or whole clips in turn")
+      ->check(CLI::IsMember({"frames", "clips"}))
+      ->capture_default_str();
+  command->add_flag(
+      "--json", a.json,
+      "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
+      "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, bytes_per_vertex, ns_per_vertex}]}, "
+      "lengths in metres");
+  command->callback([&a] { run_compare(a); });
+}
+
 void add_sample(CLI::App& app) {
   std::string& out = arguments_of<std::string>();
   CLI::App* const command = app.add_subcommand("sample", "Write the embedded sample character as a .glb file");
@@ -175,6 +196,7 @@ int run(int argc, char** argv) {
   add_export(app);
   add_pose(app);
   add_bench(app);
+  add_compare(app);
   add_sample(app);
 #ifdef MARROW_HAS_GLES
   add_render(app);

@@ -1,5 +1,7 @@
 #include "cook/command_line.h"
 
+#include <algorithm>
+
 #include "cook/command.h"
 
 namespace marrow::tools {
@@ -32,6 +34,11 @@ void add_option(CLI::App* command, const cook::Option& option, cook::Given& give
 }
 
 }  // namespace
+
+void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Given& given) {
+  for (const cook::Option& option : cook::option_table())
+    if (std::ranges::find(names, option.name) != names.end()) add_option(command, option, given);
+}
 
 void add_cook(CLI::App& app, int& exit_code) {
   static CookArguments a;  // as long as the options that point at it

@@ -1,0 +1,80 @@
+#include "compare/compare.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "common/failure.h"
+#include "compare/measure.h"
+#include "compare/verdict.h"
+
+namespace marrow::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string truth_of(const CompareArguments& a) {
+  const auto given = a.given.find("truth");
+  return given == a.given.end() ? "cor" : given->second.back().text;
+}
+
+ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
+  ordered_json rows = ordered_json::array();
+  for (const DeformerRow& r : c.rows) {
+    const auto or_null = [](double x) { return x > 0 ? ordered_json(x) : ordered_json(); };
+    rows.push_back({{"deformer", r.deformer},
+                    {"train_rms", r.train_rms},
+                    {"train_max", r.train_max},
+                    {"held_rms", r.held_rms},
+                    {"held_max", r.held_max},
+                    {"worse_share", r.worse_share},
+                    {"volume", r.volume},
+                    {"crease_deg", r.crease_deg},
+                    {"normal_deg", r.normal_deg},
+                    {"bytes_per_vertex", or_null(r.bytes_per_vertex)},
+                    {"ns_per_vertex", or_null(r.ns_per_vertex)}});
+  }
+  return {{"truth", truth_of(a)}, {"holdout", a.holdout},     {"trained_poses", c.trained},
+          {"held_poses", c.held}, {"diagonal", c.diagonal_m}, {"rows", rows}};
+}
+
+void print_table(const Study& study, const CompareArguments& a, const DeformerComparison& c) {
+  fmt::print("{}\n\n", verdict(c));
+  fmt::print("{}: truth {}, {} poses learnt from, {} held out; lengths in mm\n", study.name, truth_of(a), c.trained,
+             c.held);
+  fmt::print("{:<14}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>9}{:>8}\n", "deformer", "train rms", "held rms",
+             "held max", "of ssd's", "worse", "volume", "crease", "normals", "B/vertex", "ns");
+  double ssd = 0;
+  for (const DeformerRow& r : c.rows)
+    if (r.deformer == "ssd") ssd = r.held_rms;
+  for (const DeformerRow& r : c.rows)
+    fmt::print("{:<14}{:>10.4f}{:>10.4f}{:>10.3f}{:>10.3f}{:>7.1f}%{:>8.3f}{:>7.1f}°{:>8.2f}°{:>9.1f}{:>8.2f}\n",
+               r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, 1e3 * r.held_max, ssd > 0 ? r.held_rms / ssd : 1.0,
+               100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, r.bytes_per_vertex, r.ns_per_vertex);
+}
+
+}  // namespace
+
+void run_compare(const CompareArguments& a) {
+  if (a.in.empty() == a.sample.empty())
+    throw Failure(Exit::usage, "compare", "", "nothing to compare on, or two things",
+                  "give IN.glb or --sample cylinder");
+  cook::Given given = a.given;
+  given["as"] = {{"fit", {"--as", ""}}};
+  cook::LearnOptions options = cook::to_options(given).learn;
+  if (!a.sample.empty() && !a.given.contains("delta-mush"))
+    options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
+  const Study study =
+      a.sample.empty() ? study_file(a.in, a.holdout == "clips" ? Holdout::clips : Holdout::frames) : study_cylinder();
+  const DeformerComparison comparison = compare_deformers(study, options);
+  if (a.json) {
+    fmt::print("{}\n", report(a, comparison).dump(2));
+  } else {
+    print_table(study, a, comparison);
+  }
+}
+
+}  // namespace marrow::tools

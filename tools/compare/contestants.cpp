@@ -1,0 +1,98 @@
+#include "compare/contestants.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "deform/refit.h"
+
+namespace marrow::tools {
+namespace {
+
+using cook::AnimationSpace;
+using cook::LearnOptions;
+using deform::Pose;
+using deform::Positions;
+using deform::SkinnedMesh;
+
+// A copy, as training may go before the study.
+Trained by_weights(const SkinnedMesh& mesh) {
+  const auto kept = std::make_shared<const SkinnedMesh>(mesh);
+  Trained out;
+  out.deform = [kept, deformer = deform::ssd(*kept)](const Pose& pose, Positions& to) { deformer(pose, to); };
+  out.blend = mesh.influences;
+  out.extend = [](const Pose& pose) { return pose; };
+  return out;
+}
+
+SkinnedMesh follows_one_joint(SkinnedMesh mesh) {
+  for (std::vector<deform::Influence>& influences : mesh.influences) {
+    const auto most = std::ranges::max_element(influences, {}, &deform::Influence::weight);
+    influences = {{most->joint, 1.0}};
+  }
+  return mesh;
+}
+
+Trained by_coordinates(cook::Learnt learnt) {
+  const auto kept = std::make_shared<const cook::Learnt>(std::move(learnt));
+  Trained out;
+  out.extend = [kept](Pose pose) {
+    deform::append_half_joints(kept->half_joints, pose);
+    return pose;
+  };
+  out.deform = [kept, extend = out.extend, deformer = deform::animation_space(kept->coordinates)](
+                   const Pose& pose, Positions& to) { deformer(extend(pose), to); };
+  for (const auto& vertex : kept->coordinates) {
+    std::vector<deform::Influence>& blend = out.blend.emplace_back();
+    for (const deform::Coordinate& c : vertex) blend.push_back({c.joint, c.q.w});
+  }
+  return out;
+}
+
+LearnOptions with(LearnOptions options, AnimationSpace kind, int half_joints) {
+  options.animation_space = kind;
+  options.half_joints = half_joints;
+  return options;
+}
+
+Contestant in_animation_space(const std::string& name, const LearnOptions& options) {
+  Contestant out;
+  out.name = name;
+  out.cooked = options;
+  out.kernel = Contestant::Kernel::as;
+  out.train = [options](const Study& study, const Round& round, const LearnOptions&) {
+    return by_coordinates(cook::learn(study.source, round.train, options));
+  };
+  return out;
+}
+
+}  // namespace
+
+std::vector<Contestant> contestants(const LearnOptions& options) {
+  const LearnOptions lift = with(options, AnimationSpace::lift, 0);
+  Contestant rigid, ssd, refit;
+  rigid.name = "rigid";
+  rigid.cooked = lift;
+  rigid.kernel = Contestant::Kernel::rigid;
+  rigid.train = [](const Study& study, const Round&, const LearnOptions&) {
+    return by_weights(follows_one_joint(study.source.mesh));
+  };
+  ssd.name = "ssd";
+  ssd.cooked = lift;
+  ssd.train = [](const Study& study, const Round&, const LearnOptions&) { return by_weights(study.source.mesh); };
+  refit.name = "ssd_refit";
+  refit.cooked = lift;
+  refit.can_be_cooked = false;
+  refit.train = [](const Study& study, const Round& round, const LearnOptions& o) {
+    return by_weights(deform::refit_weights(study.source.mesh, round.train, cook::make_truth(study.source.mesh, o)));
+  };
+  return {rigid,
+          ssd,
+          refit,
+          in_animation_space("as_lift", lift),
+          in_animation_space("as_smooth", with(options, AnimationSpace::smooth, 0)),
+          in_animation_space("as_fit", with(options, AnimationSpace::fit, 0)),
+          in_animation_space("as_fit_half1", with(options, AnimationSpace::fit, 1)),
+          in_animation_space("as_fit_half2", with(options, AnimationSpace::fit, 2))};
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,240 @@
+#include "compare/measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "common/parallel.h"
+#include "common/unpack_mrw.h"
+#include "cook/cook.h"
+#include "deform/cylinder.h"
+#include "deform/surface.h"
+#include "marrow/marrow.h"
+#include "pose/evaluate.h"
+
+namespace marrow::tools {
+namespace {
+
+using deform::Pose;
+using deform::Positions;
+
+// Two triangles at an edge.
+using Hinge = std::pair<std::uint32_t, std::uint32_t>;
+
+struct Shape {
+  explicit Shape(const deform::SkinnedMesh& m) : mesh(m) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
+    for (std::uint32_t i = 0; i < mesh.indices.size(); ++i) {
+      const std::uint32_t a = mesh.indices[i], b = mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
+      const auto [at, is_new] = first.try_emplace(std::minmax(a, b), i / 3);
+      if (!is_new) hinges.emplace_back(at->second, i / 3);
+    }
+    bind_normals = deform::vertex_normals(mesh.positions, mesh.indices);
+    bind_angles = angles(mesh.positions);
+  }
+
+  std::vector<double> angles(const Positions& p) const {
+    std::vector<glm::dvec3> normals;
+    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+      const glm::dvec3 n =
+          glm::cross(p[mesh.indices[t + 1]] - p[mesh.indices[t]], p[mesh.indices[t + 2]] - p[mesh.indices[t]]);
+      const double length = glm::length(n);
+      normals.push_back(length > 0 ? n / length : glm::dvec3(0));
+    }
+    std::vector<double> out;
+    for (const auto& [a, b] : hinges)
+      out.push_back(normals[a] == glm::dvec3(0) || normals[b] == glm::dvec3(0)
+                        ? 0.0
+                        : std::acos(std::clamp(glm::dot(normals[a], normals[b]), -1.0, 1.0)));
+    return out;
+  }
+
+  const deform::SkinnedMesh& mesh;
+  std::vector<Hinge> hinges;
+  std::vector<glm::dvec3> bind_normals;
+  std::vector<double> bind_angles;
+};
+
+// About the middle, so that a mesh that is not closed does not depend on where it stands.
+double volume_of(Positions p, const std::vector<std::uint32_t>& indices) {
+  glm::dvec3 middle(0);
+  for (const glm::dvec3& v : p) middle += v / static_cast<double>(p.size());
+  for (glm::dvec3& v : p) v -= middle;
+  return deform::volume(p, indices);
+}
+
+struct PoseErrors {
+  double squares = 0, largest = 0, ssd_squares = 0;
+  double volume = 1, crease_rad = 0;
+  double normal_rad = 0;  // summed
+  std::size_t normals = 0;
+};
+
+void measure_normals(const Shape& shape, const Trained& trained, const Pose& pose, const Positions& p,
+                     PoseErrors& out) {
+  const std::vector<glm::dvec3> own = deform::vertex_normals(p, shape.mesh.indices);
+  const Pose extended = trained.extend(pose);
+  for (std::size_t v = 0; v < p.size(); ++v) {
+    if (shape.mesh.influences[v].size() < 2 || own[v] == glm::dvec3(0)) continue;
+    glm::dmat3 blend(0);
+    for (const deform::Influence& i : trained.blend[v]) blend += deform::linear_of(extended[i.joint]) * i.weight;
+    glm::dvec3 n = glm::inverseTranspose(blend) * shape.bind_normals[v];
+    const double length = glm::length(n);
+    if (!(length > 0) || !std::isfinite(length)) continue;
+    n /= length;
+    out.normal_rad += std::acos(std::clamp(glm::dot(n, own[v]), -1.0, 1.0));
+    ++out.normals;
+  }
+}
+
+PoseErrors pose_errors(const Shape& shape, const Trained& trained, const deform::Deformer& truth,
+                       const deform::Deformer& ssd, const Pose& pose, bool all) {
+  Positions ours, wanted, plain;
+  trained.deform(pose, ours);
+  truth(pose, wanted);
+  ssd(pose, plain);
+  PoseErrors out;
+  for (std::size_t v = 0; v < ours.size(); ++v) {
+    const double d = glm::length(ours[v] - wanted[v]), s = glm::length(plain[v] - wanted[v]);
+    out.squares += d * d;
+    out.ssd_squares += s * s;
+    out.largest = std::max(out.largest, d);
+  }
+  if (!all) return out;
+  const double whole = volume_of(wanted, shape.mesh.indices);
+  if (whole != 0) out.volume = volume_of(ours, shape.mesh.indices) / whole;
+  const std::vector<double> angles = shape.angles(ours);
+  for (std::size_t h = 0; h < angles.size(); ++h)
+    out.crease_rad = std::max(out.crease_rad, angles[h] - shape.bind_angles[h]);
+  measure_normals(shape, trained, pose, ours, out);
+  return out;
+}
+
+// Sums over rounds.
+struct Totals {
+  double train_squares = 0, held_squares = 0, normal_rad = 0, volume = 0;
+  std::size_t trained = 0, held = 0, worse = 0, normals = 0;
+};
+
+void measure_round(const Shape& shape, const Trained& trained, const deform::Deformer& truth, const Round& round,
+                   std::size_t rounds, Totals& totals, DeformerRow& row) {
+  const deform::Deformer ssd = deform::ssd(shape.mesh);
+  std::vector<const Pose*> shipped;
+  for (const deform::TrainingPose& p : round.train)
+    if (p.shipped) shipped.push_back(&p.pose);
+  std::vector<PoseErrors> train(shipped.size()), held(round.held.size());
+  for_each_in_parallel(train.size() + held.size(), [&](std::size_t i) {
+    if (i < train.size()) {
+      train[i] = pose_errors(shape, trained, truth, ssd, *shipped[i], false);
+    } else {
+      held[i - train.size()] = pose_errors(shape, trained, truth, ssd, round.held[i - train.size()].pose, true);
+    }
+  });
+  const auto vertices = static_cast<double>(shape.mesh.positions.size());
+  for (const PoseErrors& e : train) {
+    totals.train_squares += e.squares;
+    row.train_max = std::max(row.train_max, e.largest);
+  }
+  const bool first = totals.held == 0;
+  for (const PoseErrors& e : held) {
+    totals.held_squares += e.squares;
+    totals.worse += e.squares > e.ssd_squares * (1 + 1e-9);
+    totals.volume += e.volume;
+    totals.normal_rad += e.normal_rad;
+    totals.normals += e.normals;
+    row.held_max = std::max(row.held_max, e.largest);
+    row.crease_deg += glm::degrees(e.crease_rad) / static_cast<double>(held.size() * rounds);
+    if (first) row.error_of_pose.push_back(std::sqrt(e.squares / vertices));
+  }
+  totals.trained += train.size();
+  totals.held += held.size();
+}
+
+// Nanoseconds a vertex of the mesh's primitives, the best of several runs.
+double time_kernel(const File& file, const Study& study, Contestant::Kernel kernel, std::size_t vertices) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kRuns = 40;
+  Character character(file);
+  PosedMesh posed;
+  double best = 1e300;
+  std::vector<std::vector<float>> coordinates, positions;
+  std::vector<Mesh> meshes;
+  for (std::size_t i = 0; i < study.source.vertex_of.size(); ++i) {
+    meshes.push_back(file.mesh(static_cast<std::uint32_t>(study.first_mesh + i)));
+    const Geometry& g = meshes.back().geometry;
+    coordinates.emplace_back(as_coordinate_count(g));
+    check(as_coordinates(g, coordinates.back()));
+    positions.emplace_back(std::size_t{3} * g.slot_count);
+  }
+  for (int run = 0; run < kRuns; ++run) {
+    const auto start = Clock::now();
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const auto palette = character.palette(static_cast<std::uint32_t>(study.first_mesh + i));
+      const Span<const Affine> matrices(palette.data(), palette.size());
+      SkinOutput out;
+      out.positions = positions[i];
+      check(kernel == Contestant::Kernel::rigid ? skin_rigid(meshes[i], matrices, out)
+            : kernel == Contestant::Kernel::ssd ? skin_ssd(meshes[i], matrices, out)
+                                                : skin_as(meshes[i], coordinates[i], matrices, out));
+    }
+    best = std::min(best, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+  }
+  return best / static_cast<double>(vertices);
+}
+
+void measure_cost(const Study& study, const Contestant& contestant, DeformerRow& row) {
+  if (!contestant.can_be_cooked) return;
+  cook::CookOptions options;
+  options.learn = contestant.cooked;
+  options.raw_clips = true;
+  const cook::CookResult cooked = cook::cook_scene(study.scene, options);
+  double bytes = 0, vertices = 0;
+  for (std::size_t i = 0; i < study.source.vertex_of.size(); ++i) {
+    const auto& mesh = cooked.report["meshes"][study.first_mesh + i];
+    bytes += mesh["bytes"].get<double>();
+    vertices += mesh["vertices"].get<double>();
+  }
+  row.bytes_per_vertex = bytes / vertices;
+  const AlignedBytes unpacked = tools::unpacked(cooked.file, study.scene.source);
+  File file;
+  check(load({unpacked.data(), unpacked.size()}, file));
+  row.ns_per_vertex = time_kernel(file, study, contestant.kernel, static_cast<std::size_t>(vertices));
+}
+
+}  // namespace
+
+DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options) {
+  const Shape shape(study.source.mesh);
+  const deform::Deformer truth = cook::make_truth(study.source.mesh, options);
+  DeformerComparison out;
+  out.diagonal_m = deform::diagonal(study.source.mesh);
+  for (const Contestant& contestant : contestants(options)) {
+    DeformerRow row;
+    row.deformer = contestant.name;
+    Totals totals;
+    for (std::size_t r = 0; r < study.rounds.size(); ++r) {
+      Trained trained = contestant.train(study, study.rounds[r], options);
+      measure_round(shape, trained, truth, study.rounds[r], study.rounds.size(), totals, row);
+      if (r == 0) out.trained_in_first_round.push_back(std::move(trained));
+    }
+    const auto vertices = static_cast<double>(shape.mesh.positions.size());
+    if (totals.trained > 0)
+      row.train_rms = std::sqrt(totals.train_squares / vertices / static_cast<double>(totals.trained));
+    row.held_rms = std::sqrt(totals.held_squares / vertices / static_cast<double>(totals.held));
+    row.worse_share = static_cast<double>(totals.worse) / static_cast<double>(totals.held);
+    row.volume = totals.volume / static_cast<double>(totals.held);
+    if (totals.normals > 0) row.normal_deg = glm::degrees(totals.normal_rad / static_cast<double>(totals.normals));
+    measure_cost(study, contestant, row);
+    out.trained = totals.trained;
+    out.held = totals.held;
+    out.rows.push_back(std::move(row));
+  }
+  return out;
+}
+
+}  // namespace marrow::tools

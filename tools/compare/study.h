@@ -1,0 +1,43 @@
+// What deformers are judged on: a mesh, its poses, and which of them may be learnt from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cook/deform_source.h"
+#include "cook/learn.h"
+
+namespace marrow::tools {
+
+enum class Holdout { frames, clips };
+
+struct HeldPose {
+  deform::Pose pose;
+  std::string clip;  // empty: of none
+  double time_s = 0;
+};
+
+// Learnt from `train`, judged by `held`.
+struct Round {
+  std::vector<deform::TrainingPose> train;
+  std::vector<HeldPose> held;
+};
+
+struct Study {
+  std::string name;  // of the mesh
+  cook::RawScene scene;
+  cook::DeformSource source;
+  std::size_t raw_mesh = 0, first_mesh = 0;  // index into scene.meshes; the first of its primitives in a cooked file
+  deform::Pose rest;
+  std::vector<Round> rounds;
+};
+
+// The mesh with the most vertices of those bound to a skin. frames: alternate frames of every clip are held out, and
+// what is made up is learnt from; clips: each clip once, in at most eight rounds. Throws tools::Failure (invalid) if
+// nothing is skinned, (usage) for clips to be held out where there are fewer than two.
+Study study_file(const std::string& path, Holdout holdout);
+
+// The cylinder that is commonly shown, 30 poses to learn from and 200 held out, five times.
+Study study_cylinder();
+
+}  // namespace marrow::tools
