@@ -27,13 +27,13 @@ std::int32_t nothing(const Stream& s) {
   return 1 << (s.bits - 1);
 }
 
-// Component i % 4 of influence i / 4. Stored relative to the vertex, which the w carry along.
-float residual(const Stream& s, const Stream& positions, std::uint32_t vertex, std::uint32_t i) {
-  const std::int32_t* const v = s.values + std::size_t{vertex} * s.components;
-  if (s.bits == 0) return std::bit_cast<float>(v[i]);
-  const float w = static_cast<float>(v[i | 3] - nothing(s)) * s.origin[0];
-  if (i % 4 == 3) return w;
-  return static_cast<float>(v[i] - nothing(s)) * s.step + value(positions, vertex, i % 4) * w;
+// Of an influence. Stored relative to the vertex, which the w carry along.
+float residual(const Stream& s, const Stream& positions, std::uint32_t vertex, std::uint32_t component) {
+  const std::int32_t* const v = s.values + std::size_t{vertex} * 4;
+  if (s.bits == 0) return std::bit_cast<float>(v[component]);
+  const float w = static_cast<float>(v[3] - nothing(s)) * s.origin[0];
+  if (component == 3) return w;
+  return static_cast<float>(v[component] - nothing(s)) * s.step + value(positions, vertex, component) * w;
 }
 
 void direction(const Stream& s, std::uint32_t vertex, float out[3]) {
@@ -170,9 +170,10 @@ class Writer {
       const Stream& sign = *mesh_.find(StreamKind::tangent_sign);
       for (const std::uint32_t vertex : v) *tangents_++ = sign.values[vertex] != 0 ? 1.0f : -1.0f;
     }
-    if (const Stream* const s = mesh_.find(StreamKind::residual))
-      for (std::uint32_t i = 0; i < 4 * influences; ++i)
-        for (const std::uint32_t vertex : v) *residual_++ = residual(*s, positions, vertex, i);
+    if (const Stream* const s = mesh_.find(StreamKind::residual))  // a stream an influence, back to back
+      for (std::uint32_t j = 0; j < influences; ++j)
+        for (std::uint32_t c = 0; c < 4; ++c)
+          for (const std::uint32_t vertex : v) *residual_++ = residual(s[j], positions, vertex, c);
     for (const std::uint32_t vertex : v) write_slot(vertex);
   }
 

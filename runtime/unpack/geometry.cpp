@@ -94,8 +94,14 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
     sane = sane && read_bits(reader, 1, packed::kMaxWeightBits, weights);
     if (sane) weights.step = weight_step(weights.bits);
   }
-  if (has(format::kHasAsResidual))
-    sane = sane && read_values(reader, 1, add(out, StreamKind::residual, 4 * out.influences, 0));
+  if (has(format::kHasAsResidual)) {
+    Stream& first = add(out, StreamKind::residual, 4, 0);
+    sane = sane && read_values(reader, 1, first);
+    for (std::uint32_t j = 1; j < out.influences; ++j) {
+      Stream& other = out.streams[out.stream_count++] = first;
+      other.target = j;
+    }
+  }
   if (out.influences > out.joint_count) return "more influences than joints";
   for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(reader, t, out);
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";

@@ -17,18 +17,20 @@ enum class StreamKind : std::uint8_t {
   colour,        // 4: 0 … 255
   joints,        // one an influence
   weights,       // one an influence but the last; 2^bits - 1 is one
-  residual,  // 4 an influence, relative to the vertex, see expand.cpp; w in steps of origin[0]; 2^(bits - 1) is nothing
-  target,    // 3: what a morph target adds; 2^(bits - 1) is nothing
+  // 4; a stream an influence, `target` says which. Relative to the vertex, see expand.cpp; w in steps of origin[0];
+  // 2^(bits - 1) is nothing.
+  residual,
+  target,  // 3: what a morph target adds; 2^(bits - 1) is nothing
 };
-inline constexpr std::uint32_t kBindStreams = 9;  // at most, before those of morph targets
+inline constexpr std::uint32_t kBindStreams = 8 + kMaxInfluences;  // at most, before those of morph targets
 
 struct Stream {
   StreamKind kind = StreamKind::position;
   std::uint8_t components = 0;
   std::uint8_t bits = 0;       // 0: the bits of floats, verbatim
   std::uint8_t attribute = 0;  // of a target: 0 positions, 1 normals, 2 tangents
-  std::uint32_t target = 0;
-  float origin[3] = {};  // value = origin + number · step
+  std::uint32_t target = 0;    // or influence, of a residual
+  float origin[3] = {};        // value = origin + number · step
   float step = 1;
   std::int32_t* values = nullptr;  // vertex by vertex
 };

@@ -1,14 +1,17 @@
 #include "compare/compare.h"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <filesystem>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/failure.h"
+#include "common/files.h"
+#include "compare/html.h"
 #include "compare/measure.h"
+#include "compare/pictures.h"
 #include "compare/verdict.h"
 
 namespace marrow::tools {
@@ -39,6 +42,14 @@ ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
   }
   return {{"truth", truth_of(a)}, {"holdout", a.holdout},     {"trained_poses", c.trained},
           {"held_poses", c.held}, {"diagonal", c.diagonal_m}, {"rows", rows}};
+}
+
+// SSD, and the best fits without and with half-joints.
+std::vector<std::size_t> shown(const DeformerComparison& c) {
+  std::vector<std::size_t> out;
+  for (const char* const name : {"ssd", "as_fit", "as_fit_half1"})
+    out.push_back(static_cast<std::size_t>(std::ranges::find(c.rows, name, &DeformerRow::deformer) - c.rows.begin()));
+  return out;
 }
 
 void print_table(const Study& study, const CompareArguments& a, const DeformerComparison& c) {
@@ -75,6 +86,14 @@ void run_compare(const CompareArguments& a) {
   } else {
     print_table(study, a, comparison);
   }
+  if (a.out.empty()) return;
+  std::vector<PictureRow> pictures;
+#ifdef MARROW_HAS_GLES
+  pictures = draw_worst_poses(study, comparison, cook::make_truth(study.source.mesh, options), shown(comparison), 3);
+#endif
+  const std::string page = comparison_page(a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(),
+                                           truth_of(a), study, comparison, pictures);
+  write_file_atomically(a.out, std::as_bytes(std::span(page.data(), page.size())));
 }
 
 }  // namespace marrow::tools

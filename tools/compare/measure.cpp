@@ -165,7 +165,7 @@ double time_kernel(const File& file, const Study& study, Contestant::Kernel kern
   std::vector<std::vector<float>> coordinates, positions;
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < study.source.vertex_of.size(); ++i) {
-    meshes.push_back(file.mesh(static_cast<std::uint32_t>(study.first_mesh + i)));
+    meshes.push_back(file.mesh(static_cast<std::uint32_t>(i)));
     const Geometry& g = meshes.back().geometry;
     coordinates.emplace_back(as_coordinate_count(g));
     check(as_coordinates(g, coordinates.back()));
@@ -174,7 +174,7 @@ double time_kernel(const File& file, const Study& study, Contestant::Kernel kern
   for (int run = 0; run < kRuns; ++run) {
     const auto start = Clock::now();
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const auto palette = character.palette(static_cast<std::uint32_t>(study.first_mesh + i));
+      const auto palette = character.palette(static_cast<std::uint32_t>(i));
       const Span<const Affine> matrices(palette.data(), palette.size());
       SkinOutput out;
       out.positions = positions[i];
@@ -195,7 +195,7 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
   const cook::CookResult cooked = cook::cook_scene(study.scene, options);
   double bytes = 0, vertices = 0;
   for (std::size_t i = 0; i < study.source.vertex_of.size(); ++i) {
-    const auto& mesh = cooked.report["meshes"][study.first_mesh + i];
+    const auto& mesh = cooked.report["meshes"][i];
     bytes += mesh["bytes"].get<double>();
     vertices += mesh["vertices"].get<double>();
   }

@@ -130,9 +130,7 @@ Study study_file(const std::string& path, Holdout holdout) {
                   "no mesh is bound to a skin; there is nothing to compare");
   const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(instance->mesh)];
   const RawSkin& skin = scene.skins[static_cast<std::size_t>(instance->skin)];
-  study.raw_mesh = static_cast<std::size_t>(instance->mesh);
-  for (const RawInstance* i = scene.instances.data(); i != instance; ++i)
-    study.first_mesh += scene.meshes[static_cast<std::size_t>(i->mesh)].primitives.size();
+  study.scene.instances = {*instance};  // what is cooked and drawn is this mesh alone
   study.source = deform_source(mesh, skin, bind_to_skin(scene, mesh), built);
   study.name = mesh.name;
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];

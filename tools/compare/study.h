@@ -24,10 +24,9 @@ struct Round {
 };
 
 struct Study {
-  std::string name;  // of the mesh
-  cook::RawScene scene;
+  std::string name;      // of the mesh
+  cook::RawScene scene;  // with nothing but the mesh
   cook::DeformSource source;
-  std::size_t raw_mesh = 0, first_mesh = 0;  // index into scene.meshes; the first of its primitives in a cooked file
   deform::Pose rest;
   std::vector<Round> rounds;
 };

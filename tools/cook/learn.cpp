@@ -64,6 +64,20 @@ deform::SkinnedMesh smoothed(const deform::SkinnedMesh& mesh, const deform::Surf
   return out;
 }
 
+// Where the joints are the same, half-joints aside, what is known in closed form is a better start than the lift.
+void start_from_smoothed(const deform::Coordinates& smoothed, deform::Coordinates& prior) {
+  for (std::size_t v = 0; v < prior.size(); ++v) {
+    std::vector<deform::Coordinate> start = prior[v];
+    std::size_t found = 0;
+    for (deform::Coordinate& c : start) {
+      const auto known = std::ranges::find(smoothed[v], c.joint, &deform::Coordinate::joint);
+      found += known != smoothed[v].end();
+      c.q = known != smoothed[v].end() ? known->q : glm::dvec4(0);
+    }
+    if (found == smoothed[v].size()) prior[v] = std::move(start);
+  }
+}
+
 Learnt as_it_is(const deform::SkinnedMesh& mesh) {
   return {deform::lift(mesh), {}, {}, 0};
 }
@@ -141,7 +155,10 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   }
   deform::FitOptions fit;
   fit.keep_bind_pose = options.keep_bind_pose;
-  deform::Fit fitted = deform::fit_coordinates(deform::lift(follows), size_m, std::move(poses), truth, ssd, fit);
+  deform::Coordinates prior = deform::lift(follows);
+  if (options.truth == Truth::delta_mush)
+    start_from_smoothed(deform::smoothed_ssd(mesh, surface, mush.iterations, mush.step, kInfluences), prior);
+  deform::Fit fitted = deform::fit_coordinates(prior, size_m, std::move(poses), truth, ssd, fit);
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
   if (!(fitted.quality.share < 1)) {
@@ -198,9 +215,8 @@ LearnReport learn_binding(RawScene& scene, const RawMesh& mesh, const RawSkin& s
   report.kind = fits ? "fit" : "smooth";
   report.half_joints = learnt.half_joints.size();
   binding.half_joints = learnt.half_joints;
-  // What quantisation adds is then a hundredth of what is left.
   const double size_m = deform::diagonal(source.mesh);
-  binding.residual_step_m = std::max(fits ? learnt.rms_m / 4 : 0, size_m / 32768);
+  binding.residual_step_m = std::max(fits ? learnt.rms_m / 2 : 0, size_m / 16384);
   // A weight moves a vertex by at most how far joints take it apart: about a tenth of the size.
   binding.residual_weight_step = binding.residual_step_m / (0.1 * size_m);
   for (std::size_t p = 0; p < binding.primitives.size(); ++p)

@@ -62,10 +62,12 @@ Bytes skeleton_record() {
 Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
   Bytes b;
   b.u8(flags).u8(6).u8(12).u8(0).u8(0).u8(0).u8(2).u8(0);
+  if ((flags & packed::kMeshHasHalfJoints) != 0) b.u8(1);
   if ((flags & packed::kMeshHasColour) != 0) b.add(0.25f).add(0.5f).add(0.75f).add(1.0f);
   if ((flags & packed::kMeshHasPlace) != 0) b.add(Affine{{{2, 0, 0, 5}, {0, 2, 0, 0}, {0, 0, 2, 0}}});
   b.u8(2).u8(3);  // one on from 0; two back from 2
   if ((flags & packed::kMeshGivesBinds) != 0) b.u8(2).add(Affine{{{1, 0, 0, 7}, {0, 1, 0, 8}, {0, 0, 1, 9}}});
+  if ((flags & packed::kMeshHasHalfJoints) != 0) b.u8(1).u8(0).add(0.5f);
   return b;
 }
 
@@ -158,7 +160,7 @@ TEST(Rest, RotationsByHand) {
 TEST_F(Structure, MeshByHand) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
   ASSERT_STREQ(mesh(mesh_record().span()), nullptr);
-  const format::MeshHeader h{6, 12, 0, 0, 2, format::kDoubleSided, {1, 1, 1, 1}, 0, 0};
+  const format::MeshHeader h{6, 12, 0, 0, 2, format::kDoubleSided, 0, {1, 1, 1, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   const format::MeshLayout l = layout(h);
   EXPECT_EQ(bytes_, l.bytes);
@@ -169,11 +171,23 @@ TEST_F(Structure, MeshByHand) {
   for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(floats(kMesh + l.inverse_bind)[i], want[i], 1e-6) << i;
 }
 
+TEST_F(Structure, MeshWithAHalfJoint) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  const Bytes record = mesh_record(packed::kMeshHasHalfJoints);
+  ASSERT_STREQ(mesh(record.span()), nullptr);
+  const format::MeshHeader h{6, 12, 0, 0, 2, 0, 1, {1, 1, 1, 1}, 0, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
+  const HalfJoint want{1, 0, 0.5f};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).half_joints, &want, sizeof want), 0);
+  EXPECT_EQ(bytes_, layout(h).bytes);
+  ASSERT_STRNE(mesh({record.span().data, record.span().size - 1}), nullptr);
+}
+
 TEST_F(Structure, MeshThatStandsElsewhere) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
   ASSERT_STREQ(mesh(mesh_record(packed::kMeshHasColour | packed::kMeshHasPlace | packed::kMeshGivesBinds).span()),
                nullptr);
-  const format::MeshHeader h{6, 12, 0, 0, 2, 0, {0.25f, 0.5f, 0.75f, 1}, 0, 0};
+  const format::MeshHeader h{6, 12, 0, 0, 2, 0, 0, {0.25f, 0.5f, 0.75f, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   // Twice as large and 5 along x, which the quarter turn back makes -y; the second is given.
   const float want[24] = {0, 2, 0, -2.5f, -2, 0, 0, -5, 0, 0, 2, 0.125f, 1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9};

@@ -112,6 +112,8 @@ std::vector<int> alternatives(StreamKind kind) {
     case StreamKind::colour:
     case StreamKind::tangent_sign:
       return {draco::PREDICTION_DIFFERENCE};
+    case StreamKind::residual:
+      return {draco::PREDICTION_DIFFERENCE, draco::MESH_PREDICTION_PARALLELOGRAM, draco::PREDICTION_NONE};
     default:
       return {};
   }

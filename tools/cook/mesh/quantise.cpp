@@ -197,12 +197,15 @@ std::vector<RoundedResidual> rounded_residual(const Binding& b, const glm::vec3&
   constexpr double kMost = (1 << (packed::kMaxValueBits - 2)) - 1;
   std::vector<RoundedResidual> out;
   std::int32_t sum = 0;
+  glm::dvec3 carry(0);  // what one influence is rounded by goes to the next: joints that move alike hardly notice
   for (const glm::dvec4& r : b.residual) {
-    const glm::dvec3 d = glm::dvec3(r) - glm::dvec3(v) * r.w;
+    const glm::dvec3 d = (glm::dvec3(r) - glm::dvec3(v) * r.w) / grid.residual_step + carry;
     RoundedResidual& to = out.emplace_back();
-    for (int c = 0; c < 3; ++c)
-      to[static_cast<std::size_t>(c)] =
-          static_cast<std::int32_t>(std::lround(std::clamp(d[c] / grid.residual_step, -kMost, kMost)));
+    for (int c = 0; c < 3; ++c) {
+      const double whole = std::round(std::clamp(d[c], -kMost, kMost));
+      carry[c] = d[c] - whole;
+      to[static_cast<std::size_t>(c)] = static_cast<std::int32_t>(whole);
+    }
     to[3] = static_cast<std::int32_t>(std::lround(std::clamp(r.w / grid.residual_weight_step, -kMost / 8, kMost / 8)));
     sum += to[3];
   }
@@ -253,14 +256,16 @@ void add_residuals(const std::vector<RoundedBinding>& vertices, const MeshGrid& 
       for (const std::int32_t n : four) most = std::max(most, std::abs(n));
   if (most == 0) return;
   out.mesh.flags |= format::kHasAsResidual;
-  Stream& s = out.add(StreamKind::residual, 4 * out.mesh.influences, bits_for(most) + 1);
-  s.step = static_cast<float>(grid.residual_step);
-  s.origin[0] = static_cast<float>(grid.residual_weight_step);
-  const std::int32_t nothing = 1 << (s.bits - 1);
-  for (const RoundedBinding& r : vertices)
-    for (std::size_t j = 0; j < out.mesh.influences; ++j)
+  for (std::uint32_t j = 0; j < out.mesh.influences; ++j) {
+    Stream& s = out.add(StreamKind::residual, 4, bits_for(most) + 1);
+    s.target = j;
+    s.step = static_cast<float>(grid.residual_step);
+    s.origin[0] = static_cast<float>(grid.residual_weight_step);
+    const std::int32_t nothing = 1 << (s.bits - 1);
+    for (const RoundedBinding& r : vertices)
       for (std::size_t c = 0; c < 4; ++c)
         out.values.back().push_back(nothing + (j < r.residual.size() ? r.residual[j][c] : 0));
+  }
 }
 
 void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings, const MeshGrid& grid, double allowed,
@@ -341,12 +346,13 @@ void add_floats(StreamKind kind, const Vectors& vectors, int components, OwnedSt
 void add_verbatim_residuals(const std::vector<Binding>& bindings, OwnedStreams& out) {
   if (bindings.empty() || bindings.front().residual.empty()) return;
   out.mesh.flags |= format::kHasAsResidual;
-  out.add(StreamKind::residual, 4 * out.mesh.influences, 0);
-  for (const Binding& b : bindings)
-    for (std::size_t j = 0; j < out.mesh.influences; ++j)
+  for (std::uint32_t j = 0; j < out.mesh.influences; ++j) {
+    out.add(StreamKind::residual, 4, 0).target = j;
+    for (const Binding& b : bindings)
       for (int c = 0; c < 4; ++c)
         out.values.back().push_back(
             std::bit_cast<std::int32_t>(j < b.residual.size() ? static_cast<float>(b.residual[j][c]) : 0.0f));
+  }
 }
 
 }  // namespace

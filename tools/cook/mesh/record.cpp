@@ -14,6 +14,7 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
   if (s.mesh.target_count > 0) add_varint(s.mesh.target_count, out);
   for (std::size_t i = 0; i < s.streams.size(); ++i) {
     const Stream& stream = s.streams[i];
+    if (stream.kind == StreamKind::residual && stream.target > 0) continue;  // as the first
     switch (stream.kind) {
       case StreamKind::position:
       case StreamKind::uv:
