@@ -18,10 +18,6 @@ constexpr std::size_t kChunk = 1024;     // vertices that a thread takes at a ti
 constexpr double kLeastWeight = 1e-3;    // less is not worth an influence
 constexpr double kLeastDistance = 1e-6;  // shares of the mesh's size; nearer counts as on the bone
 
-// How fast weights fall off; see docs/cooking.md for how they were found.
-constexpr double kGeodesicAlpha = 0.9;  // of the paper's ((1 - α) d + α d²)⁻², d in kGeodesicUnit
-constexpr double kGeodesicUnit = 0.01;  // of the mesh's size
-
 // A joint's bones, and how long they are.
 struct BonesOfJoint {
   std::uint32_t joint;
@@ -71,13 +67,11 @@ std::vector<Influence> by_inverse_distance(const Distances& distances, double si
   return out;
 }
 
-// The bone's own length sets its reach: a thigh is thicker than a finger. A joint of no length counts as an average
-// one.
 std::vector<Influence> by_gaussian(const std::vector<BonesOfJoint>& joints, double mean_length, const glm::dvec3& p) {
   std::vector<Influence> out;
   double least = std::numeric_limits<double>::infinity();
   for (const BonesOfJoint& joint : joints) {
-    const double share = distance_to(joint, p) / (joint.length > 0 ? joint.length : mean_length);
+    const double share = distance_to(joint, p) / mean_length;
     out.push_back({joint.joint, kGaussianAlpha * share * share});
     least = std::min(least, out.back().weight);
   }
@@ -89,9 +83,9 @@ std::vector<Influence> by_gaussian(const std::vector<BonesOfJoint>& joints, doub
 std::vector<Influence> by_geodesic(const Distances& distances, double size) {
   std::vector<Influence> out;
   for (const JointDistance& distance : distances) {
-    const double d = std::max(distance.distance / size, kLeastDistance) / kGeodesicUnit;
-    const double root = 1 / ((1 - kGeodesicAlpha) * d + kGeodesicAlpha * d * d);
-    out.push_back({distance.joint, root * root});
+    const double inverse = size / std::max(distance.distance, size * kLeastDistance);
+    const double squared = inverse * inverse;
+    out.push_back({distance.joint, squared * squared * squared * squared});
   }
   return out;
 }
@@ -172,8 +166,8 @@ AutoWeights auto_weights(const Positions& positions, std::span<const std::uint32
     if (left[v] != 0) out.influences[v] = by_inverse_distance(euclidean(joints, positions[v], options.most), size);
     keep_largest(out.influences[v], options.most, kLeastWeight);
   });
-  if (options.method == WeightMethod::geodesic)
-    out.unreached = static_cast<std::size_t>(std::count(left.begin(), left.end(), char{1}));
+  for (std::size_t v = 0; options.method == WeightMethod::geodesic && v < left.size(); ++v)
+    if (left[v] != 0) out.unreached.push_back(v);
   return out;
 }
 

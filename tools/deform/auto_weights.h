@@ -21,12 +21,15 @@ struct Bone {
 
 enum class WeightMethod {
   nearest,   // 1/R of the nearest joints, R the distance to a joint's bones
-  gaussian,  // exp(-αR²), α by the bone's length
-  geodesic,  // Dionne and de Lasa, "Geodesic voxel binding for production character meshes", SCA 2013
+  gaussian,  // exp(-α (R / L)²), L the mean length of bones
+  // d⁻⁸, d the distance through the mesh's voxels: Dionne and de Lasa, "Geodesic voxel binding for production character
+  // meshes", SCA 2013, whose falloff (1 / ((1 - α) d + α d²))² is d⁻⁴ for α = 1; squared once more it comes closer to
+  // artists' weights, see docs/cooking.md.
+  geodesic,
 };
 
-// α of `gaussian`, R in lengths of the bone; of the longest of a joint's.
-inline constexpr double kGaussianAlpha = 8;
+// α of `gaussian`.
+inline constexpr double kGaussianAlpha = 20;
 
 struct AutoWeightOptions {
   WeightMethod method = WeightMethod::geodesic;
@@ -37,7 +40,8 @@ struct AutoWeightOptions {
 struct AutoWeights {
   std::vector<std::vector<Influence>> influences;  // a vertex: by ascending joint; they sum to 1 exactly
   glm::ivec3 voxels{0};                            // of geodesic: the grid
-  std::size_t unreached = 0;  // of geodesic: vertices that no path through the mesh leads to, bound as by `nearest`
+  // Of geodesic: vertices that no way through the mesh leads to, bound as by `nearest`; ascending.
+  std::vector<std::size_t> unreached;
 };
 
 // indices: 3 a triangle, each below positions.size(). bones: at least one. Coordinates are finite and within ±1e30.

@@ -148,14 +148,17 @@ Voxels::Voxels(const Positions& positions, std::span<const std::uint32_t> indice
   const Box box = box_of(positions, indices);
   const glm::dvec3 extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
-  for (int n = resolution;; n = n * 3 / 4) {
+  for (int n = resolution, next = 0;; n = std::max(next, kLeastResolution)) {
     side_ = longest > 1e-30 ? longest / n : 1.0;
-    const bool last = n * 3 / 4 < kLeastResolution;
+    const bool last = n <= kLeastResolution;
+    next = n * 3 / 4;
     if (!last && columns(positions, indices, side_) > kMostColumns) continue;
     // Centred, so that a symmetric mesh gets symmetric voxels; the outermost stay empty.
     size_ = glm::ivec3(glm::ceil(extent / side_)) + 3;
     origin_ = (box.low + box.high) * 0.5 - glm::dvec3(size_) * (0.5 * side_);
-    if (fill(positions, indices) || last) return;
+    const std::size_t solid = fill(positions, indices);
+    if (solid <= kMostSolid || last) return;
+    next = std::min(next, to_int(n * std::cbrt(static_cast<double>(kMostSolid) / static_cast<double>(solid))));
   }
 }
 
@@ -224,8 +227,8 @@ static void vote(const Voxels& voxels, int w, const std::vector<glm::dvec3>& gri
   }
 }
 
-// False if more are solid than there should be.
-bool Voxels::fill(const Positions& positions, std::span<const std::uint32_t> indices) {
+// Returns how many are solid.
+std::size_t Voxels::fill(const Positions& positions, std::span<const std::uint32_t> indices) {
   std::vector<glm::dvec3> grid;
   grid.reserve(positions.size());
   for (const glm::dvec3& p : positions) grid.push_back(to_grid(p));
@@ -249,7 +252,7 @@ bool Voxels::fill(const Positions& positions, std::span<const std::uint32_t> ind
     solid_[cell] = is_solid ? 1 : 0;
     count += is_solid;
   }
-  return count <= kMostSolid;
+  return count;
 }
 
 }  // namespace marrow::deform

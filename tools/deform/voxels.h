@@ -42,7 +42,7 @@ class Voxels {
   bool solid(std::size_t cell) const { return solid_[cell] != 0; }
 
  private:
-  bool fill(const Positions& positions, std::span<const std::uint32_t> indices);
+  std::size_t fill(const Positions& positions, std::span<const std::uint32_t> indices);
 
   glm::dvec3 origin_{0};
   double side_ = 1;
