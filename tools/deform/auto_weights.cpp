@@ -14,7 +14,8 @@
 namespace marrow::deform {
 namespace {
 
-constexpr std::size_t kChunk = 1024;     // vertices that a thread takes at a time
+constexpr std::size_t kChunk = 1024;  // vertices that a thread takes at a time
+constexpr int kGeodesicPower = 8;
 constexpr double kLeastWeight = 1e-3;    // less is not worth an influence
 constexpr double kLeastDistance = 1e-6;  // shares of the mesh's size; nearer counts as on the bone
 
@@ -61,9 +62,15 @@ Distances euclidean(const std::vector<BonesOfJoint>& joints, const glm::dvec3& p
   return out;
 }
 
-std::vector<Influence> by_inverse_distance(const Distances& distances, double size) {
+// (least / d)ⁿ: relative to the nearest, so that no power of any distance is too small a number. Distances ascend.
+std::vector<Influence> by_power(const Distances& distances, double size, int power) {
   std::vector<Influence> out;
-  for (const JointDistance& d : distances) out.push_back({d.joint, size / std::max(d.distance, size * kLeastDistance)});
+  const auto length = [&](const JointDistance& d) { return std::max(d.distance, size * kLeastDistance); };
+  for (const JointDistance& d : distances) {
+    const double share = length(distances.front()) / length(d);
+    out.push_back({d.joint, 1});
+    for (int i = 0; i < power; ++i) out.back().weight *= share;
+  }
   return out;
 }
 
@@ -77,16 +84,6 @@ std::vector<Influence> by_gaussian(const std::vector<BonesOfJoint>& joints, doub
   }
   // All are scaled up alike, so that the largest is 1 however far the vertex is.
   for (Influence& i : out) i.weight = std::exp(least - i.weight);
-  return out;
-}
-
-std::vector<Influence> by_geodesic(const Distances& distances, double size) {
-  std::vector<Influence> out;
-  for (const JointDistance& distance : distances) {
-    const double inverse = size / std::max(distance.distance, size * kLeastDistance);
-    const double squared = inverse * inverse;
-    out.push_back({distance.joint, squared * squared * squared * squared});
-  }
   return out;
 }
 
@@ -153,8 +150,9 @@ AutoWeights auto_weights(const Positions& positions, std::span<const std::uint32
     const Voxels voxels(positions, indices, options.resolution);
     const Geodesic geodesic(voxels, bones, options.most);
     out.voxels = voxels.size();
-    for_each_vertex(positions.size(),
-                    [&](std::size_t v) { out.influences[v] = by_geodesic(geodesic.at(positions[v]), size); });
+    for_each_vertex(positions.size(), [&](std::size_t v) {
+      out.influences[v] = by_power(geodesic.at(positions[v]), size, kGeodesicPower);
+    });
   }
   for_each_vertex(positions.size(), [&](std::size_t v) {
     if (options.method == WeightMethod::gaussian) out.influences[v] = by_gaussian(joints, length, positions[v]);
@@ -163,7 +161,7 @@ AutoWeights auto_weights(const Positions& positions, std::span<const std::uint32
   std::vector<char> left(positions.size(), 0);
   for_each_vertex(positions.size(), [&](std::size_t v) {
     left[v] = out.influences[v].empty();
-    if (left[v] != 0) out.influences[v] = by_inverse_distance(euclidean(joints, positions[v], options.most), size);
+    if (left[v] != 0) out.influences[v] = by_power(euclidean(joints, positions[v], options.most), size, 1);
     keep_largest(out.influences[v], options.most, kLeastWeight);
   });
   for (std::size_t v = 0; options.method == WeightMethod::geodesic && v < left.size(); ++v)

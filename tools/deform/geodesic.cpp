@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "common/parallel.h"
+
 namespace marrow::deform {
 namespace {
 
@@ -57,13 +59,16 @@ Geodesic::Geodesic(const Voxels& voxels, std::span<const Bone> bones, std::size_
   std::vector<Bone> sorted;
   for (const Bone& bone : bones) sorted.push_back({bone.joint, voxels.to_grid(bone.from), voxels.to_grid(bone.to)});
   std::stable_sort(sorted.begin(), sorted.end(), [](const Bone& a, const Bone& b) { return a.joint < b.joint; });
-  std::vector<Start> starts;
+  std::vector<std::span<const Bone>> joints;
   for (auto first = sorted.begin(); first != sorted.end();) {
     const auto last = std::find_if(first, sorted.end(), [&](const Bone& bone) { return bone.joint != first->joint; });
-    const std::vector<Start> own = starts_of({first, last});
-    starts.insert(starts.end(), own.begin(), own.end());
+    joints.push_back({first, last});
     first = last;
   }
+  std::vector<std::vector<Start>> of_joint(joints.size());
+  tools::for_each_in_parallel(joints.size(), [&](std::size_t j) { of_joint[j] = starts_of(joints[j]); });
+  std::vector<Start> starts;
+  for (const std::vector<Start>& own : of_joint) starts.insert(starts.end(), own.begin(), own.end());
   spread(starts);
 }
 
@@ -72,10 +77,18 @@ void Geodesic::number_solid() {
   for (std::size_t cell = 0; cell < voxels_.cells(); ++cell) {
     if (!voxels_.solid(cell)) continue;
     number_[cell] = static_cast<std::uint32_t>(cell_.size());
+    if (on_surface(cell)) surface_.push_back(cell_.size());
     cell_.push_back(cell);
   }
   nearest_.resize(cell_.size() * most_);
   found_.assign(cell_.size(), 0);
+}
+
+bool Geodesic::on_surface(std::size_t cell) const {
+  for (const std::ptrdiff_t step : {voxels_.offset(1, 0, 0), voxels_.offset(0, 1, 0), voxels_.offset(0, 0, 1)})
+    if (!voxels_.solid(cell + static_cast<std::size_t>(step)) || !voxels_.solid(cell - static_cast<std::size_t>(step)))
+      return true;
+  return false;
 }
 
 // joint: the bones of one, in grid coordinates.
@@ -104,16 +117,17 @@ void Geodesic::start_within(const Bone& bone, std::vector<Start>& out) const {
 
 // Not only the very nearest voxel: a bone in the middle of an open sleeve is as far from all of it.
 void Geodesic::start_nearby(std::span<const Bone> joint, std::vector<Start>& out) const {
-  std::vector<double> distances(cell_.size());
+  std::vector<double> distances;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t v = 0; v < cell_.size(); ++v) {
+  for (const std::size_t v : surface_) {
     const glm::dvec3 centre = glm::dvec3(voxels_.voxel_of(cell_[v])) + 0.5;
-    distances[v] = distance_to(joint.front(), centre);
-    for (const Bone& bone : joint) distances[v] = std::min(distances[v], distance_to(bone, centre));
-    least = std::min(least, distances[v]);
+    distances.push_back(distance_to(joint.front(), centre));
+    for (const Bone& bone : joint) distances.back() = std::min(distances.back(), distance_to(bone, centre));
+    least = std::min(least, distances.back());
   }
-  for (std::size_t v = 0; v < cell_.size(); ++v)
-    if (distances[v] <= 1.25 * least + 1) out.push_back({v, {joint.front().joint, std::min(distances[v], kFarthest)}});
+  for (std::size_t i = 0; i < surface_.size(); ++i)
+    if (distances[i] <= 1.25 * least + 1)
+      out.push_back({surface_[i], {joint.front().joint, std::min(distances[i], kFarthest)}});
 }
 
 // Whether it is among the voxel's nearest, and better than what was known of the joint.

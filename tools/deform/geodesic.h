@@ -32,6 +32,7 @@ class Geodesic {
     JointDistance distance;
   };
   void number_solid();
+  bool on_surface(std::size_t cell) const;
   std::vector<Start> starts_of(std::span<const Bone> joint) const;
   void start_within(const Bone& bone, std::vector<Start>& out) const;
   void start_nearby(std::span<const Bone> joint, std::vector<Start>& out) const;
@@ -45,6 +46,7 @@ class Geodesic {
   std::vector<std::size_t> cell_;       // of a solid voxel
   std::vector<JointDistance> nearest_;  // most_ a solid voxel, by distance, then joint; in voxels
   std::vector<std::uint32_t> found_;    // of a solid voxel, how many of them
+  std::vector<std::size_t> surface_;    // solid voxels beside one that is not
 };
 
 }  // namespace marrow::deform
