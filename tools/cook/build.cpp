@@ -6,6 +6,7 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "common/pattern.h"
+#include "cook/bind_weights.h"
 #include "cook/clip/compress.h"
 #include "cook/compact.h"
 #include "cook/group_trees.h"
@@ -36,7 +37,7 @@ void place_unplaced_meshes(RawScene& scene) {
     RawNode node;
     node.name = scene.meshes[i].name;
     scene.instances.push_back(
-        {static_cast<int>(scene.nodes.size()), static_cast<int>(i), kNone, scene.meshes[i].weights});
+        {static_cast<int>(scene.nodes.size()), static_cast<int>(i), kNone, scene.meshes[i].weights, kNone});
     scene.nodes.push_back(node);
   }
   if (!scene.meshes.empty())
@@ -126,6 +127,7 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   if (options.clips_only) return build_pack(scene, options);
   BuiltScene out;
   if (scene.instances.empty()) place_unplaced_meshes(scene);
+  if (options.weights.any()) bind_weights(scene, options.weights);
   if (scene.instances.empty() && !has_joints(scene))
     throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes",
                          "the file has no mesh, no skin and no node that moves");

@@ -3,12 +3,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cook/built.h"
 #include "cook/learn.h"
 #include "cook/raw.h"
+
+namespace marrow::deform {
+enum class WeightMethod;
+}
 
 namespace marrow::cook {
 
@@ -34,6 +39,23 @@ struct ClipErrorRule {
   RuleOrigin origin = {"--clip-error", ""};
 };
 
+// A joint's weight, painted.
+struct PaintRule {
+  std::string joint;  // its name
+  std::string file;   // a grey-scale PNG
+  RuleOrigin origin = {"--paint", ""};
+};
+
+// Weights for meshes that come without, and changes to weights.
+struct WeightOptions {
+  std::optional<deform::WeightMethod> make;
+  RuleOrigin make_origin = {"--auto-weights", ""};
+  int smooth_steps = 0;
+  RuleOrigin smooth_origin = {"--smooth-weights", ""};
+  std::vector<PaintRule> paint;  // the last of a joint counts
+  bool any() const { return make.has_value() || smooth_steps > 0 || !paint.empty(); }
+};
+
 struct Character;
 enum class MeshCodec { draco, meshopt, none };
 // What becomes of the source's images.
@@ -55,6 +77,7 @@ struct CookOptions {
   bool keep_vertex_order = false;                // remember where every vertex of the source went
   Images images = Images::reference;
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
+  WeightOptions weights;
 };
 
 // Adds to scene.warnings what it mends or leaves out. Throws tools::Failure (invalid: nothing to cook; unsupported: a

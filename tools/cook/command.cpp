@@ -21,6 +21,7 @@
 #include "common/load_mrw.h"
 #include "common/parallel.h"
 #include "cook/batch.h"
+#include "cook/bind_weights.h"
 #include "cook/cache.h"
 #include "cook/cook.h"
 #include "cook/depfile.h"
@@ -172,6 +173,17 @@ std::string hash_of(const cook::Character& character) {
   return hasher.hex();
 }
 
+// Masks by where they are from the scene and by what they hold: their names in the options are from the working
+// directory, which may be another the next time.
+std::string masks_text(const Order& order) {
+  std::string out;
+  for (const cook::PaintRule& rule : order.options.weights.paint) {
+    const cook::RawRead mask = cook::read_of_mask(rule.file);
+    out += "\npaint " + relative_to_scene(order.job.in, mask.path) + ' ' + mask.hash;
+  }
+  return out;
+}
+
 class Cook {
  public:
   explicit Cook(const CookArguments& arguments) : a_(arguments) {
@@ -192,6 +204,7 @@ class Cook {
       options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
       options_text += "\nskeleton " + hash_of(*options.onto);
     }
+    if (cache_ && !options.clips_only) options_text += masks_text(order);
     if (cache_) result = cache_->find(order.job.in, options_text);
     out.outcome.from_cache = result.has_value();
     if (!result) {

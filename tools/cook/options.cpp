@@ -9,6 +9,8 @@
 
 #include "common/failure.h"
 #include "cook/gltf/text.h"
+#include "deform/auto_weights.h"
+#include "deform/smooth_weights.h"
 
 namespace marrow::cook {
 namespace {
@@ -121,6 +123,30 @@ void set_additive(CookOptions& options, const Value& given) {
   options.additive.push_back(rule);
 }
 
+void set_auto_weights(CookOptions& options, const Value& given) {
+  using deform::WeightMethod;
+  options.weights.make_origin = given.origin;
+  options.weights.make.reset();
+  if (given.text == "geodesic") options.weights.make = WeightMethod::geodesic;
+  if (given.text == "gaussian") options.weights.make = WeightMethod::gaussian;
+  if (given.text == "nearest") options.weights.make = WeightMethod::nearest;
+}
+
+void set_smooth_weights(CookOptions& options, const Value& given) {
+  const double steps = number_between(given, 0, deform::kMostSmoothSteps);
+  if (steps != std::floor(steps)) refuse(given, "\"" + given.text + "\" is no whole number", "give one, as in 10");
+  options.weights.smooth_steps = static_cast<int>(steps);
+  options.weights.smooth_origin = given.origin;
+}
+
+// "JOINT=MASK.png", divided at the last "=".
+void set_paint(CookOptions& options, const Value& given) {
+  const std::size_t divide = given.text.rfind('=');
+  if (divide == std::string::npos || divide == 0 || divide + 1 == given.text.size())
+    refuse(given, "\"" + given.text + "\" names no joint or no mask", "give JOINT=MASK.png, as in head=head.png");
+  options.weights.paint.push_back({given.text.substr(0, divide), given.text.substr(divide + 1), given.origin});
+}
+
 }  // namespace
 
 const std::vector<Option>& option_table() {
@@ -180,8 +206,7 @@ const std::vector<Option>& option_table() {
        OptionKind::text,
        "TEXT",
        "animation space, what `skin_as` deforms by: lift: the same as linear blend skinning; smooth: delta mush in "
-       "closed "
-       "form; fit: learnt from --truth in the poses of all clips (docs/deformers.md)",
+       "closed form; fit: learnt from --truth in the poses of all clips (docs/deformers.md)",
        {"lift", "smooth", "fit"},
        set_animation_space},
       {"truth",
@@ -194,8 +219,7 @@ const std::vector<Option>& option_table() {
        OptionKind::text,
        "N[,STEP[,cotangent]]",
        "how --truth delta-mush and --as smooth smooth: iterations, how far each goes, edges by cotangents instead of "
-       "all "
-       "alike; the default is 10,0.5",
+       "all alike; the default is 10,0.5",
        {},
        set_delta_mush},
       {"half-joints",
@@ -210,6 +234,26 @@ const std::vector<Option>& option_table() {
        "--as fit leaves the bind pose exactly as it is",
        {},
        [](CookOptions& o, const Value&) { o.learn.keep_bind_pose = true; }},
+      {"auto-weights",
+       OptionKind::text,
+       "TEXT",
+       "skin weights for meshes that come without; geodesic: by the way to the bones through the mesh, which is "
+       "recommended; gaussian and nearest: straight through the air",
+       {"none", "geodesic", "gaussian", "nearest"},
+       set_auto_weights},
+      {"smooth-weights",
+       OptionKind::text,
+       "STEPS",
+       "even out skin weights over the surface, those of the file too, in so many Laplacian steps",
+       {},
+       set_smooth_weights},
+      {"paint",
+       OptionKind::list,
+       "JOINT=MASK.png",
+       "a joint's weight from a grey-scale picture, read at the UVs, white for 1; other joints share what is left; "
+       "repeatable",
+       {},
+       set_paint},
       {"images",
        OptionKind::text,
        "TEXT",

@@ -110,6 +110,7 @@ struct RawInstance {
   int mesh = kNone;
   int skin = kNone;                      // kNone: hung rigidly on the node
   std::vector<RawTargetWeight> weights;  // of the mesh's morph targets
+  int unused_skin = kNone;               // that the file gives to a mesh without weights
 };
 
 enum class RawPath { translation, rotation, scale };

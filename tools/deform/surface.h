@@ -22,11 +22,11 @@ class Surface {
 
   std::size_t size() const { return first_.size() - 1; }
   std::span<const std::uint32_t> neighbours(std::size_t vertex) const {
-    return {&neighbours_[first_[vertex]], first_[vertex + 1] - first_[vertex]};
+    return {neighbours_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
   // Of the neighbours; they sum to 1, or all are 0 for a vertex that stands alone.
   std::span<const double> weights(std::size_t vertex) const {
-    return {&weights_[first_[vertex]], first_[vertex + 1] - first_[vertex]};
+    return {weights_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
   // On an edge that has not two triangles.
   bool on_border(std::size_t vertex) const { return border_[vertex] != 0; }

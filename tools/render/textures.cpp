@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "common/decode.h"
 #include "common/failure.h"
 #include "cook/gltf/file.h"
 #include "cook/gltf/uri.h"
-#include "render/decode.h"
 
 namespace marrow::tools {
 namespace {

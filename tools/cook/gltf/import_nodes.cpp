@@ -253,7 +253,7 @@ std::vector<RawInstance> import_instances(const Document& document, const std::v
     const tinygltf::Node& node = document.model.nodes[i];
     if (node.mesh < 0) continue;
     const auto mesh = static_cast<std::size_t>(node.mesh);
-    RawInstance instance{static_cast<int>(i), node.mesh, node.skin < 0 ? kNone : node.skin, {}};
+    RawInstance instance{static_cast<int>(i), node.mesh, node.skin < 0 ? kNone : node.skin, {}, kNone};
     instance.weights = node_weights(document, owners, instance.node, pointer("nodes", i), report);
     const HighestJoint& used = highest[mesh];
     if (instance.skin != kNone && used.joint < 0) {
@@ -261,6 +261,7 @@ std::vector<RawInstance> import_instances(const Document& document, const std::v
         report.mend(pointer("nodes", i, "skin"), "skin-without-weights",
                     "the mesh has no joints or weights; drawn rigidly");
       }
+      instance.unused_skin = instance.skin;
       instance.skin = kNone;
     } else if (instance.skin == kNone && used.joint >= 0) {
       report.warn(pointer("nodes", i), "weights-without-skin", "the mesh has joints and weights; drawn rigidly");

@@ -1,5 +1,5 @@
 // PNG and JPEG files → pixels, by stb_image with only those two formats and limits of our own.
-#include "render/decode.h"
+#include "common/decode.h"
 
 #include <climits>
 #include <cstdlib>
