@@ -50,20 +50,18 @@ Matrix blend(const std::vector<Influence>& influences, const Pose& pose) {
 // How far a pose is from the examples and from the bind pose.
 struct FromExamples {
   Distances bind;
-  std::vector<Distances> to, bind_to;  // an example
+  std::vector<Distances> to;  // an example
 
-  FromExamples(const Rotations& pose, const std::vector<const Rotations*>& examples) {
-    const Rotations still(pose.size(), glm::dquat(1, 0, 0, 0));
-    bind = distances(pose, still);
-    for (const Rotations* const e : examples) {
-      to.push_back(distances(pose, *e));
-      bind_to.push_back(distances(still, *e));
-    }
+  FromExamples(const Rotations& pose, const std::vector<const Rotations*>& examples)
+      : bind(distances(pose, Rotations(pose.size(), glm::dquat(1, 0, 0, 0)))) {
+    for (const Rotations* const e : examples) to.push_back(distances(pose, *e));
   }
-  double psi(const std::vector<Influence>& influences, std::size_t k, double sigma) const {
-    const double falloff = -1 / (2 * sigma * sigma);
-    return std::exp(falloff * weighted(influences, to[k])) -
-           std::exp(falloff * (weighted(influences, bind) + weighted(influences, bind_to[k])));
+  double phi(const std::vector<Influence>& influences, std::size_t k, double sigma) const {
+    return std::exp(-weighted(influences, to[k]) / (2 * sigma * sigma));
+  }
+  // How far the pose is from the bind pose: 0 there, almost 1 far away.
+  double lift(const std::vector<Influence>& influences, double sigma) const {
+    return -std::expm1(-weighted(influences, bind) / (2 * sigma * sigma));
   }
 };
 
@@ -116,21 +114,25 @@ std::vector<const Rotations*> rotations_of_chosen(const Training& t, const std::
   return out;
 }
 
-// The deltas of one vertex: Σ_k ψ_k d_k is the correction in each example that can say what it is, but for the ridge.
+// The deltas of one vertex: lift Σ_k φ_k d_k is the correction in each example that can say what it is, but for the
+// ridge.
 void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExamples>& from, double ridge,
                   Interpolant& out) {
+  constexpr double kLeastLift = 1e-6;  // nothing that moves the vertex differs from the bind pose
+  const std::vector<Influence>& influences = t.mesh.influences[v];
   std::vector<std::size_t> used;
   std::vector<glm::dvec3> corrections;
   for (std::size_t k = 0; k < out.chosen.size(); ++k) {
     glm::dvec3 c;
-    if (!correction(t, out.chosen[k], v, c)) continue;
+    const double lift = from[k].lift(influences, out.sigma);
+    if (lift < kLeastLift || !correction(t, out.chosen[k], v, c)) continue;
     used.push_back(k);
-    corrections.push_back(c);
+    corrections.push_back(c / lift);
   }
   MatrixXd system(index(used.size()), index(used.size())), right(index(used.size()), 3);
   for (std::size_t a = 0; a < used.size(); ++a) {
     for (std::size_t b = 0; b < used.size(); ++b)
-      system(index(a), index(b)) = from[used[a]].psi(t.mesh.influences[v], used[b], out.sigma);
+      system(index(a), index(b)) = from[used[a]].phi(influences, used[b], out.sigma);
     system(index(a), index(a)) += ridge;
     right.row(index(a)) << corrections[a].x, corrections[a].y, corrections[a].z;
   }
@@ -163,11 +165,12 @@ std::vector<double> errors_of(const Training& t, const Interpolant& with, const 
   tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
     const FromExamples from(t.examples[poses[i]].rotations, examples);
     for (std::size_t v = 0; v < t.mesh.positions.size(); ++v) {
+      const std::vector<Influence>& influences = t.mesh.influences[v];
       glm::dvec3 delta(0);
       for (std::size_t k = 0; k < with.chosen.size(); ++k)
-        if (with.deltas[k][v] != glm::dvec3(0))
-          delta += with.deltas[k][v] * from.psi(t.mesh.influences[v], k, with.sigma);
-      const Matrix m = blend(t.mesh.influences[v], t.poses[poses[i]].pose);
+        if (with.deltas[k][v] != glm::dvec3(0)) delta += with.deltas[k][v] * from.phi(influences, k, with.sigma);
+      delta *= from.lift(influences, with.sigma);
+      const Matrix m = blend(influences, t.poses[poses[i]].pose);
       const glm::dvec3 off = t.examples[poses[i]].missing[v] - linear_of(m) * delta;
       out[i] += glm::dot(off, off);
     }
@@ -278,10 +281,11 @@ Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space) {
     const FromExamples from(local_rotations(pose, space.parents), examples);
     out.resize(mesh.positions.size());
     for (std::size_t v = 0; v < out.size(); ++v) {
-      glm::dvec3 bind = mesh.positions[v];
+      const std::vector<Influence>& influences = mesh.influences[v];
+      glm::dvec3 delta(0);
       for (std::size_t k = 0; k < examples.size(); ++k)
-        bind += space.examples[k].deltas[v] * from.psi(mesh.influences[v], k, space.sigma);
-      out[v] = transform(blend(mesh.influences[v], pose), bind);
+        delta += space.examples[k].deltas[v] * from.phi(influences, k, space.sigma);
+      out[v] = transform(blend(influences, pose), mesh.positions[v] + delta * from.lift(influences, space.sigma));
     }
   };
 }

@@ -16,12 +16,11 @@ struct PoseSpaceExample {
   Positions deltas;                   // a vertex: d_k, bind space
 };
 
-// v' = SSD(v + Σ_k ψ_k d_k), for each vertex
-//   ψ_k = φ(pose, k) - φ(pose, bind) φ(bind, k)
+// v' = SSD(v + (1 - φ(pose, bind)) Σ_k φ(pose, k) d_k), for each vertex
 //   φ(a, b) = exp(-Σ_j w_j D_j(a, b) / 2σ²)
 //   D_j(a, b) = 1 - (q_a · q_b)² = sin²(half the angle between the joint's local rotations in a and b)
-// ψ is the kernel φ of functions that are 0 in the bind pose: the interpolant is the same as with the bind pose as one
-// more example without correction, and costs no deltas.
+// The factor makes the bind pose one more example, without correction and without deltas. It is 0 there of second
+// order, as is what SSD misses: to first order all deformers agree.
 struct PoseSpace {
   std::vector<int> parents;  // a joint: another one of the mesh, -1: none; its rotation then does not count
   double sigma = 1;

@@ -56,9 +56,9 @@ TEST(PoseSpace, InterpolatesByHand) {
   space.examples = {{local_rotations(pose(90), kParents), {{0, 0, 1}}}};
   const auto height = [&](double degrees) { return at(pose_space(mesh, space), pose(degrees))[0].z; };
   EXPECT_NEAR(height(0), 0, 1e-15);
-  EXPECT_NEAR(height(90), 1 - std::exp(-1.0), 1e-12);                      // D is 0 and, to the bind pose twice, ½
-  EXPECT_NEAR(height(-90), std::exp(-1.0) - std::exp(-1.0), 1e-12);        // half a turn away: D is 1
-  EXPECT_NEAR(height(180), std::exp(-0.5) - std::exp(-1.0 - 0.5), 1e-12);  // ½, and 1 + ½
+  EXPECT_NEAR(height(90), 1 - std::exp(-0.5), 1e-12);                      // ½ from the bind pose
+  EXPECT_NEAR(height(-90), (1 - std::exp(-0.5)) * std::exp(-1.0), 1e-12);  // half a turn from the example: D is 1
+  EXPECT_NEAR(height(180), (1 - std::exp(-1.0)) * std::exp(-0.5), 1e-12);
   EXPECT_NEAR(at(pose_space(mesh, space), pose(90))[0].x, 0.5, 1e-12);
 }
 
