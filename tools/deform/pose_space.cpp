@@ -89,6 +89,7 @@ struct Training {
   const SkinnedMesh& mesh;
   std::vector<TrainingPose> poses;
   std::vector<Example> examples;  // a pose
+  double diagonal_m;
 };
 
 // What is missing of a vertex, in bind space. False if its blended matrix cannot bring it there.
@@ -116,8 +117,8 @@ std::vector<const Rotations*> rotations_of_chosen(const Training& t, const std::
 
 // The deltas of one vertex: lift Σ_k φ_k d_k is the correction in each example that can say what it is, but for the
 // ridge.
-void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExamples>& from, double ridge,
-                  Interpolant& out) {
+void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExamples>& from,
+                  const PoseSpaceOptions& options, Interpolant& out) {
   constexpr double kLeastLift = 1e-6;  // nothing that moves the vertex differs from the bind pose
   const std::vector<Influence>& influences = t.mesh.influences[v];
   std::vector<std::size_t> used;
@@ -133,18 +134,26 @@ void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExampl
   for (std::size_t a = 0; a < used.size(); ++a) {
     for (std::size_t b = 0; b < used.size(); ++b)
       system(index(a), index(b)) = from[used[a]].phi(influences, used[b], out.sigma);
-    system(index(a), index(a)) += ridge;
     right.row(index(a)) << corrections[a].x, corrections[a].y, corrections[a].z;
   }
   if (used.empty() || right.isZero(0)) return;
-  const MatrixXd x = system.ldlt().solve(right);
-  for (std::size_t a = 0; a < used.size(); ++a) {
-    const glm::dvec3 d(x(index(a), 0), x(index(a), 1), x(index(a), 2));
-    if (std::isfinite(glm::dot(d, d))) out.deltas[used[a]][v] = d;
-  }
+  constexpr double kMostRidge = 1e12;
+  const double most = options.most_delta * t.diagonal_m;
+  double ridge = options.ridge;
+  MatrixXd x;
+  do {
+    MatrixXd ridged = system;
+    ridged.diagonal().array() += ridge;
+    x = ridged.ldlt().solve(right);
+    ridge *= 10;
+  } while (!(x.rowwise().norm().maxCoeff() <= most) && ridge < kMostRidge);
+  if (!(x.rowwise().norm().maxCoeff() <= most)) return;
+  for (std::size_t a = 0; a < used.size(); ++a)
+    out.deltas[used[a]][v] = {x(index(a), 0), x(index(a), 1), x(index(a), 2)};
 }
 
-Interpolant interpolate(const Training& t, const std::vector<std::size_t>& chosen, double sigma, double ridge) {
+Interpolant interpolate(const Training& t, const std::vector<std::size_t>& chosen, double sigma,
+                        const PoseSpaceOptions& options) {
   Interpolant out{chosen, sigma, {}};
   out.deltas.assign(chosen.size(), Positions(t.mesh.positions.size(), glm::dvec3(0)));
   const auto others = rotations_of_chosen(t, chosen);
@@ -153,7 +162,7 @@ Interpolant interpolate(const Training& t, const std::vector<std::size_t>& chose
   constexpr std::size_t kVertices = 256;
   tools::for_each_in_parallel((t.mesh.positions.size() + kVertices - 1) / kVertices, [&](std::size_t part) {
     const std::size_t end = std::min(t.mesh.positions.size(), (part + 1) * kVertices);
-    for (std::size_t v = part * kVertices; v < end; ++v) solve_vertex(t, v, from, ridge, out);
+    for (std::size_t v = part * kVertices; v < end; ++v) solve_vertex(t, v, from, options, out);
   });
   return out;
 }
@@ -202,7 +211,7 @@ std::vector<std::size_t> choose(const Training& t, const std::vector<std::size_t
                                 const PoseSpaceOptions& options) {
   std::vector<std::size_t> chosen;
   while (chosen.size() < std::min(options.most_examples, poses.size())) {
-    const Interpolant now = interpolate(t, chosen, options.widths[0] * mean_distance(t, chosen), options.ridge);
+    const Interpolant now = interpolate(t, chosen, options.widths[0] * mean_distance(t, chosen), options);
     const std::vector<double> errors = errors_of(t, now, poses);
     std::size_t worst = poses.size();
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -229,7 +238,7 @@ std::size_t cross_validate(const Training& t, const PoseSpaceOptions& options, s
     const std::vector<std::size_t> chosen = choose(t, can ? others : inside, options);
     const double distance = mean_distance(t, chosen);
     for (std::size_t w = 0; w < errors.size(); ++w) {
-      const Interpolant with = interpolate(t, chosen, options.widths[w] * distance, options.ridge);
+      const Interpolant with = interpolate(t, chosen, options.widths[w] * distance, options);
       const std::vector<double> of_fold = errors_of(t, with, inside);
       for (std::size_t i = 0; i < inside.size(); ++i) errors[w][inside[i]] = of_fold[i];
     }
@@ -292,7 +301,7 @@ Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space) {
 
 PoseSpaceFit fit_pose_space(const SkinnedMesh& mesh, const std::vector<int>& parents, std::vector<TrainingPose> poses,
                             const Deformer& truth, const PoseSpaceOptions& options) {
-  Training t{mesh, std::move(poses), {}};
+  Training t{mesh, std::move(poses), {}, diagonal(mesh)};
   t.examples.resize(t.poses.size());
   tools::for_each_in_parallel(
       t.poses.size(), [&](std::size_t p) { t.examples[p] = make_example(mesh, parents, t.poses[p].pose, truth); });
@@ -309,7 +318,7 @@ PoseSpaceFit fit_pose_space(const SkinnedMesh& mesh, const std::vector<int>& par
   for (std::size_t p = 0; p < t.poses.size(); ++p) all.push_back(p);
   out.chosen = choose(t, all, options);
   out.space.sigma = options.widths[width] * mean_distance(t, out.chosen);
-  Interpolant with = interpolate(t, out.chosen, out.space.sigma, options.ridge);
+  Interpolant with = interpolate(t, out.chosen, out.space.sigma, options);
   for (std::size_t k = 0; k < out.chosen.size(); ++k)
     out.space.examples.push_back({t.examples[out.chosen[k]].rotations, std::move(with.deltas[k])});
   return out;

@@ -35,6 +35,10 @@ Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space);
 struct PoseSpaceOptions {
   std::size_t most_examples = 8;
   double ridge = 1e-4;  // beside φ(k, k) = 1
+  // The ridge of a vertex grows until no delta is longer, in diagonals: where little weight is on what turns, all
+  // examples look alike, and exact deltas would be long and cancel. Eight examples this long fit in 16 bits with steps
+  // that keep vertices within one of 14 bits on the mesh's longest side; longer ones miss less and are rounded more.
+  double most_delta = 0.14;
   // σ as multiples of the mean distance of vertices from an example to the next; tried by cross-validation, with one
   // fold the first is taken.
   std::vector<double> widths = {1, 0.5, 2, 4};

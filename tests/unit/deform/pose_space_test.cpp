@@ -19,6 +19,7 @@ TEST(PoseSpace, IsExactInItsExamplesAndTheBindPose) {
                                    cylinder_pose(40 * kDegree, 20 * kDegree)};
   PoseSpaceOptions options;
   options.ridge = 1e-14;
+  options.most_delta = 1e9;
   options.widths = {0.5};
   const PoseSpaceFit fit = fit_pose_space(mesh, kParents, training(poses, 1), truth, options);
   ASSERT_EQ(fit.space.examples.size(), poses.size());
@@ -87,6 +88,7 @@ TEST(PoseSpace, FitFindsDeltasThatAreKnown) {
   // the vertices that follow joint 1. Of these two examples it is a few tenths.
   PoseSpaceOptions options;
   options.ridge = 1e-14;
+  options.most_delta = 1e9;
   options.widths = {1};
   const PoseSpaceFit width = fit_pose_space(mesh, kParents, training(poses, 1), dual_quaternions(mesh), options);
   known.sigma = width.space.sigma;
@@ -113,7 +115,8 @@ TEST(PoseSpace, LeavesOutWhatCannotGoBackToTheBindPose) {
   mesh.joint_count = 2;
   const Pose pose = {matrix(turn(0, {0, 0, 1}), {}), matrix(turn(180, {0, 0, 1}), {})};
   const Deformer truth = [](const Pose&, Positions& out) { out = {{5, 5, 5}, {-1, -1, 2}}; };
-  const PoseSpaceFit fit = fit_pose_space(mesh, kParents, training({pose}, 1), truth, {.ridge = 1e-14});
+  const PoseSpaceFit fit =
+      fit_pose_space(mesh, kParents, training({pose}, 1), truth, {.ridge = 1e-14, .most_delta = 10});
   ASSERT_EQ(fit.space.examples.size(), 1u);
   EXPECT_EQ(fit.space.examples[0].deltas[0], glm::dvec3(0));
   EXPECT_LT(glm::length(at(pose_space(mesh, fit.space), pose)[1] - glm::dvec3(-1, -1, 2)), 1e-9);
@@ -133,6 +136,22 @@ TEST(PoseSpace, BeatsSsdOnPosesHeldOut) {
   }
   RecordProperty("share", std::to_string(share));
   EXPECT_LT(share, 0.5);
+}
+
+TEST(PoseSpace, DeltasStayShort) {
+  const SkinnedMesh mesh = cylinder();
+  for (const double most : {0.1, 0.02}) {
+    PoseSpaceOptions options;
+    options.most_delta = most;
+    const PoseSpaceFit fit =
+        fit_pose_space(mesh, kParents, training(random_cylinder_poses(12, 1), 4), dual_quaternions(mesh), options);
+    double longest = 0;
+    for (const PoseSpaceExample& e : fit.space.examples)
+      for (const glm::dvec3& d : e.deltas) longest = std::max(longest, glm::length(d));
+    EXPECT_GT(longest, 0);
+    EXPECT_LE(longest, most * diagonal(mesh));
+    EXPECT_LT(fit.quality.share, 1);
+  }
 }
 
 TEST(PoseSpace, FitIsTheSameEveryTime) {
