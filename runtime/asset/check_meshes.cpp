@@ -31,6 +31,26 @@ bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::
 }
 
 // Each moves some blocks, in ascending order, and adds to what the geometry has; lists and records stand back to back.
+bool Checker::sparse_records(const File::Section& s, const format::GeometryHeader& g, const SparseRecords& r) {
+  const std::uint32_t index_bytes = layout(g).index_bytes;
+  std::uint64_t blocks = 0, records = 0;
+  for (const MorphTarget& t : r.targets) {
+    if ((t.attributes & ~r.allowed) != 0) return fail(&t.attributes, "a target moves what the geometry has");
+    if ((t.attributes == 0) != (t.block_count == 0)) return fail(&t.attributes, "what moves has blocks");
+    if (t.first_block != blocks || t.first_record != records) return fail(&t, "targets stand back to back");
+    if (t.reserved != 0) return fail(&t.reserved, "reserved must be 0");
+    if (!finite(&t.position_step, 12)) return false;
+    blocks += t.block_count;
+    records += std::uint64_t{t.block_count} * count_bits(t.attributes);
+    if (blocks > r.block_count || records > r.record_count) return fail(&t, "a target outside the records");
+    const std::uint64_t first = r.blocks + std::uint64_t{t.first_block} * index_bytes;
+    const bool good = index_bytes == 2 ? morph_blocks(at<std::uint16_t>(s, first), t, g.block_count)
+                                       : morph_blocks(at<std::uint32_t>(s, first), t, g.block_count);
+    if (!good) return false;
+  }
+  return (blocks == r.block_count && records == r.record_count) || fail(r.targets.data, "records that no target uses");
+}
+
 bool Checker::morphs(const File::Section& s, const format::GeometryHeader& g) {
   const auto* h = at<format::MorphHeader>(s, format::morph_start(layout(g)));
   const format::MorphLayout l = layout(*h, layout(g));
@@ -38,22 +58,24 @@ bool Checker::morphs(const File::Section& s, const format::GeometryHeader& g) {
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   const std::uint32_t allowed = kMorphsPositions | ((g.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
                                 ((g.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
-  std::uint64_t blocks = 0, records = 0;
-  for (const MorphTarget& t : Span<const MorphTarget>{at<MorphTarget>(s, l.targets), h->target_count}) {
-    if ((t.attributes & ~allowed) != 0) return fail(&t.attributes, "a target moves what the geometry has");
-    if ((t.attributes == 0) != (t.block_count == 0)) return fail(&t.attributes, "what moves has blocks");
-    if (t.first_block != blocks || t.first_record != records) return fail(&t, "targets stand back to back");
-    if (t.reserved != 0) return fail(&t.reserved, "reserved must be 0");
-    if (!finite(&t.position_step, 12)) return false;
-    blocks += t.block_count;
-    records += std::uint64_t{t.block_count} * count_bits(t.attributes);
-    if (blocks > h->block_count || records > h->record_count) return fail(&t, "a target outside the records");
-    const std::uint64_t first = l.blocks + std::uint64_t{t.first_block} * layout(g).index_bytes;
-    const bool good = layout(g).index_bytes == 2 ? morph_blocks(at<std::uint16_t>(s, first), t, g.block_count)
-                                                 : morph_blocks(at<std::uint32_t>(s, first), t, g.block_count);
-    if (!good) return false;
-  }
-  return (blocks == h->block_count && records == h->record_count) || fail(h, "records that no target uses");
+  return sparse_records(
+      s, g, {{at<MorphTarget>(s, l.targets), h->target_count}, l.blocks, h->block_count, h->record_count, allowed});
+}
+
+bool Checker::pose_space(const File::Section& s, const format::GeometryHeader& g) {
+  const std::uint64_t start = format::pose_space_start(block_.data + s.offset);
+  const auto* h = at<format::PoseSpaceHeader>(s, start);
+  const format::PoseSpaceLayout l = layout(*h, g, start);
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (!(h->sigma >= format::kLeastSigma && h->sigma <= format::kMostSigma))
+    return fail(&h->sigma, "sigma from 0.001 to 1000");
+  const auto* parents = at<std::uint16_t>(s, l.parents);
+  for (std::uint32_t j = 0; j < g.joint_count; ++j)
+    if (parents[j] >= g.joint_count && parents[j] != kNoParent)
+      return fail(parents + j, "a parent outside the palette");
+  return sparse_records(
+      s, g,
+      {{at<MorphTarget>(s, l.examples), h->example_count}, l.blocks, h->block_count, h->block_count, kMorphsPositions});
 }
 
 template <class Index>
@@ -74,23 +96,38 @@ const format::GeometryHeader* Checker::geometry_header(const File::Section& s) {
   if (s.bytes < sizeof *h) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
   // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
   if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences"), nullptr;
-  const format::GeometryLayout l = layout(*h);
+  return geometry_size(s, *h) ? h : nullptr;
+}
+
+// Whether its arrays fill the section; each part's header is looked at only where it is inside.
+bool Checker::geometry_size(const File::Section& s, const format::GeometryHeader& h) {
+  constexpr const char* kRule = "section size differs from its counts";
+  const format::GeometryLayout l = layout(h);
   std::uint64_t bytes = l.bytes;
-  if ((h->flags & format::kHasMorphTargets) != 0) {
+  if ((h.flags & format::kHasMorphTargets) != 0) {
     const std::uint64_t start = format::morph_start(l);
-    bytes = start + sizeof(format::MorphHeader);
-    if (bytes <= s.bytes) bytes = layout(*at<format::MorphHeader>(s, start), l).bytes;
+    if (start + sizeof(format::MorphHeader) > s.bytes) return fail(&h, kRule);
+    bytes = layout(*at<format::MorphHeader>(s, start), l).bytes;
   }
-  return bytes == s.bytes ? h : (fail(h, "section size differs from its counts"), nullptr);
+  if ((h.flags & format::kHasPoseSpace) != 0) {
+    const std::uint64_t start = format::align4(bytes);
+    if (start + sizeof(format::PoseSpaceHeader) > s.bytes) return fail(&h, kRule);
+    const auto* const space = at<format::PoseSpaceHeader>(s, start);
+    if (space->example_count == 0 || space->example_count > kMaxPoseExamples)
+      return fail(space, "1 to 32 example poses");
+    bytes = layout(*space, h, bytes).bytes;
+  }
+  return bytes == s.bytes || fail(&h, kRule);
 }
 
 bool Checker::geometry(const File::Section& s) {
   const auto* h = geometry_header(s);
   if (h == nullptr) return false;
-  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if ((h->flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return fail(&h->flags, "unknown flag");
   if (h->block_count > 0x3FFFFFFF) return fail(&h->block_count, "too many vertices");
   if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 palette entries");
+  if (h->mwe_root >= ((h->flags & format::kHasMwe) != 0 ? h->joint_count : 1u))
+    return fail(&h->mwe_root, "a root outside the palette, or of nothing");
   if (h->index_count % 3 != 0) return fail(&h->index_count, "three indices a triangle");
   if ((h->flags & format::kHasSourceSlots) == 0 && h->source_vertex_count != 0)
     return fail(&h->source_vertex_count, "source vertices without slots");
@@ -103,7 +140,8 @@ bool Checker::geometry(const File::Section& s) {
   return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
          source_slots(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots) && finite(h->box_min, 24) &&
          finite(at<float>(s, l.skin), l.colours - l.skin) &&
-         ((h->flags & format::kHasMorphTargets) == 0 || morphs(s, *h));
+         ((h->flags & format::kHasMorphTargets) == 0 || morphs(s, *h)) &&
+         ((h->flags & format::kHasPoseSpace) == 0 || pose_space(s, *h));
 }
 
 bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots) {

@@ -62,6 +62,15 @@ class Checker {
   bool geometry(const File::Section& s);
   const format::GeometryHeader* geometry_header(const File::Section& s);
   bool morphs(const File::Section& s, const format::GeometryHeader& h);
+  bool pose_space(const File::Section& s, const format::GeometryHeader& h);
+  struct SparseRecords {
+    Span<const MorphTarget> targets;
+    std::uint64_t blocks;  // where they stand
+    std::uint64_t block_count, record_count;
+    std::uint32_t allowed;  // attributes
+  };
+  bool sparse_records(const File::Section& s, const format::GeometryHeader& h, const SparseRecords& r);
+  bool geometry_size(const File::Section& s, const format::GeometryHeader& h);
   template <class Index>
   bool morph_blocks(const Index* blocks, const MorphTarget& t, std::uint32_t block_count);
   bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);

@@ -109,6 +109,8 @@ Geometry File::geometry(std::uint32_t index) const {
   g.normals = at_if<float>(has(format::kHasNormals), base, l.normals);
   g.tangents = at_if<float>(has(format::kHasTangents), base, l.tangents);
   g.as_residual = at_if<float>(has(format::kHasAsResidual), base, l.as_residual);
+  g.mwe_residual = at_if<float>(has(format::kHasMwe), base, l.mwe_residual);
+  g.mwe_root = header.mwe_root;
   g.uvs = at_if<float>(has(format::kHasUvs), base, l.uvs);
   g.colours = at_if<std::uint8_t>(has(format::kHasColours), base, l.colours);
   g.source_slots = {at<std::uint32_t>(base, l.source_slots), header.source_vertex_count};
@@ -118,6 +120,17 @@ Geometry File::geometry(std::uint32_t index) const {
     g.targets = {at<MorphTarget>(base, k.targets), morphs.target_count};
     g.target_blocks = at<void>(base, k.blocks);
     g.target_records = at<std::int16_t>(base, k.records);
+  }
+  if (has(format::kHasPoseSpace)) {
+    const std::uint64_t start = format::pose_space_start(base);
+    const auto& space = *at<format::PoseSpaceHeader>(base, start);
+    const format::PoseSpaceLayout k = layout(space, header, start);
+    g.pose_space = {space.sigma,
+                    {at<MorphTarget>(base, k.examples), space.example_count},
+                    at<void>(base, k.blocks),
+                    at<std::int16_t>(base, k.records),
+                    at<std::int16_t>(base, k.rotations),
+                    at<std::uint16_t>(base, k.parents)};
   }
   std::memcpy(g.box_min, header.box_min, sizeof g.box_min);
   std::memcpy(g.box_max, header.box_max, sizeof g.box_max);

@@ -135,7 +135,9 @@ enum GeometryFlags : std::uint32_t {
   kHasAsResidual = 16,
   kHasSourceSlots = 32,
   kHasMorphTargets = 64,
-  kAllGeometryFlags = 127,
+  kHasMwe = 128,
+  kHasPoseSpace = 256,
+  kAllGeometryFlags = 511,
 };
 
 struct GeometryHeader {
@@ -150,7 +152,7 @@ struct GeometryHeader {
   std::uint32_t source_vertex_count;  // 0 without kHasSourceSlots
   float box_min[3];
   float box_max[3];
-  std::uint32_t reserved;  // 0
+  std::uint32_t mwe_root;  // palette entry; 0 without kHasMwe
 };
 static_assert(sizeof(GeometryHeader) == 64);
 
@@ -163,6 +165,16 @@ struct MorphHeader {
 };
 static_assert(sizeof(MorphHeader) == 16);
 inline constexpr std::uint64_t kMorphRecordBytes = 24;
+
+// What a geometry with kHasPoseSpace has behind all that, on a boundary of four bytes.
+struct PoseSpaceHeader {
+  std::uint32_t example_count;  // 1 … kMaxPoseExamples
+  std::uint32_t block_count;    // Σ over examples; as many records
+  float sigma;                  // kLeastSigma … kMostSigma
+  std::uint32_t reserved;       // 0
+};
+static_assert(sizeof(PoseSpaceHeader) == 16);
+inline constexpr float kLeastSigma = 1e-3f, kMostSigma = 1e3f;
 
 enum MeshFlags : std::uint32_t { kDoubleSided = 1, kAllMeshFlags = 1 };
 
@@ -208,6 +220,9 @@ struct NodeHeader {
 };
 static_assert(sizeof(NodeHeader) == 64);
 
+inline constexpr std::uint64_t align4(std::uint64_t n) {
+  return (n + 3) & ~std::uint64_t{3};
+}
 inline constexpr std::uint64_t align16(std::uint64_t n) {
   return (n + 15) & ~std::uint64_t{15};
 }
@@ -274,7 +289,8 @@ constexpr ClipLayout layout(const ClipHeader& h) {
 }
 
 struct GeometryLayout {
-  std::uint64_t skin, normals, tangents, as_residual, uvs, colours, runs, source_slots, sets, indices, bytes;
+  std::uint64_t skin, normals, tangents, as_residual, mwe_residual, uvs, colours, runs, source_slots, sets, indices,
+      bytes;
   std::uint32_t index_bytes;
 };
 constexpr GeometryLayout layout(const GeometryHeader& h) {
@@ -286,7 +302,8 @@ constexpr GeometryLayout layout(const GeometryHeader& h) {
   l.normals = l.skin + (blocks * 3 + h.influence_blocks - blocks) * 16;
   l.tangents = l.normals + if_flag(kHasNormals, blocks * 48);
   l.as_residual = l.tangents + if_flag(kHasTangents, blocks * 64);
-  l.uvs = l.as_residual + if_flag(kHasAsResidual, std::uint64_t{h.influence_blocks} * 64);
+  l.mwe_residual = l.as_residual + if_flag(kHasAsResidual, std::uint64_t{h.influence_blocks} * 64);
+  l.uvs = l.mwe_residual + if_flag(kHasMwe, std::uint64_t{h.influence_blocks} * 192);
   l.colours = l.uvs + if_flag(kHasUvs, blocks * 32);
   l.runs = l.colours + if_flag(kHasColours, blocks * 16);
   l.source_slots = l.runs + std::uint64_t{h.run_count} * sizeof(Run);
@@ -301,7 +318,7 @@ struct MorphLayout {
 };
 // Where the header stands, which what lies behind depends on.
 constexpr std::uint64_t morph_start(const GeometryLayout& l) {
-  return (l.bytes + 3) & ~std::uint64_t{3};
+  return align4(l.bytes);
 }
 constexpr MorphLayout layout(const MorphHeader& h, const GeometryLayout& geometry) {
   MorphLayout l{};
@@ -310,6 +327,30 @@ constexpr MorphLayout layout(const MorphHeader& h, const GeometryLayout& geometr
   l.blocks = l.targets + std::uint64_t{h.target_count} * sizeof(MorphTarget);
   l.records = l.blocks + std::uint64_t{h.block_count} * geometry.index_bytes;
   l.bytes = l.records + h.record_count * kMorphRecordBytes;
+  return l;
+}
+
+// Where the header stands in a whole section, whose own counts are right.
+inline std::uint64_t pose_space_start(const std::byte* section) {
+  const auto& h = *reinterpret_cast<const GeometryHeader*>(section);
+  const GeometryLayout l = layout(h);
+  if ((h.flags & kHasMorphTargets) == 0) return align4(l.bytes);
+  return align4(layout(*reinterpret_cast<const MorphHeader*>(section + morph_start(l)), l).bytes);
+}
+
+struct PoseSpaceLayout {
+  std::uint64_t header, examples, rotations, blocks, records, parents, bytes;
+};
+// before: the end of what stands before it, morph targets or, without those, the arrays.
+constexpr PoseSpaceLayout layout(const PoseSpaceHeader& h, const GeometryHeader& g, std::uint64_t before) {
+  PoseSpaceLayout l{};
+  l.header = align4(before);
+  l.examples = l.header + sizeof(PoseSpaceHeader);
+  l.rotations = l.examples + std::uint64_t{h.example_count} * sizeof(MorphTarget);
+  l.blocks = l.rotations + std::uint64_t{h.example_count} * g.joint_count * 8;
+  l.records = l.blocks + std::uint64_t{h.block_count} * layout(g).index_bytes;
+  l.parents = l.records + h.block_count * kMorphRecordBytes;
+  l.bytes = l.parents + std::uint64_t{g.joint_count} * 2;
   return l;
 }
 

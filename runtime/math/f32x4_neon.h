@@ -154,6 +154,9 @@ inline f32x4 load_int16(const std::int16_t* p) {
 inline f32x4 bits_as_float(i32x4 a) {
   return {vreinterpretq_f32_s32(a.v)};
 }
+inline i32x4 float_as_bits(f32x4 a) {
+  return {vreinterpretq_s32_f32(a.v)};
+}
 // Sixty-four bits from each of two places, whatever their alignment.
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
   return {vreinterpretq_u64_u8(vcombine_u8(vld1_u8(reinterpret_cast<const std::uint8_t*>(a)),

@@ -167,6 +167,9 @@ inline f32x4 load_int16(const std::int16_t* p) {
 inline f32x4 bits_as_float(i32x4 a) {
   return each_lane([&](int i) { return std::bit_cast<float>(a.v[i]); });
 }
+inline i32x4 float_as_bits(f32x4 a) {
+  return each_int([&](int i) { return std::bit_cast<std::int32_t>(a.v[i]); });
+}
 // Sixty-four bits from each of two places, whatever their alignment.
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
   u64x2 out;

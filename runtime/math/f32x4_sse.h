@@ -166,6 +166,9 @@ inline f32x4 load_int16(const std::int16_t* p) {
 inline f32x4 bits_as_float(i32x4 a) {
   return {_mm_castsi128_ps(a.v)};
 }
+inline i32x4 float_as_bits(f32x4 a) {
+  return {_mm_castps_si128(a.v)};
+}
 // Sixty-four bits from each of two places, whatever their alignment.
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
   const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(a));

@@ -1,5 +1,6 @@
 // What the CPU deformers share: the walk over a mesh's runs, and what becomes of a block's normals and tangents. A
-// deformer (rigid.cpp, ssd.cpp, as.cpp) says how four vertices' positions and blended matrices come about.
+// deformer (rigid.cpp, ssd.cpp, as.cpp, mwe.cpp, psd.cpp) says how four vertices' positions and blended matrices come
+// about.
 #pragma once
 
 #include "core/check.h"
@@ -101,13 +102,14 @@ inline void write_directions(const Blend& m, f32x4 mirror, Cursor& at) {
   }
 }
 
-// Deformer::run<D>(set, influences, blocks, palette, cursor) deforms one run.
-template <class Deformer, Directions D>
-void deform_runs(const Geometry& g, const float* stream, const Affine* palette, const SkinOutput& out) {
+// deformer.run<D>(set, influences, blocks, palette, cursor) deforms one run; runs come in order.
+template <Directions D, class Deformer>
+void deform_runs(Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
+                 const SkinOutput& out) {
   Cursor at{stream, g.normals, g.tangents, out.positions.data, out.normals.data, out.tangents.data};
   const std::uint16_t* set = g.sets;
   for (const Run& run : g.runs) {
-    Deformer::template run<D>(set, run.influences, (run.vertex_count + 3) / 4, palette, at);
+    deformer.template run<D>(set, run.influences, (run.vertex_count + 3) / 4, palette, at);
     set += run.influences;
   }
 }
@@ -117,7 +119,8 @@ inline bool aligned(const float* p) {
 }
 
 template <class Deformer>
-Status deform(const Mesh& mesh, const float* stream, Span<const Affine> palette, const SkinOutput& out) {
+Status deform(const Mesh& mesh, const float* stream, Span<const Affine> palette, const SkinOutput& out,
+              const Deformer& deformer = {}) {
   const Geometry& g = mesh.geometry;
   const std::size_t slots = g.slot_count;
   const bool normals = !out.normals.empty(), tangents = !out.tangents.empty();
@@ -128,13 +131,13 @@ Status deform(const Mesh& mesh, const float* stream, Span<const Affine> palette,
   MARROW_REQUIRE(!normals || (g.normals != nullptr && out.normals.size >= slots * 3));
   MARROW_REQUIRE(!tangents || (normals && g.tangents != nullptr && out.tangents.size >= slots * 4));
   if (!normals) {
-    deform_runs<Deformer, Directions::none>(g, stream, palette.data, out);
+    deform_runs<Directions::none>(deformer, g, stream, palette.data, out);
   } else if (!tangents) {
-    exact ? deform_runs<Deformer, Directions::exact_normals>(g, stream, palette.data, out)
-          : deform_runs<Deformer, Directions::blended_normals>(g, stream, palette.data, out);
+    exact ? deform_runs<Directions::exact_normals>(deformer, g, stream, palette.data, out)
+          : deform_runs<Directions::blended_normals>(deformer, g, stream, palette.data, out);
   } else {
-    exact ? deform_runs<Deformer, Directions::exact_tangents>(g, stream, palette.data, out)
-          : deform_runs<Deformer, Directions::blended_tangents>(g, stream, palette.data, out);
+    exact ? deform_runs<Directions::exact_tangents>(deformer, g, stream, palette.data, out)
+          : deform_runs<Directions::blended_tangents>(deformer, g, stream, palette.data, out);
   }
   return Status::ok;
 }

@@ -19,6 +19,7 @@ T* at(std::byte* base, std::uint64_t offset) {
 float value(const Stream& s, std::uint32_t vertex, std::uint32_t component) {
   const std::int32_t v = s.values[std::size_t{vertex} * s.components + component];
   if (s.bits == 0) return std::bit_cast<float>(v);
+  if (is_centred(s.kind)) return static_cast<float>(v - (1 << (s.bits - 1))) * s.step;
   return s.origin[component < 3 ? component : 0] + static_cast<float>(v) * s.step;
 }
 
@@ -58,7 +59,7 @@ const char* check(const MeshStreams& mesh) {
         return "a palette entry beyond joint_count";
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i) {
     const Stream& s = mesh.streams[i];
-    if ((s.kind != StreamKind::target && s.kind != StreamKind::residual) || s.bits == 0) continue;
+    if (!is_centred(s.kind) || s.bits == 0) continue;
     for (std::size_t k = 0; k < std::size_t{mesh.vertex_count} * s.components; ++k)
       if (s.values[k] < 0 || s.values[k] >> s.bits != 0) return "a change beyond its bits";
   }
@@ -86,6 +87,7 @@ GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a) {
   h.joint_count = mesh.joint_count;
   h.index_count = 3 * mesh.triangle_count;
   h.source_vertex_count = mesh.source_vertex_count;
+  h.mwe_root = mesh.mwe_root;
   const Stream& positions = *mesh.find(StreamKind::position);
   for (std::uint32_t c = 0; c < 3; ++c) {
     float low = value(positions, 0, c), high = low;
@@ -123,7 +125,7 @@ void for_each_block(const MeshStreams& mesh, const Arrangement& a, const OnRun& 
   }
 }
 
-// Everything but indices, source slots and morph targets, in one pass over the vertices.
+// Everything but indices, source slots, morph targets and examples, in one pass over the vertices.
 class Writer {
  public:
   Writer(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base)
@@ -133,6 +135,7 @@ class Writer {
         normals_(at<float>(base, l.normals)),
         tangents_(at<float>(base, l.tangents)),
         residual_(at<float>(base, l.as_residual)),
+        multi_weights_(at<float>(base, l.mwe_residual)),
         uvs_(at<float>(base, l.uvs)),
         colours_(at<std::uint8_t>(base, l.colours)),
         runs_(at<Run>(base, l.runs)),
@@ -174,6 +177,9 @@ class Writer {
       for (std::uint32_t j = 0; j < influences; ++j)
         for (std::uint32_t c = 0; c < 4; ++c)
           for (const std::uint32_t vertex : v) *residual_++ = residual(s[j], positions, vertex, c);
+    if (const Stream* const s = mesh_.find(StreamKind::multi_weight))
+      for (std::uint32_t i = 0; i < 12 * influences; ++i)
+        for (const std::uint32_t vertex : v) *multi_weights_++ = value(s[i / 12], vertex, i % 12);
     for (const std::uint32_t vertex : v) write_slot(vertex);
   }
 
@@ -196,43 +202,40 @@ class Writer {
 
   const MeshStreams& mesh_;
   const Arrangement& a_;
-  float *skin_, *normals_, *tangents_, *residual_, *uvs_;
+  float *skin_, *normals_, *tangents_, *residual_, *multi_weights_, *uvs_;
   std::uint8_t* colours_;
   Run* runs_;
   std::uint16_t* sets_;
 };
 
-// What targets add, sparse: blocks that a target moves, and records of twelve 16-bit integers.
-class TargetWriter {
+// What morph targets or examples add, sparse: blocks that a target moves, and records of twelve 16-bit integers.
+class RecordWriter {
  public:
-  TargetWriter(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l) : mesh_(mesh), a_(a), l_(l) {
-    header_.target_count = mesh.target_count;
+  RecordWriter(const MeshStreams& mesh, const Arrangement& a, std::uint32_t index_bytes, StreamKind kind,
+               std::uint32_t target_count)
+      : mesh_(mesh), a_(a), index_bytes_(index_bytes), kind_(kind), target_count_(target_count) {
     for_each_target([&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
       for_each_moved(first, end, [&](std::uint32_t, const std::uint32_t(&)[4]) {
-        ++header_.block_count;
-        header_.record_count += end - first;
+        ++block_count;
+        record_count += end - first;
       });
     });
   }
 
-  std::uint64_t bytes() const { return mesh_.target_count == 0 ? l_.bytes : layout(header_, l_).bytes; }
+  std::uint32_t block_count = 0, record_count = 0;
 
-  void write(std::byte* base) const {
-    if (mesh_.target_count == 0) return;
-    const format::MorphLayout l = layout(header_, l_);
-    std::memset(base + l_.bytes, 0, static_cast<std::size_t>(l.header - l_.bytes));
-    std::memcpy(base + l.header, &header_, sizeof header_);
+  void write(std::byte* targets, std::byte* blocks, std::byte* records) const {
     std::uint32_t block = 0, record = 0;
     for_each_target([&](std::uint32_t t, std::uint32_t first, std::uint32_t end) {
       MorphTarget target{};
       target.first_block = block;
       target.first_record = record;
       for_each_moved(first, end, [&](std::uint32_t index, const std::uint32_t(&v)[4]) {
-        l_.index_bytes == 2 ? at<std::uint16_t>(base, l.blocks)[block] = static_cast<std::uint16_t>(index)
-                            : at<std::uint32_t>(base, l.blocks)[block] = index;
+        index_bytes_ == 2 ? at<std::uint16_t>(blocks, 0)[block] = static_cast<std::uint16_t>(index)
+                          : at<std::uint32_t>(blocks, 0)[block] = index;
         ++block;
         for (std::uint32_t s = first; s < end; ++s)
-          write_record(mesh_.streams[s], v, at<std::int16_t>(base, l.records) + std::size_t{12} * record++);
+          write_record(mesh_.streams[s], v, at<std::int16_t>(records, 0) + std::size_t{12} * record++);
       });
       target.block_count = block - target.first_block;
       float* const steps[] = {&target.position_step, &target.normal_step, &target.tangent_step};
@@ -240,7 +243,7 @@ class TargetWriter {
         target.attributes |= 1u << mesh_.streams[s].attribute;
         *steps[mesh_.streams[s].attribute] = mesh_.streams[s].step;
       }
-      std::memcpy(base + l.targets + t * sizeof target, &target, sizeof target);
+      std::memcpy(targets + t * sizeof target, &target, sizeof target);
     });
   }
 
@@ -249,10 +252,10 @@ class TargetWriter {
   template <class F>
   void for_each_target(const F& f) const {
     std::uint32_t first = 0;
-    while (first < mesh_.stream_count && mesh_.streams[first].kind != StreamKind::target) ++first;
-    for (std::uint32_t t = 0; t < mesh_.target_count; ++t) {
+    while (first < mesh_.stream_count && mesh_.streams[first].kind != kind_) ++first;
+    for (std::uint32_t t = 0; t < target_count_; ++t) {
       std::uint32_t end = first;
-      while (end < mesh_.stream_count && mesh_.streams[end].target == t) ++end;
+      while (end < mesh_.stream_count && mesh_.streams[end].kind == kind_ && mesh_.streams[end].target == t) ++end;
       f(t, first, end);
       first = end;
     }
@@ -289,8 +292,54 @@ class TargetWriter {
 
   const MeshStreams& mesh_;
   const Arrangement& a_;
-  const GeometryLayout& l_;
-  format::MorphHeader header_{};
+  std::uint32_t index_bytes_;
+  StreamKind kind_;
+  std::uint32_t target_count_;
+};
+
+// What stands behind the arrays: morph targets, then pose-space deformation.
+class Appendix {
+ public:
+  Appendix(const MeshStreams& mesh, const Arrangement& a, const GeometryHeader& h, const GeometryLayout& l)
+      : mesh_(mesh),
+        targets_(mesh, a, l.index_bytes, StreamKind::target, mesh.target_count),
+        deltas_(mesh, a, l.index_bytes, StreamKind::pose_delta, mesh.example_count),
+        arrays_end_(l.bytes),
+        morph_header_{mesh.target_count, targets_.block_count, targets_.record_count, 0},
+        space_header_{mesh.example_count, deltas_.block_count, mesh.sigma, 0},
+        morphs_(layout(morph_header_, l)),
+        morphs_end_(mesh.target_count > 0 ? morphs_.bytes : l.bytes),
+        space_(layout(space_header_, h, morphs_end_)) {}
+
+  std::uint64_t bytes() const { return mesh_.example_count > 0 ? space_.bytes : morphs_end_; }
+
+  void write(std::byte* base) const {
+    if (mesh_.target_count > 0) {
+      zero(base, arrays_end_, morphs_.header);
+      std::memcpy(base + morphs_.header, &morph_header_, sizeof morph_header_);
+      targets_.write(base + morphs_.targets, base + morphs_.blocks, base + morphs_.records);
+    }
+    if (mesh_.example_count == 0) return;
+    zero(base, morphs_end_, space_.header);
+    std::memcpy(base + space_.header, &space_header_, sizeof space_header_);
+    deltas_.write(base + space_.examples, base + space_.blocks, base + space_.records);
+    std::memcpy(base + space_.rotations, mesh_.rotations, static_cast<std::size_t>(space_.blocks - space_.rotations));
+    std::memcpy(base + space_.parents, mesh_.parents, static_cast<std::size_t>(space_.bytes - space_.parents));
+  }
+
+ private:
+  static void zero(std::byte* base, std::uint64_t first, std::uint64_t end) {
+    std::memset(base + first, 0, static_cast<std::size_t>(end - first));
+  }
+
+  const MeshStreams& mesh_;
+  RecordWriter targets_, deltas_;
+  std::uint64_t arrays_end_;
+  format::MorphHeader morph_header_;
+  format::PoseSpaceHeader space_header_;
+  format::MorphLayout morphs_;
+  std::uint64_t morphs_end_;
+  format::PoseSpaceLayout space_;
 };
 
 void write_indices(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base) {
@@ -314,16 +363,16 @@ const char* expand_geometry(const MeshStreams& mesh, Arena& scratch, Span<std::b
   if (!arrange(mesh, scratch, a)) return "memory_bytes too small";
   const GeometryHeader h = make_header(mesh, a);
   const GeometryLayout l = layout(h);
-  const TargetWriter targets(mesh, a, l);
-  if (targets.bytes() > out.size) return "file_bytes too small";
+  const Appendix appendix(mesh, a, h, l);
+  if (appendix.bytes() > out.size) return "file_bytes too small";
   std::memcpy(out.data, &h, sizeof h);
   Writer(mesh, a, l, out.data).write();
   auto* const source_slots = reinterpret_cast<std::uint32_t*>(out.data + l.source_slots);
   for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
     source_slots[i] = mesh.source_map[i] == kNoSlot ? kNoSlot : a.slot_of_vertex[mesh.source_map[i]];
   write_indices(mesh, a, l, out.data);
-  targets.write(out.data);
-  bytes = static_cast<std::uint32_t>(targets.bytes());
+  appendix.write(out.data);
+  bytes = static_cast<std::uint32_t>(appendix.bytes());
   return nullptr;
 }
 

@@ -55,6 +55,54 @@ bool read_target(Reader& reader, std::uint32_t target, MeshStreams& out) {
   return true;
 }
 
+// u8 bits, f32 step, varint root; a stream an influence.
+bool read_multi_weights(Reader& reader, MeshStreams& out) {
+  Stream first;
+  if (!read_values(reader, 0, first)) return false;
+  out.mwe_root = reader.take_varint();
+  for (std::uint32_t j = 0; j < out.influences; ++j) {
+    Stream& s = add(out, StreamKind::multi_weight, 12, first.bits);
+    s.step = first.step;
+    s.target = j;
+  }
+  return true;
+}
+
+// f32 sigma; a varint a palette entry: 0 without a parent, else 1 + which; then of each example u8 bits and, unless
+// they are 0, f32 step; and four i16 for each entry with a parent.
+bool read_pose_space(Reader& reader, Arena& arena, MeshStreams& out) {
+  const std::uint64_t joints = out.joint_count;
+  auto* const parents = arena.take<std::uint16_t>(joints);
+  auto* const rotations = arena.take<std::int16_t>(4 * joints * out.example_count);
+  if (arena.failed()) return false;
+  out.parents = parents;
+  out.rotations = rotations;
+  out.sigma = reader.take<float>();
+  for (std::uint64_t j = 0; j < joints; ++j) {
+    const std::uint32_t parent = reader.take_varint();
+    if (parent > joints) return false;
+    parents[j] = parent == 0 ? kNoParent : static_cast<std::uint16_t>(parent - 1);
+  }
+  std::int16_t* rotation = rotations;
+  for (std::uint32_t k = 0; k < out.example_count; ++k) {
+    Stream s;
+    s.bits = reader.take<std::uint8_t>();
+    if (s.bits > packed::kMaxTargetBits) return false;
+    if (s.bits > 0) {
+      s.step = reader.take<float>();
+      if (!is_sane(s.step)) return false;
+      Stream& added = add(out, StreamKind::pose_delta, 3, s.bits);
+      added.step = s.step;
+      added.target = k;
+    }
+    for (std::uint64_t j = 0; j < joints; ++j, rotation += 4) {
+      constexpr std::int16_t kNone[4] = {0, 0, 0, 32767};
+      for (int c = 0; c < 4; ++c) rotation[c] = parents[j] == kNoParent ? kNone[c] : reader.take<std::int16_t>();
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out) {
@@ -66,6 +114,10 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
   out.influences = reader.take_varint();
   if ((out.flags & format::kHasSourceSlots) != 0) out.source_vertex_count = reader.take_varint();
   if ((out.flags & format::kHasMorphTargets) != 0) out.target_count = reader.take_varint();
+  const bool has_examples = (out.flags & format::kHasPoseSpace) != 0;
+  if (has_examples) out.example_count = reader.take_varint();
+  if (out.example_count > kMaxPoseExamples || (out.example_count == 0) == has_examples)
+    return "a count of examples out of range";
   if ((out.flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return "unknown geometry flags";
   if (out.vertex_count < 1 || out.vertex_count > kMaxVertices || out.triangle_count > kMaxTriangles ||
       out.source_vertex_count > kMaxVertices || out.target_count > kMaxTargets ||
@@ -75,7 +127,7 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
     return "joint_count or influences out of range";
   if ((out.flags & format::kHasTangents) != 0 && (out.flags & format::kHasNormals) == 0)
     return "tangents without normals";
-  out.streams = arena.take<Stream>(geometry_stream_count(out.target_count));
+  out.streams = arena.take<Stream>(geometry_stream_count(out.target_count, out.example_count));
   if (arena.failed()) return "memory_bytes too small";
 
   const auto has = [&](std::uint32_t flag) { return (out.flags & flag) != 0; };
@@ -102,15 +154,21 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
       other.target = j;
     }
   }
+  if (has(format::kHasMwe)) sane = sane && read_multi_weights(reader, out);
   if (out.influences > out.joint_count) return "more influences than joints";
   for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(reader, t, out);
+  if (has_examples) sane = sane && read_pose_space(reader, arena, out);
+  if (arena.failed()) return "memory_bytes too small";
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";
 }
 
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
   const auto array = [](std::uint64_t count) { return (count * 4 + 15) / 16 * 16; };
   std::uint64_t bytes = array(std::uint64_t{mesh.triangle_count} * 3) + array(mesh.source_vertex_count);
-  bytes += (geometry_stream_count(mesh.target_count) * sizeof(Stream) + 15) / 16 * 16;
+  bytes += (geometry_stream_count(mesh.target_count, mesh.example_count) * sizeof(Stream) + 15) / 16 * 16;
+  if (mesh.example_count > 0)
+    bytes += format::align16(std::uint64_t{mesh.joint_count} * 2) +
+             format::align16(std::uint64_t{mesh.joint_count} * mesh.example_count * 8);
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
     bytes += array(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components);
   return bytes + expand_scratch_bytes(mesh);

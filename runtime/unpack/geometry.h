@@ -8,8 +8,8 @@
 namespace marrow {
 
 // How many streams there are at most.
-constexpr std::uint64_t geometry_stream_count(std::uint64_t target_count) {
-  return kBindStreams + 3 * target_count;
+constexpr std::uint64_t geometry_stream_count(std::uint64_t target_count, std::uint64_t example_count) {
+  return kBindStreams + 3 * target_count + example_count;
 }
 
 // Reads what stands in front of the codec's bytes; takes memory for the streams, whose arrays are left null. Returns

@@ -17,23 +17,30 @@ enum class StreamKind : std::uint8_t {
   colour,        // 4: 0 … 255
   joints,        // one an influence
   weights,       // one an influence but the last; 2^bits - 1 is one
-  // 4; a stream an influence, `target` says which. Relative to the vertex, see expand.cpp; w in steps of origin[0];
-  // 2^(bits - 1) is nothing.
+  // 4; a stream an influence. Relative to the vertex, see expand.cpp; w in steps of origin[0]; 2^(bits - 1) is nothing.
   residual,
-  target,  // 3: what a morph target adds; 2^(bits - 1) is nothing
+  multi_weight,  // 12 of an influence: its residual; 2^(bits - 1) is nothing
+  target,        // 3: what a morph target adds; 2^(bits - 1) is nothing
+  pose_delta,    // 3: what an example of pose-space deformation adds; 2^(bits - 1) is nothing
 };
-inline constexpr std::uint32_t kBindStreams = 8 + kMaxInfluences;  // at most, before those of morph targets
+inline constexpr std::uint32_t kBindStreams = 8 + 2 * kMaxInfluences;  // at most, before those of morph targets
 
 struct Stream {
   StreamKind kind = StreamKind::position;
   std::uint8_t components = 0;
   std::uint8_t bits = 0;       // 0: the bits of floats, verbatim
   std::uint8_t attribute = 0;  // of a target: 0 positions, 1 normals, 2 tangents
-  std::uint32_t target = 0;    // or influence, of a residual
+  std::uint32_t target = 0;    // morph target, influence or example
   float origin[3] = {};        // value = origin + number · step
   float step = 1;
   std::int32_t* values = nullptr;  // vertex by vertex
 };
+
+// Whether numbers lie round a middle that stands for 0.
+constexpr bool is_centred(StreamKind kind) {
+  return kind == StreamKind::residual || kind == StreamKind::multi_weight || kind == StreamKind::target ||
+         kind == StreamKind::pose_delta;
+}
 
 // Of weights.
 constexpr float weight_step(std::uint32_t bits) {
@@ -49,7 +56,12 @@ struct MeshStreams {
   std::uint32_t source_vertex_count = 0;
   std::uint32_t* indices = nullptr;           // 3 a triangle
   const std::uint32_t* source_map = nullptr;  // the vertex that each of the source has become
-  std::uint32_t target_count = 0;  // morph targets; their streams come last, in the order of targets and attributes
+  std::uint32_t target_count = 0;  // morph targets; their streams follow, in the order of targets and attributes
+  std::uint32_t mwe_root = 0;
+  std::uint32_t example_count = 0;  // of pose-space deformation; their streams come last
+  float sigma = 0;
+  const std::int16_t* rotations = nullptr;  // for each example and palette entry x y z w
+  const std::uint16_t* parents = nullptr;   // a palette entry
   Stream* streams = nullptr;
   std::uint32_t stream_count = 0;
 

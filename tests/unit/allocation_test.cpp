@@ -6,6 +6,7 @@
 
 #include "support/aligned.h"
 #include "support/allocations.h"
+#include "support/family.h"
 #include "support/morphs.h"
 #include "support/rig.h"
 
@@ -28,13 +29,17 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
   Mesh mesh = c.mesh.view();
   const test::TestMorphs morphs(23, mesh.geometry.slot_count, 5);
   morphs.put(mesh.geometry);
+  const test::TestMultiWeights multi_weights(24, mesh, 2);
+  multi_weights.put(mesh.geometry);
+  const test::TestPoseSpace pose_space(25, mesh, 6);
+  pose_space.put(mesh.geometry);
   test::AlignedBlock memory(morphed_bytes(mesh.geometry));
   MorphedGeometry morphed;
   ASSERT_EQ(make_morphed(mesh.geometry, {memory.data(), memory.size()}, morphed), Status::ok);
   std::vector<float> weights = morphs.weights;
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
-  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), distances(psd_distance_count(mesh.geometry));
   std::vector<float> positions(mesh.geometry.slot_count * 3), normals(positions.size()),
       tangents(mesh.geometry.slot_count * 4);
   ASSERT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
@@ -69,6 +74,9 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
     failures += skin_rigid(mesh, palette, out) != Status::ok;
     failures += skin_ssd(mesh, palette, out) != Status::ok;
     failures += skin_as(mesh, coordinates, palette, out) != Status::ok;
+    failures += skin_mwe(mesh, palette, out) != Status::ok;
+    failures += psd_distances(mesh.geometry, palette, distances) != Status::ok;
+    failures += skin_psd(mesh, distances, palette, out) != Status::ok;
   }
   const std::size_t after = test::allocation_count();
   EXPECT_EQ(after - before, 0u);

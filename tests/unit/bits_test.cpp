@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/aligned.h"
+#include "support/family.h"
 #include "support/golden.h"
 #include "support/morphs.h"
 #include "support/pose_file.h"
@@ -244,6 +245,39 @@ TEST(Bits, Morphs) {
                    std::size_t{16} * g.slot_count);
   }
   EXPECT_EQ(h, 0xE3E4EDF40629573Du);
+}
+
+// Multi-weight enveloping and pose-space deformation, with exact and blended normals.
+TEST(Bits, Family) {
+  const test::TestCharacter c = test::make_character(57, 34, 90, false);
+  const Skeleton skeleton = c.skeleton.view();
+  const Clip clip = c.clip.view();
+  Mesh mesh = c.mesh.view();
+  const test::TestMultiWeights weights(58, mesh, 5);
+  weights.put(mesh.geometry);
+  const test::TestPoseSpace space(59, mesh, 7);
+  space.put(mesh.geometry);
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
+  std::vector<float> distances(psd_distance_count(mesh.geometry)), positions(mesh.geometry.slot_count * 3);
+  std::vector<float> normals(positions.size()), tangents(mesh.geometry.slot_count * 4);
+  std::uint64_t mwe = test::kHashStart, psd = test::kHashStart;
+  for (int moment = 0; moment < 40; ++moment) {
+    EXPECT_EQ(sample(skeleton, clip, static_cast<float>(moment) * 0.0546875f, local), Status::ok);
+    EXPECT_EQ(local_to_model(skeleton, local, model), Status::ok);
+    EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
+    EXPECT_EQ(psd_distances(mesh.geometry, palette, distances), Status::ok);
+    psd = hash_of(distances, psd);
+    for (const NormalTransform t : {NormalTransform::inverse_transpose, NormalTransform::blended_matrix}) {
+      const SkinOutput out{positions, normals, tangents, t};
+      EXPECT_EQ(skin_mwe(mesh, palette, out), Status::ok);
+      mwe = hash_of(tangents, hash_of(normals, hash_of(positions, mwe)));
+      EXPECT_EQ(skin_psd(mesh, distances, palette, out), Status::ok);
+      psd = hash_of(tangents, hash_of(normals, hash_of(positions, psd)));
+    }
+  }
+  EXPECT_EQ(mwe, 0xDBFEE162F0108126u);
+  EXPECT_EQ(psd, 0x1A75385F8B210DF4u);
 }
 
 TEST(Bits, GoldenFile) {

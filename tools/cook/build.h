@@ -111,9 +111,11 @@ std::vector<AdditiveReference> additive_references(const BuiltScene& scene, cons
                                                    std::vector<RawWarning>& warnings);
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
 // One primitive's vertices: quantised, welded, in an order that GPUs like, encoded, decoded again. Throws
-// tools::Failure (internal), without a place, if that is not what was encoded.
+// tools::Failure (internal), without a place, if that is not what was encoded. deformers: of the primitive's vertices
+// and bindings, a palette entry being a joint of those.
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
-                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options);
+                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
+                             const DeformerData& deformers = {});
 // Of meshes built before.
 void build_materials(RawScene& scene, Images images, BuiltScene& out);
 void build_nodes(RawScene& scene, const std::vector<std::string>& keep, BuiltScene& out);

@@ -23,6 +23,9 @@ tools::AlignedBytes expand(OwnedStreams& streams) {
   bound += std::uint64_t{mesh.vertex_count} * (16 * (3 + mesh.influences + 3 + 4 + 2 + 1) + 8 + 2 * mesh.influences);
   bound += 64 + std::uint64_t{mesh.target_count} * sizeof(MorphTarget);
   bound += std::uint64_t{mesh.stream_count} * mesh.vertex_count * (format::kMorphRecordBytes + 4);
+  bound += 64 + std::uint64_t{mesh.example_count} * (sizeof(MorphTarget) + 8 * std::uint64_t{mesh.joint_count}) +
+           2 * std::uint64_t{mesh.joint_count};
+  if (mesh.find(StreamKind::multi_weight) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 192 * mesh.influences;
   if (mesh.find(StreamKind::residual) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 64 * mesh.influences;
   tools::AlignedBytes section(bound);
   Arena arena(scratch.data(), scratch.size());
@@ -45,12 +48,14 @@ tools::AlignedBytes unpack_record(const BuiltGeometry& g, const MeshDecoder& dec
 }  // namespace
 
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
-                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options) {
+                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
+                             const DeformerData& deformers) {
   BuiltGeometry out;
   const bool is_packed = options.mesh_codec != MeshCodec::none;
   OwnedStreams streams = is_packed
                              ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, out.error)
                              : verbatim_streams(primitive, bindings, joint_count);
+  add_deformers(primitive, bindings, deformers, is_packed ? grid : MeshGrid{}, streams, out.error);
   weld(streams, options.keep_vertex_order);
   optimise_order(streams);
   if (is_packed) {

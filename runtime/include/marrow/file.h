@@ -130,6 +130,18 @@ struct MorphTarget {
 };
 static_assert(sizeof(MorphTarget) == 32);
 
+// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+// the deltas of some blocks.
+inline constexpr std::uint32_t kMaxPoseExamples = 32;
+struct PoseSpace {
+  float sigma = 0;                          // width of the Gaussian, a share of 1: sin of half an angle
+  Span<const MorphTarget> examples;         // positions alone; empty: none
+  const void* blocks = nullptr;             // as Geometry::target_blocks
+  const std::int16_t* records = nullptr;    // as Geometry::target_records
+  const std::int16_t* rotations = nullptr;  // for each example and palette entry x y z w, up to a positive factor
+  const std::uint16_t* parents = nullptr;   // a palette entry: the one that its rotation is relative to, or kNoParent
+};
+
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
 // (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
 struct Geometry {
@@ -145,6 +157,8 @@ struct Geometry {
   const float* normals = nullptr;         // a block: x[4] y[4] z[4]; unit; null if absent
   const float* tangents = nullptr;        // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
   const float* as_residual = nullptr;     // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+  const float* mwe_residual = nullptr;    // a block: k times three rows x[4] y[4] z[4] t[4]; null if absent
+  std::uint32_t mwe_root = 0;             // palette entry whose frame they are meant in
   const float* uvs = nullptr;             // a slot: u v; null if absent
   const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
   // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it.
@@ -152,7 +166,8 @@ struct Geometry {
   Span<const MorphTarget> targets;
   const void* target_blocks = nullptr;           // as wide as indices; for each target the blocks it moves, ascending
   const std::int16_t* target_records = nullptr;  // twelve a record
-  float box_min[3] = {};                         // of the bind positions, mesh space
+  PoseSpace pose_space;
+  float box_min[3] = {};  // of the bind positions, mesh space
   float box_max[3] = {};
 };
 

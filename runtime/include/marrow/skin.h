@@ -70,4 +70,40 @@ Status as_coordinates(const Geometry& geometry, Span<float> out);
 // more an influence but the last.
 Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out);
 
+// Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
+// animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
+//   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + Geometry::mwe_residual, ∘ element by element
+// Elements mean something in one frame only; R is that of the palette entry Geometry::mwe_root: the rotation next to
+// its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
+// Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
+// zero. With blended_matrix it is that blend that is asked whether it mirrors.
+//
+// Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
+// blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
+// four influences nine times as much as SSD.
+Status skin_mwe(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
+
+// How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
+// examples.
+std::size_t psd_distance_count(const Geometry& geometry);
+
+// How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
+// k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
+// rotations as in skin_mwe(); 0 for an entry without a parent.
+// out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
+// bad_argument if a span is too short.
+// Cost: 34 instructions a palette entry and example, x86-64.
+Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<float> out);
+
+// Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
+// weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
+//   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: Geometry::pose_space
+//   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
+// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's.
+// distances: from psd_distances() of this geometry and palette. Errors: also bad_argument if they are too few. A
+// geometry without examples is SSD's.
+// Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
+// vertex for each example that moves its block.
+Status skin_psd(const Mesh& mesh, Span<const float> distances, Span<const Affine> palette, const SkinOutput& out);
+
 }  // namespace marrow

@@ -309,7 +309,9 @@ TEST_F(Load, Geometries) {
   const std::size_t base = at(format::kGeometries);
   const auto h = header<format::GeometryHeader>(format::kGeometries);
   const format::GeometryLayout l = layout(h);
-  refuse(base, h.flags | 128, "an unknown flag");
+  refuse(base, h.flags | 512, "an unknown flag");
+  refuse(base, h.flags | format::kHasMwe, "a flag whose array is not there");
+  refuse(base, h.flags | format::kHasPoseSpace, "a flag whose header is not there");
   refuse(base, h.flags | format::kHasMorphTargets, "a flag whose arrays are not there");
   refuse(base, h.flags ^ format::kHasNormals, "a flag whose array is there");
   refuse(base + 4, h.vertex_count - 1, "a vertex fewer than the runs");
@@ -321,7 +323,7 @@ TEST_F(Load, Geometries) {
   refuse(base + 24, std::uint32_t{2}, "a set beyond the palette");
   refuse(base + 28, h.index_count - 1, "not three indices a triangle");
   refuse(base + 36, kNaN, "a box that is not a number");
-  refuse(base + 60, std::uint32_t{1}, "reserved");
+  refuse(base + 60, std::uint32_t{1}, "a root of no multi-weights");
   refuse(base + l.skin + 8, kNaN, "a position that is not a number");
   refuse(base + l.normals + 8, kInfinity, "a normal that is not finite");
   refuse(base + l.runs, std::uint32_t{0}, "a run without vertices");
@@ -331,7 +333,7 @@ TEST_F(Load, Geometries) {
   refuse(base + l.source_slots, h.block_count * 4, "a source vertex outside the slots");
   refuse(base + l.indices, static_cast<std::uint16_t>(h.block_count * 4), "an index outside the slots");
   refuse(base + l.sets, std::uint16_t{3}, "a set outside the palette");
-  EXPECT_EQ(refused_, 22);
+  EXPECT_EQ(refused_, 24);
 }
 
 TEST_F(Load, Meshes) {

@@ -54,14 +54,17 @@ keep-vertex-order = false
 TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
   int options = 0;
   for (const Option& option : option_table()) {
-    const std::string value = option.kind == OptionKind::flag ? "true"
-                              : !option.choices.empty()       ? '"' + option.choices.back() + '"'
-                              : std::string(option.shape) == "DEGREES" || std::string(option.shape) == "SHARE"
-                                  ? "\"0.1\""
-                                  : "\"0.1mm\"";
-    // A character is only for clip packs.
-    const std::string pack = std::string(option.name) == "skeleton" ? "clips-only = true\n" : "";
-    const Settings settings = parse(pack + std::string(option.name) + " = " + value);
+    const std::string name = option.name, shape = option.shape;
+    const std::string value = option.kind == OptionKind::flag          ? "true"
+                              : !option.choices.empty()                ? '"' + option.choices.back() + '"'
+                              : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
+                              : shape == "STEPS" || shape[0] == 'N'    ? "\"3\""
+                              : shape == "JOINT=MASK.png"              ? "\"hand=hand.png\""
+                                                                       : "\"0.1mm\"";
+    // A character is only for clip packs, a truth for fits.
+    const bool of_fit = name == "truth" || name == "half-joints" || name == "keep-bind-pose";
+    const std::string pack = name == "skeleton" ? "clips-only = true\n" : of_fit ? "as = 'fit'\n" : "";
+    const Settings settings = parse(pack + name + " = " + value);
     EXPECT_EQ(settings.defaults.count(option.name), 1u) << option.name;
     ++options;
   }

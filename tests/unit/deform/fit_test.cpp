@@ -10,23 +10,6 @@
 namespace marrow::deform {
 namespace {
 
-std::vector<TrainingPose> training(const std::vector<Pose>& poses, std::uint32_t folds) {
-  std::vector<TrainingPose> out;
-  for (const Pose& pose : poses) out.push_back({pose, static_cast<std::uint32_t>(out.size()) % folds});
-  return out;
-}
-
-double rms(const Deformer& a, const Deformer& b, const std::vector<Pose>& poses) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const Pose& pose : poses) {
-    const Positions p = at(a, pose), q = at(b, pose);
-    for (std::size_t v = 0; v < p.size(); ++v) sum += glm::dot(p[v] - q[v], p[v] - q[v]);
-    count += p.size();
-  }
-  return std::sqrt(sum / static_cast<double>(count));
-}
-
 // Coordinates that no lift can reach, of which the w sum to 1.
 Coordinates some_coordinates(const SkinnedMesh& mesh) {
   Coordinates out = lift(mesh);

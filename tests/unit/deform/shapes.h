@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "deform/cylinder.h"
+#include "deform/fit.h"
 
 namespace marrow::deform {
 
@@ -54,6 +55,25 @@ inline std::vector<Pose> random_cylinder_poses(std::size_t count, unsigned seed)
     out.push_back(cylinder_pose(bend * kDegree, twist * kDegree));
   }
   return out;
+}
+
+// Pose i of fold i modulo `folds`.
+inline std::vector<TrainingPose> training(const std::vector<Pose>& poses, std::uint32_t folds) {
+  std::vector<TrainingPose> out;
+  for (const Pose& pose : poses) out.push_back({pose, static_cast<std::uint32_t>(out.size()) % folds});
+  return out;
+}
+
+// Root mean square over poses and vertices of how far two deformers are apart.
+inline double rms(const Deformer& a, const Deformer& b, const std::vector<Pose>& poses) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Pose& pose : poses) {
+    const Positions p = at(a, pose), q = at(b, pose);
+    for (std::size_t v = 0; v < p.size(); ++v) sum += glm::dot(p[v] - q[v], p[v] - q[v]);
+    count += p.size();
+  }
+  return std::sqrt(sum / static_cast<double>(count));
 }
 
 }  // namespace marrow::deform

@@ -11,6 +11,7 @@
 #include "marrow/file.h"
 #include "marrow/unpack.h"
 #include "support/aligned.h"
+#include "support/fan.h"
 #include "support/golden.h"
 #include "unpack/geometry.h"
 #include "unpack/streams.h"
@@ -18,134 +19,7 @@
 namespace marrow {
 namespace {
 
-constexpr std::uint32_t kPlain = 200;
-
-// Indices, then every stream, as 32-bit numbers.
-Status decode_plain(Span<const std::byte> bytes, const MeshStreams& out) {
-  std::size_t at = 0;
-  const auto copy = [&](void* to, std::size_t count) {
-    if (at + 4 * count > bytes.size) return false;
-    std::memcpy(to, bytes.data + at, 4 * count);
-    at += 4 * count;
-    return true;
-  };
-  if (!copy(out.indices, std::size_t{out.triangle_count} * 3)) return Status::bad_data;
-  for (std::uint32_t i = 0; i < out.stream_count; ++i)
-    if (!copy(out.streams[i].values, std::size_t{out.vertex_count} * out.streams[i].components))
-      return Status::bad_data;
-  return at == bytes.size ? Status::ok : Status::bad_data;
-}
-
-const MeshDecoder kPlainDecoder[] = {{kPlain, decode_plain}};
-
-struct Bytes {
-  std::vector<std::byte> all;
-  Bytes& u8(std::uint32_t v) {
-    all.push_back(static_cast<std::byte>(v));
-    return *this;
-  }
-  Bytes& u32(std::uint32_t v) {
-    for (int i = 0; i < 4; ++i) u8(v >> (8 * i));
-    return *this;
-  }
-  Bytes& f32(float v) { return u32(std::bit_cast<std::uint32_t>(v)); }
-  Bytes& numbers(std::initializer_list<int> values) {
-    for (const int v : values) u32(static_cast<std::uint32_t>(v));
-    return *this;
-  }
-  Bytes& add(const std::vector<std::byte>& other) {
-    all.insert(all.end(), other.begin(), other.end());
-    return *this;
-  }
-};
-
-// Five vertices of a fan. 0, 2 and 4 follow entry 1; 1 and 3 are shared between entries 0 and 2, a third and two.
-std::vector<std::byte> fan_record() {
-  Bytes b;
-  b.u8(format::kHasNormals | format::kHasUvs).u8(5).u8(3).u8(3).u8(2);
-  b.u8(4).f32(-1).f32(0).f32(2).f32(0.5f);  // positions: 4 bits from (-1, 0, 2) in halves
-  b.u8(2);                                  // normals: 2 bits, so 0 … 2 with 1 in the middle
-  b.u8(3).f32(0).f32(1).f32(0.25f);         // UVs: 3 bits from (0, 1) in quarters
-  b.u8(2);                                  // weights: thirds
-  b.numbers({0, 1, 2, 0, 2, 3, 0, 3, 4});
-  b.numbers({0, 0, 0, 2, 0, 1, 4, 2, 0, 6, 6, 3, 8, 8, 15});  // positions
-  b.numbers({1, 1, 1, 2, 2, 1, 0, 1, 2, 2});                  // normals: +x, +z, +y, -y, -x
-  b.numbers({0, 0, 1, 2, 3, 4, 5, 6, 7, 7});                  // UVs
-  b.numbers({1, 1, 0, 2, 1, 1, 0, 2, 1, 1});                  // joints, the last repeated
-  b.numbers({0, 1, 0, 1, 0});                                 // weights of the first of two
-  return b.all;
-}
-
-std::uint32_t geometry_bytes() {
-  // 2 runs, 2 blocks; 3 influence blocks.
-  return 64 + 2 * 48 + 16 + 2 * 48 + 8 * 8 + 2 * 8 + 9 * 2 + 3 * 2;
-}
-
-// Around it one skeleton of three joints and one mesh that binds entry e to joint e.
-std::vector<std::byte> packed_fan(std::vector<std::byte> geometry = fan_record(), std::uint32_t codec = kPlain,
-                                  std::uint32_t extra_file_bytes = 0, std::uint32_t memory = 4096) {
-  Bytes skeleton;
-  skeleton.u32(0).u32(3).u32(1).u32(0);
-  const Affine identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-  const auto affine = [&](Bytes& b) {
-    for (const auto& row : identity.rows)
-      for (const float x : row) b.f32(x);
-  };
-  affine(skeleton);
-  for (int i = 0; i < 40; ++i) skeleton.f32(i >= 24 ? 1.0f : 0.0f);
-  skeleton.u32(0).u32(0).u32(0);
-  skeleton.u8(255).u8(255).u8(0).u8(0).u8(0).u8(0);
-  Bytes mesh;
-  mesh.u32(0).u32(0).u32(0).u32(0).u32(3).u32(0).f32(1).f32(1).f32(1).f32(1).u32(0).u32(0);
-  for (int e = 0; e < 3; ++e) affine(mesh);
-  mesh.u8(0).u8(0).u8(1).u8(0).u8(2).u8(0);
-  Bytes names;
-  names.u8(0);
-
-  Bytes records;
-  const auto record = [&](std::uint32_t kind, std::uint32_t c, const std::vector<std::byte>& bytes) {
-    records.u8(kind)
-        .u8(c)
-        .u8((bytes.size() & 0x7F) | 0x80)
-        .u8(static_cast<std::uint32_t>(bytes.size() >> 7))
-        .add(bytes);
-  };
-  record(format::kSkeletons, 0, skeleton.all);
-  record(format::kGeometries, codec, geometry);
-  record(format::kMeshes, 0, mesh.all);
-  record(format::kNames, 0, names.all);
-
-  std::uint64_t end = 32 + 4 * 16;
-  for (const std::size_t bytes :
-       {skeleton.all.size(), std::size_t{geometry_bytes()}, mesh.all.size(), names.all.size()})
-    end = format::align16(end) + bytes;
-  Bytes file;
-  file.u32(packed::kMagic).u32(1).u32(static_cast<std::uint32_t>(32 + records.all.size()));
-  file.u32(static_cast<std::uint32_t>(end) + extra_file_bytes).u32(memory).u32(4);
-  const std::uint64_t sum = format::checksum(records.all.data(), records.all.size());
-  file.u32(static_cast<std::uint32_t>(sum)).u32(static_cast<std::uint32_t>(sum >> 32)).add(records.all);
-  return file.all;
-}
-
-void forge(std::vector<std::byte>& packed) {
-  const std::uint64_t sum = format::checksum(packed.data() + 32, packed.size() - 32);
-  std::memcpy(packed.data() + 24, &sum, sizeof sum);
-}
-
-using Memory = std::unique_ptr<test::AlignedBlock>;
-
-// Unpacks and loads; memory is no larger than asked for.
-Status run(const std::vector<std::byte>& packed, Memory& memory, File& out, DataError& error) {
-  const test::AlignedBlock copy(packed.data(), packed.size());
-  const Span<const std::byte> bytes(copy.data(), copy.size());
-  UnpackSizes sizes;
-  Status status = unpack_sizes(bytes, sizes, &error);
-  if (status != Status::ok) return status;
-  memory = std::make_unique<test::AlignedBlock>(sizes.memory_bytes);
-  Span<const std::byte> file;
-  status = unpack(bytes, {kPlainDecoder, 1}, {memory->data(), memory->size()}, file, &error);
-  return status == Status::ok ? load(file, out, &error) : status;
-}
+using namespace test;
 
 TEST(Unpack, GivesBlocksByHand) {
   const std::vector<std::byte> packed = packed_fan();
@@ -316,8 +190,12 @@ TEST(Unpack, RefusesSizesThatDoNotFit) {
   EXPECT_EQ(run(packed_fan(fan_record(), kPlain, 0, 1104), memory, file, error), Status::bad_data);
 }
 
-TEST(Unpack, EveryPrefixIsRefused) {
-  const std::vector<std::byte> packed = packed_fan();
+class UnpackDamaged : public ::testing::TestWithParam<std::vector<std::byte> (*)()> {};
+INSTANTIATE_TEST_SUITE_P(Fans, UnpackDamaged,
+                         ::testing::Values([] { return packed_fan(); }, [] { return packed_deformers(); }));
+
+TEST_P(UnpackDamaged, EveryPrefixIsRefused) {
+  const std::vector<std::byte> packed = GetParam()();
   std::size_t refused = 0;
   for (std::size_t size = 0; size < packed.size(); ++size) {
     std::vector<std::byte> prefix(packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(size));
@@ -334,8 +212,8 @@ TEST(Unpack, EveryPrefixIsRefused) {
   EXPECT_EQ(refused, packed.size());
 }
 
-TEST(Unpack, EveryChangedByteIsRefusedOrHarmless) {
-  const std::vector<std::byte> packed = packed_fan();
+TEST_P(UnpackDamaged, EveryChangedByteIsRefusedOrHarmless) {
+  const std::vector<std::byte> packed = GetParam()();
   std::size_t changes = 0, caught = 0, loaded = 0;
   for (std::size_t i = 0; i < packed.size(); ++i) {
     if (i >= 12 && i < 20) continue;  // sizes, which only say how much memory is wanted: gigabytes would be

@@ -27,6 +27,8 @@ MeshStreams OwnedStreams::view() {
   for (std::size_t i = 0; i < streams.size(); ++i) streams[i].values = values[i].data();
   out.streams = streams.data();
   out.stream_count = static_cast<std::uint32_t>(streams.size());
+  out.rotations = rotations.data();
+  out.parents = parents.data();
   return out;
 }
 
@@ -72,7 +74,7 @@ std::vector<std::uint32_t> equal_vertices(const OwnedStreams& s, const Counts& c
 
 bool moves(StreamKind kind) {
   return kind == StreamKind::position || kind == StreamKind::joints || kind == StreamKind::weights ||
-         kind == StreamKind::residual || kind == StreamKind::target;
+         kind == StreamKind::residual || is_centred(kind);
 }
 
 }  // namespace

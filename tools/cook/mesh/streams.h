@@ -1,6 +1,7 @@
 // A mesh as the codecs take it, with the memory that its arrays live in.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,12 +17,38 @@ struct Binding {
   std::vector<glm::dvec4> residual;  // of animation space; none, or as many: (d, δ)
 };
 
+// Multi-weight enveloping: for each vertex of the source and joint of its binding twelve weights, row by row, as
+// deform::MultiWeight has them. Empty: none.
+struct MultiWeightData {
+  std::uint32_t root = 0;  // palette entry
+  std::vector<std::vector<std::array<double, 12>>> weights;
+};
+
+// Pose-space deformation, as deform::PoseSpace has it. Without examples: none.
+struct PoseSpaceData {
+  struct Example {
+    std::vector<glm::dquat> rotations;  // a palette entry; of those without a parent they do not count
+    std::vector<glm::dvec3> deltas;     // a vertex of the source; metres, mesh space
+  };
+  double sigma = 1;                    // 0.001 … 1000
+  std::vector<std::uint16_t> parents;  // a palette entry: another one or kNoParent
+  std::vector<Example> examples;       // at most kMaxPoseExamples
+};
+
+// What a mesh's deformers need beside positions and weights.
+struct DeformerData {
+  MultiWeightData multi_weight;
+  PoseSpaceData pose_space;
+};
+
 class OwnedStreams {
  public:
   MeshStreams mesh;  // its arrays are null; see view()
   std::vector<std::uint32_t> indices, source_map;
   std::vector<Stream> streams;
   std::vector<std::vector<std::int32_t>> values;  // a stream
+  std::vector<std::int16_t> rotations;            // of examples, as MeshStreams'
+  std::vector<std::uint16_t> parents;
 
   Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits);
   // With the arrays' addresses, until one of them changes.
@@ -53,6 +80,9 @@ struct MeshError {
   double uv = 0;
   double weight = 0;
   double target_m = 0;  // of a morph target's positions, at weight 1
+  // Of a vertex by multi-weight enveloping, in poses that take no joint's origin further from the root than the
+  // diagonal of the mesh's box, and scale nothing; and of one by pose-space deformation, before the blend.
+  double multi_weight_m = 0, pose_space_m = 0;
 };
 
 // Every vertex of the source as it is, bits of floats.
@@ -62,6 +92,14 @@ OwnedStreams verbatim_streams(const RawPrimitive& primitive, const std::vector<B
 OwnedStreams quantised_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                                std::size_t joint_count, const MeshGrid& grid, const MeshPrecision& precision,
                                MeshError& error);
+
+// Adds what the deformers need to streams that either of the above has made of the same vertices: residuals of weights
+// on the weights that the streams have, and examples' deltas in 16 bits. Steps are such that the errors, as MeshError
+// has them, stay below the grid's step; where that takes more bits than there are, or without a grid, all bits are used
+// (multi-weight residuals are then floats). Influences that rounding has left out lose their weights. Throws
+// tools::Failure (unsupported) if the data are not as they must be.
+void add_deformers(const RawPrimitive& primitive, const std::vector<Binding>& bindings, const DeformerData& data,
+                   const MeshGrid& grid, OwnedStreams& streams, MeshError& error);
 
 // Merges vertices that agree in everything, drops triangles that have no area in any pose and vertices without a
 // triangle. keep_map: fill in source_map; what is dropped gets kNoSlot.

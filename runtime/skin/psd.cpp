@@ -1,0 +1,126 @@
+// Pose-space deformation, four vertices at a time: deltas of the examples that move them, then skeletal subspace
+// deformation.
+#include "math/exponential.h"
+#include "skin/joint_set.h"
+
+namespace marrow {
+namespace {
+
+// Where each example stands in its list of blocks, as the kernel goes over all blocks in order.
+class Examples {
+ public:
+  Examples(const Geometry& g) : space_(g.pose_space), wide_(g.index_bytes == 4) {
+    for (std::size_t k = 0; k < size(); ++k) {
+      const MorphTarget& example = space_.examples[k];
+      next_[k] = example.first_block;
+      record_[k] = space_.records + std::size_t{12} * example.first_record;
+      find_block(k);
+    }
+  }
+
+  std::size_t size() const { return space_.examples.size; }
+  bool moves(std::size_t k, std::uint32_t block) const { return block_[k] == block; }
+
+  // The next record of an example that moves the block, times phi.
+  void add(std::size_t k, f32x4 phi, f32x4 (&delta)[3]) {
+    const f32x4 scale = phi * splat(space_.examples[k].position_step);
+    for (int i = 0; i < 3; ++i) delta[i] = delta[i] + load_int16(record_[k] + 4 * i) * scale;
+    record_[k] += 12;
+    ++next_[k];
+    find_block(k);
+  }
+
+ private:
+  void find_block(std::size_t k) {
+    const MorphTarget& example = space_.examples[k];
+    const std::size_t i = next_[k];
+    block_[k] = i >= std::size_t{example.first_block} + example.block_count ? kNoSlot
+                : wide_ ? static_cast<const std::uint32_t*>(space_.blocks)[i]
+                        : static_cast<const std::uint16_t*>(space_.blocks)[i];
+  }
+
+  PoseSpace space_;
+  bool wide_;
+  std::size_t next_[kMaxPoseExamples];
+  const std::int16_t* record_[kMaxPoseExamples];
+  std::uint32_t block_[kMaxPoseExamples];
+};
+
+// What the influences of a run are from one pose: all but the last as differences from the last, as weights are.
+struct SetDistance {
+  f32x4 last, others[kMaxInfluences - 1];
+
+  // Row j of `distances` has `stride` floats, of which this is number k.
+  void load(const float* distances, std::size_t stride, std::size_t k, const std::uint16_t* set,
+            std::uint32_t influences) {
+    const float of_last = distances[stride * set[influences - 1] + k];
+    last = splat(of_last);
+    for (std::uint32_t j = 0; j + 1 < influences; ++j) others[j] = splat(distances[stride * set[j] + k] - of_last);
+  }
+  // Of four vertices.
+  f32x4 phi(const float* weights, std::uint32_t influences) const {
+    f32x4 sum = last;
+    for (std::uint32_t j = 0; j + 1 < influences; ++j) sum = sum + load_aligned(weights + 4 * j) * others[j];
+    return exp_negative(sum);
+  }
+};
+
+class PoseSpaceSkin {
+ public:
+  PoseSpaceSkin(const Geometry& g, const float* distances) : examples_(g), distances_(distances) {}
+
+  template <Directions D>
+  void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
+           Cursor& at) {
+    JointSet joints;
+    load_joint_set(set, influences, palette, joints);
+    const std::size_t count = examples_.size();
+    for (std::size_t k = 0; count > 0 && k <= count; ++k) from_[k].load(distances_, count + 1, k, set, influences);
+    const f32x4 mirror = has_tangents(D) ? determinant(joints.last) : splat(1.0f);
+    for (; blocks > 0; --blocks, ++block_) {
+      const float* const weights = at.stream + 12;
+      f32x4 v[3] = {load_aligned(at.stream), load_aligned(at.stream + 4), load_aligned(at.stream + 8)};
+      add_deltas(weights, influences, v);
+      Blend m = joints.last;
+      for (std::uint32_t j = 0; j + 1 < influences; ++j)
+        m = add_scaled(m, load_aligned(weights + 4 * j), joints.others[j]);
+      store_xyz(at.out_positions, dot3(m.a.x, m.a.y, m.a.z, v[0], v[1], v[2]) + m.a.t,
+                dot3(m.b.x, m.b.y, m.b.z, v[0], v[1], v[2]) + m.b.t,
+                dot3(m.c.x, m.c.y, m.c.z, v[0], v[1], v[2]) + m.c.t);
+      at.stream += 4 * (influences + 2);
+      at.out_positions += 12;
+      write_directions<D>(m, mirror, at);
+    }
+  }
+
+ private:
+  void add_deltas(const float* weights, std::uint32_t influences, f32x4 (&v)[3]) {
+    const f32x4 zero = splat(0.0f);
+    f32x4 delta[3] = {zero, zero, zero};
+    bool moved = false;
+    for (std::size_t k = 0; k < examples_.size(); ++k) {
+      if (!examples_.moves(k, block_)) continue;
+      examples_.add(k, from_[k].phi(weights, influences), delta);
+      moved = true;
+    }
+    if (!moved) return;
+    const f32x4 lift = splat(1.0f) - from_[examples_.size()].phi(weights, influences);
+    for (int i = 0; i < 3; ++i) v[i] = v[i] + delta[i] * lift;
+  }
+
+  Examples examples_;
+  const float* distances_;
+  std::uint32_t block_ = 0;
+  SetDistance from_[kMaxPoseExamples + 1];  // the examples, then the bind pose
+};
+
+}  // namespace
+
+Status skin_psd(const Mesh& mesh, Span<const float> distances, Span<const Affine> palette, const SkinOutput& out) {
+  const Geometry& g = mesh.geometry;
+  MARROW_REQUIRE(g.pose_space.examples.size <= kMaxPoseExamples);
+  MARROW_REQUIRE(distances.size >= psd_distance_count(g));
+  return deform(mesh, g.skin, palette, out, PoseSpaceSkin(g, distances.data));
+}
+
+}  // namespace marrow

@@ -1,0 +1,108 @@
+// How far a pose is from the examples of pose-space deformation, four palette entries at a time.
+#include "core/check.h"
+#include "marrow/skin.h"
+#include "skin/rotation.h"
+
+namespace marrow {
+namespace {
+
+// What a rotation matrix L is asked for over and over: its trace with the rotation of a quaternion q, which is
+// Davenport's quadratic form in q, |q|² tr(Lᵀ R(q)) = Σ diagonal_i q_i² + 2 Σ product_i.
+struct RotationForm {
+  f32x4 xx, yy, zz, ww, xy, xz, yz, wx, wy, wz;
+
+  explicit RotationForm(const f32x4 (&l)[3][3])
+      : xx(l[0][0] - l[1][1] - l[2][2]),
+        yy(l[1][1] - l[0][0] - l[2][2]),
+        zz(l[2][2] - l[0][0] - l[1][1]),
+        ww(l[0][0] + l[1][1] + l[2][2]),
+        xy(l[0][1] + l[1][0]),
+        xz(l[0][2] + l[2][0]),
+        yz(l[1][2] + l[2][1]),
+        wx(l[2][1] - l[1][2]),
+        wy(l[0][2] - l[2][0]),
+        wz(l[1][0] - l[0][1]) {}
+};
+
+struct FourQuaternions {
+  f32x4 x, y, z, w;
+};
+
+// sin² of half the angle between: (3 - tr(Lᵀ R)) / 4, at least 0 whatever rounding does. Of no rotation, 0.
+f32x4 distance(const RotationForm& l, const FourQuaternions& q) {
+  const f32x4 squares = l.xx * (q.x * q.x) + l.yy * (q.y * q.y) + l.zz * (q.z * q.z) + l.ww * (q.w * q.w);
+  const f32x4 with_w = q.w * (l.wx * q.x + l.wy * q.y + l.wz * q.z);
+  const f32x4 others = l.xy * (q.x * q.y) + l.xz * (q.x * q.z) + l.yz * (q.y * q.z);
+  const f32x4 length = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  const f32x4 zero = splat(0.0f);
+  const f32x4 d = splat(0.75f) - splat(0.25f) * (squares + splat(2.0f) * (with_w + others)) / length;
+  return select(zero < d, d, zero);
+}
+
+// Four entries of a palette; beyond its end the last again.
+struct FourEntries {
+  std::size_t entry[4];
+  const Affine* joints[4];
+  const Affine* parents[4];  // of those without, their own
+  alignas(16) float has_parent[4];
+
+  FourEntries(std::size_t first, std::size_t count, const std::uint16_t* parent_of, const Affine* palette) {
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const std::size_t j = first + lane < count ? first + lane : count - 1;
+      entry[lane] = j;
+      has_parent[lane] = parent_of[j] == kNoParent ? 0.0f : 1.0f;
+      joints[lane] = palette + j;
+      parents[lane] = palette + (parent_of[j] == kNoParent ? j : parent_of[j]);
+    }
+  }
+  FourQuaternions rotations(const std::int16_t* of_example) const {
+    FourQuaternions q = {load_int16(of_example + 4 * entry[0]), load_int16(of_example + 4 * entry[1]),
+                         load_int16(of_example + 4 * entry[2]), load_int16(of_example + 4 * entry[3])};
+    transpose(q.x, q.y, q.z, q.w);
+    return q;
+  }
+};
+
+// Relative to the parents'.
+RotationForm local_rotations(const FourEntries& four) {
+  const FourRotations joint = rotations_of(four.joints), parent = rotations_of(four.parents);
+  f32x4 l[3][3];
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      l[row][column] = dot3(parent.m[0][row], parent.m[1][row], parent.m[2][row], joint.m[0][column],
+                            joint.m[1][column], joint.m[2][column]);
+  return RotationForm(l);
+}
+
+}  // namespace
+
+std::size_t psd_distance_count(const Geometry& geometry) {
+  const std::size_t examples = geometry.pose_space.examples.size;
+  return examples > 0 ? (examples + 1) * geometry.joint_count : 0;
+}
+
+Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<float> out) {
+  const PoseSpace& space = geometry.pose_space;
+  const std::size_t joints = geometry.joint_count, examples = space.examples.size;
+  MARROW_REQUIRE(palette.size >= joints);
+  MARROW_REQUIRE(out.size >= psd_distance_count(geometry));
+  if (examples == 0) return Status::ok;
+  const f32x4 falloff = splat(-0.5f / (space.sigma * space.sigma));
+  const f32x4 zero = splat(0.0f), one = splat(1.0f);
+  const FourQuaternions bind = {zero, zero, zero, one};
+  for (std::size_t first = 0; first < joints; first += 4) {
+    const FourEntries four(first, joints, space.parents, palette.data);
+    const RotationForm now = local_rotations(four);
+    const f32x4 scale = falloff * load_aligned(four.has_parent);
+    for (std::size_t k = 0; k <= examples; ++k) {
+      const bool is_bind = k == examples;
+      alignas(16) float to[4];
+      store(to, distance(now, is_bind ? bind : four.rotations(space.rotations + 4 * joints * k)) * scale);
+      // What is beyond the end writes the last again.
+      for (std::size_t lane = 0; lane < 4; ++lane) out[(examples + 1) * four.entry[lane] + k] = to[lane];
+    }
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow
