@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "deform/multi_weight.h"
+#include "deform/pose_space.h"
 #include "deform/refit.h"
 
 namespace marrow::tools {
@@ -48,6 +50,30 @@ Trained by_coordinates(cook::Learnt learnt) {
   return out;
 }
 
+// Normals go through linear blend skinning's matrices, as the runtime's do.
+Trained by_multi_weights(const Study& study, const Round& round, const deform::Deformer& truth) {
+  const SkinnedMesh& mesh = study.source.mesh;
+  constexpr std::uint32_t kRoot = 0;
+  const auto fit =
+      std::make_shared<const deform::MultiWeightFit>(deform::fit_multi_weights(mesh, kRoot, round.train, truth));
+  Trained out = by_weights(mesh);
+  out.deform = [fit, deformer = deform::multi_weight(mesh, fit->weights, kRoot)](const Pose& pose, Positions& to) {
+    deformer(pose, to);
+  };
+  return out;
+}
+
+Trained in_pose_space(const Study& study, const Round& round, const deform::Deformer& truth) {
+  const SkinnedMesh& mesh = study.source.mesh;
+  const auto fit = std::make_shared<const deform::PoseSpaceFit>(
+      deform::fit_pose_space(mesh, study.source.parents, round.train, truth));
+  Trained out = by_weights(mesh);
+  out.deform = [fit, deformer = deform::pose_space(mesh, fit->space)](const Pose& pose, Positions& to) {
+    deformer(pose, to);
+  };
+  return out;
+}
+
 LearnOptions with(LearnOptions options, AnimationSpace kind, int half_joints) {
   options.animation_space = kind;
   options.half_joints = half_joints;
@@ -85,6 +111,15 @@ std::vector<Contestant> contestants(const LearnOptions& options) {
   refit.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return by_weights(deform::refit_weights(study.source.mesh, round.train, cook::make_truth(study.source.mesh, o)));
   };
+  Contestant mwe = refit, psd = refit;
+  mwe.name = "mwe";
+  mwe.train = [](const Study& study, const Round& round, const LearnOptions& o) {
+    return by_multi_weights(study, round, cook::make_truth(study.source.mesh, o));
+  };
+  psd.name = "psd";
+  psd.train = [](const Study& study, const Round& round, const LearnOptions& o) {
+    return in_pose_space(study, round, cook::make_truth(study.source.mesh, o));
+  };
   return {rigid,
           ssd,
           refit,
@@ -92,7 +127,9 @@ std::vector<Contestant> contestants(const LearnOptions& options) {
           in_animation_space("as_smooth", with(options, AnimationSpace::smooth, 0)),
           in_animation_space("as_fit", with(options, AnimationSpace::fit, 0)),
           in_animation_space("as_fit_half1", with(options, AnimationSpace::fit, 1)),
-          in_animation_space("as_fit_half2", with(options, AnimationSpace::fit, 2))};
+          in_animation_space("as_fit_half2", with(options, AnimationSpace::fit, 2)),
+          mwe,
+          psd};
 }
 
 }  // namespace marrow::tools
