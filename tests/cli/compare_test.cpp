@@ -1,0 +1,106 @@
+// `marrow compare`, and `marrow cook --as` as a user runs them.
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/process.h"
+
+namespace marrow::test {
+namespace {
+
+// The figures of a study of this cylinder are 0.35 and 0.05 of linear blend skinning's error.
+TEST(Compare, TheCylinder) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: takes minutes under a sanitizer, which sees the same code in the tests of `deform`";
+#endif
+  const Ran ran = run_marrow({"compare", "--sample", "cylinder", "--truth", "dqs", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json r = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(r.at("truth"), "dqs");
+  EXPECT_EQ(r.at("holdout"), "frames");
+  EXPECT_EQ(r.at("held_poses"), 1000);
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& row : r.at("rows")) rows[row.at("deformer")] = row;
+  for (const char* const name :
+       {"rigid", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_fit_half1", "as_fit_half2", "mwe", "psd"}) {
+    ASSERT_TRUE(rows.contains(name)) << name;
+    for (const char* const field :
+         {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume", "crease_deg", "normal_deg"})
+      EXPECT_TRUE(rows[name].at(field).is_number()) << name << " " << field;
+    EXPECT_TRUE(rows[name].contains("bytes_per_vertex") && rows[name].contains("ns_per_vertex")) << name;
+  }
+  const double ssd = rows["ssd"]["held_rms"];
+  EXPECT_NEAR(ssd, 0.12, 0.01);  // metres, of a radius of one
+  EXPECT_NEAR(rows["as_lift"]["held_rms"].get<double>(), ssd, 1e-9);
+  EXPECT_LT(rows["as_fit"]["held_rms"].get<double>(), 0.40 * ssd);
+  EXPECT_LT(rows["as_fit_half1"]["held_rms"].get<double>(), 0.06 * ssd);
+  EXPECT_NEAR(rows["as_fit_half1"]["volume"].get<double>(), 1, 0.01);
+  EXPECT_LT(rows["as_fit_half2"]["held_rms"].get<double>(), 0.03 * ssd);
+}
+
+TEST(Compare, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_marrow({"compare"}).code, 1);
+  EXPECT_EQ(run_marrow({"compare", "--sample", "cylinder", "--truth", "guess"}).code, 1);
+  EXPECT_EQ(run_marrow({"compare", folder / "none.glb"}).code, 2);
+  write_triangle(folder / "t.gltf", folder / "t.bin", 1);
+  const Ran still = run_marrow({"compare", folder / "t.gltf"});
+  EXPECT_EQ(still.code, 3);
+  EXPECT_NE(still.err.find("no mesh is bound to a skin"), std::string::npos) << still.err;
+}
+
+TEST(Compare, WritesOnePage) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: drivers leak, which the address sanitizer would report";
+#endif
+  const TemporaryFolder folder;
+  const Ran ran = run_marrow({"compare", tiny_gltf(), "-o", folder / "page.html"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(folder.listing(), std::vector<std::string>{"page.html"});
+  const std::string page = read_text(folder / "page.html");
+  const std::string first = ran.out.substr(0, ran.out.find('\n'));
+  EXPECT_EQ(first.find("Use "), 0u) << first;
+  EXPECT_NE(page.find("<h1>Use "), std::string::npos);
+  EXPECT_NE(page.find("as_fit_half1"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos) << "self-contained";
+#ifdef MARROW_HAS_GLES
+  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+#endif
+}
+
+TEST(CookAs, ReportsWhatWasLearnt) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "t.mrw";
+  const Ran ran =
+      run_marrow({"cook", tiny_gltf(), "-o", out, "--as", "fit", "--truth", "dqs", "--half-joints", "1", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json learnt = nlohmann::json::parse(ran.out).at("meshes").at(0).at("animation_space");
+  for (const char* const field :
+       {"kind", "truth", "poses", "made_up_poses", "half_joints", "held_out_share", "worse_share"})
+    EXPECT_TRUE(learnt.contains(field)) << field;
+  EXPECT_EQ(learnt.at("truth"), "dqs");
+  EXPECT_EQ(run_marrow({"pose", out, "--deformer", "as", "-o", folder / "p.obj"}).code, 0);
+}
+
+TEST(CookAs, RefusesWhatMakesNoSense) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "t.mrw";
+  for (const std::vector<std::string>& extra : {std::vector<std::string>{"--truth", "dqs"},
+                                                {"--half-joints", "1"},
+                                                {"--keep-bind-pose"},
+                                                {"--as", "fit", "--delta-mush", "0"},
+                                                {"--as", "fit", "--delta-mush", "10,2"},
+                                                {"--as", "fit", "--delta-mush", "10,0.5,hard"},
+                                                {"--as", "fit", "--half-joints", "3"}}) {
+    std::vector<std::string> arguments = {"cook", tiny_gltf(), "-o", out};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    EXPECT_EQ(run_marrow(arguments).code, 1) << extra.back();
+  }
+  EXPECT_TRUE(folder.listing().empty());
+}
+
+}  // namespace
+}  // namespace marrow::test
