@@ -26,20 +26,6 @@ std::uint32_t fold_of(const SampledPose& pose, const BuiltScene& built, std::siz
   return ordinal * 4 + quarter;
 }
 
-bool all_finite(const deform::Positions& positions) {
-  return std::ranges::all_of(
-      positions, [](const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
-}
-
-// A pose in which a joint has collapsed, say, has no truth to learn from.
-void drop_unusable(std::vector<deform::TrainingPose>& poses, const deform::Deformer& truth) {
-  std::erase_if(poses, [&](const deform::TrainingPose& p) {
-    deform::Positions positions;
-    truth(p.pose, positions);
-    return !all_finite(positions);
-  });
-}
-
 // How many influences each vertex of `follows` may have: those of the mesh that it lacks must still fit, for SSD.
 std::vector<std::size_t> room_for(const deform::SkinnedMesh& follows, const deform::SkinnedMesh& mesh) {
   std::vector<std::size_t> out;
@@ -142,8 +128,6 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
     return out;
   }
   const deform::Deformer truth = make_truth(mesh, options), ssd = deform::ssd(mesh);
-  drop_unusable(poses, truth);
-  if (poses.empty()) return as_it_is(mesh);
   deform::SkinnedMesh follows = mesh;
   if (options.truth == Truth::delta_mush) follows = smoothed(mesh, surface, mush);
   if (options.half_joints > 0) {

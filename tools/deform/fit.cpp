@@ -81,6 +81,12 @@ VectorXd pose_weights(const std::vector<Example>& examples, const Strength& stre
   return rows * (1.0 / rows.sum());
 }
 
+bool is_finite(const Example& e) {
+  return std::isfinite(e.reference_error) && std::ranges::all_of(e.missing, [](const glm::vec3& m) {
+           return std::isfinite(m.x) && std::isfinite(m.y) && std::isfinite(m.z);
+         });
+}
+
 // Sorts `poses`.
 Training prepare(const Coordinates& prior, double diagonal_m, std::vector<TrainingPose>& poses, const Deformer& truth,
                  const Deformer& reference) {
@@ -89,8 +95,9 @@ Training prepare(const Coordinates& prior, double diagonal_m, std::vector<Traini
   Training out;
   out.diagonal_m = diagonal_m;
   out.examples = make_examples(prior, diagonal_m, poses, truth, reference);
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (i == 0 || poses[i].fold != poses[i - 1].fold) out.folds.push_back({i, 0});
+  std::erase_if(out.examples, [](const Example& e) { return !is_finite(e); });
+  for (std::size_t i = 0; i < out.examples.size(); ++i) {
+    if (i == 0 || out.examples[i].at->fold != out.examples[i - 1].at->fold) out.folds.push_back({i, 0});
     ++out.folds.back().count;
   }
   for (const Strength& s : kStrengths) out.weights.push_back(pose_weights(out.examples, s));
@@ -304,6 +311,7 @@ void write_solution(const Group& group, const Equations& eq, const Training& tra
 Fit fit_coordinates(const Coordinates& prior, double diagonal_m, std::vector<TrainingPose> poses, const Deformer& truth,
                     const Deformer& reference, const FitOptions& options) {
   const Training training = prepare(prior, diagonal_m, poses, truth, reference);
+  if (training.examples.empty()) return {prior, {}, 0};
   std::vector<Group> groups = group_by_joints(prior);
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
     cross_validate(groups[g], Equations(groups[g], training, options.keep_bind_pose), training, options);

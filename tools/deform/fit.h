@@ -39,6 +39,8 @@ struct Fit {
 // sacrificed to a few extreme ones: of several ε and p the one with the least error that keeps `most_worse`. Everything
 // is in diagonals of the bind pose, so the ridge does not depend on the unit.
 //
+// Poses in which the truth is not finite, as a joint has collapsed, say, are left out; without any the prior stays.
+//
 // One normal matrix and one factorisation a distinct set of joints, fold, ridge and p, however many vertices share it.
 // On all cores; the same result on every run. Memory: 16 bytes · vertices · poses.
 Fit fit_coordinates(const Coordinates& prior, double diagonal_m, std::vector<TrainingPose> poses, const Deformer& truth,
