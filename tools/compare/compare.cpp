@@ -78,8 +78,11 @@ void run_compare(const CompareArguments& a) {
   cook::LearnOptions options = cook::to_options(given).learn;
   if (!a.sample.empty() && !a.given.contains("delta-mush"))
     options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
-  const Study study =
-      a.sample.empty() ? study_file(a.in, a.holdout == "clips" ? Holdout::clips : Holdout::frames) : study_cylinder();
+  if (!a.sample.empty() && options.truth == cook::Truth::examples)
+    throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
+  Study study = a.sample.empty() ? study_file(a.in, a.holdout == "clips" ? Holdout::clips : Holdout::frames, options)
+                                 : study_cylinder();
+  drop_unusable_poses(cook::make_truth(study.source, options), study);
   const DeformerComparison comparison = compare_deformers(study, options);
   if (a.json) {
     fmt::print("{}\n", report(a, comparison).dump(2));
@@ -89,7 +92,7 @@ void run_compare(const CompareArguments& a) {
   if (a.out.empty()) return;
   std::vector<PictureRow> pictures;
 #ifdef MARROW_HAS_GLES
-  pictures = draw_worst_poses(study, comparison, cook::make_truth(study.source.mesh, options), shown(comparison), 3);
+  pictures = draw_worst_poses(study, comparison, cook::make_truth(study.source, options), shown(comparison), 3);
 #endif
   const std::string page = comparison_page(a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(),
                                            truth_of(a), study, comparison, pictures);

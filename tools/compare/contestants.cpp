@@ -109,16 +109,16 @@ std::vector<Contestant> contestants(const LearnOptions& options) {
   refit.cooked = lift;
   refit.can_be_cooked = false;
   refit.train = [](const Study& study, const Round& round, const LearnOptions& o) {
-    return by_weights(deform::refit_weights(study.source.mesh, round.train, cook::make_truth(study.source.mesh, o)));
+    return by_weights(deform::refit_weights(study.source.mesh, round.train, cook::make_truth(study.source, o)));
   };
   Contestant mwe = refit, psd = refit;
   mwe.name = "mwe";
   mwe.train = [](const Study& study, const Round& round, const LearnOptions& o) {
-    return by_multi_weights(study, round, cook::make_truth(study.source.mesh, o));
+    return by_multi_weights(study, round, cook::make_truth(study.source, o));
   };
   psd.name = "psd";
   psd.train = [](const Study& study, const Round& round, const LearnOptions& o) {
-    return in_pose_space(study, round, cook::make_truth(study.source.mesh, o));
+    return in_pose_space(study, round, cook::make_truth(study.source, o));
   };
   return {rigid,
           ssd,

@@ -210,7 +210,7 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
 
 DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options) {
   const Shape shape(study.source.mesh);
-  const deform::Deformer truth = cook::make_truth(study.source.mesh, options);
+  const deform::Deformer truth = cook::make_truth(study.source, options);
   DeformerComparison out;
   out.diagonal_m = deform::diagonal(study.source.mesh);
   for (const Contestant& contestant : contestants(options)) {

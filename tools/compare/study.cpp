@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -17,7 +18,6 @@ using namespace marrow::cook;
 
 constexpr double kRate_hz = 30;
 constexpr std::size_t kMostPoses = 640;  // half of them are learnt from
-constexpr std::size_t kMadeUp = 100;
 constexpr std::size_t kMostRounds = 8;
 
 std::size_t vertex_count(const RawMesh& mesh) {
@@ -39,83 +39,70 @@ const RawInstance* largest_skinned(const RawScene& scene) {
   return best;
 }
 
-struct Sampled {
-  std::vector<SampledPose> poses;
-  std::vector<std::uint32_t> clips;  // those that have poses
-  std::uint32_t ordinal(const SampledPose& pose) const {
-    return static_cast<std::uint32_t>(std::ranges::find(clips, pose.clip) - clips.begin());
-  }
-};
+// Which of a row's poses are held out.
+using IsHeld = std::function<bool(std::size_t number, std::size_t clip)>;
 
-void add_made_up(const Study& study, const BuiltSkeleton& skeleton, const std::vector<SampledPose>& from,
-                 std::uint32_t folds, Round& round) {
-  std::uint32_t number = 0;
-  for (const SampledPose& pose : resampled_poses(skeleton, from, kMadeUp))
-    round.train.push_back({deform_pose(study.source, skeleton, pose.local), number++ % folds, false});
-  round.train.push_back({deform::Pose(study.source.joints.size(), deform::Matrix(1.0)), 0, false});
-}
-
-void hold_frames(const Sampled& sampled, const BuiltScene& built, const BuiltSkeleton& skeleton, Study& study) {
+void add_round(const std::vector<SampledPose>& poses, const std::vector<std::uint32_t>& clips, const BuiltScene& built,
+               const IsHeld& is_held, Study& study) {
   Round& round = study.rounds.emplace_back();
   std::vector<SampledPose> trained;
-  std::uint32_t folds = 1;
-  for (std::size_t i = 0; i < sampled.poses.size(); ++i) {
-    const SampledPose& pose = sampled.poses[i];
-    const deform::Pose matrices = deform_pose(study.source, skeleton, pose.local);
-    if (i % 2 == 1) {
-      round.held.push_back({matrices, built.clips[pose.clip].name, static_cast<double>(pose.time_s)});
-      continue;
-    }
-    // With few clips a fold is a quarter of one.
-    const double part =
-        static_cast<double>(pose.time_s) / std::max(1e-6, static_cast<double>(built.clips[pose.clip].duration_s));
-    const std::uint32_t ordinal = sampled.ordinal(pose);
-    const std::uint32_t fold =
-        sampled.clips.size() > 2 ? ordinal % 8 : 4 * ordinal + static_cast<std::uint32_t>(std::min(3.0, 4 * part));
-    folds = std::max(folds, fold + 1);
-    round.train.push_back({matrices, fold, true});
-    trained.push_back(pose);
-  }
-  add_made_up(study, skeleton, trained, folds, round);
-}
-
-// What moves no clip: half of poses that are made up.
-void hold_made_up(const BuiltSkeleton& skeleton, Study& study) {
-  Round& round = study.rounds.emplace_back();
-  std::uint32_t number = 0;
-  for (const SampledPose& pose : resampled_poses(skeleton, {}, 2 * kMadeUp)) {
-    const deform::Pose matrices = deform_pose(study.source, skeleton, pose.local);
-    if (++number % 2 == 1) {
-      round.train.push_back({matrices, number % 5, true});
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto ordinal = static_cast<std::size_t>(std::ranges::find(clips, poses[i].clip) - clips.begin());
+    if (is_held(i, ordinal)) {
+      round.held.push_back({deform_pose(study.source, built.skeletons[study.source.skeleton], poses[i].local),
+                            built.clips[poses[i].clip].name, static_cast<double>(poses[i].time_s)});
     } else {
-      round.held.push_back({matrices, "", 0});
+      trained.push_back(poses[i]);
     }
   }
-  round.train.push_back({deform::Pose(study.source.joints.size(), deform::Matrix(1.0)), 0, false});
+  round.train = trainees(study.source, built, trained).poses;
 }
 
-void hold_clips(const Sampled& sampled, const BuiltScene& built, const BuiltSkeleton& skeleton, Study& study) {
-  const std::size_t rounds = std::min(sampled.clips.size(), kMostRounds);
-  for (std::size_t r = 0; r < rounds; ++r) {
-    Round& round = study.rounds.emplace_back();
-    std::vector<SampledPose> trained;
-    for (const SampledPose& pose : sampled.poses) {
-      const std::uint32_t ordinal = sampled.ordinal(pose);
-      const deform::Pose matrices = deform_pose(study.source, skeleton, pose.local);
-      if (ordinal % rounds == r) {
-        round.held.push_back({matrices, built.clips[pose.clip].name, static_cast<double>(pose.time_s)});
-      } else {
-        round.train.push_back({matrices, ordinal % 8, true});
-        trained.push_back(pose);
-      }
+void add_round(const std::vector<ShownPose>& poses, const std::vector<std::uint32_t>& clips, const BuiltScene&,
+               const IsHeld& is_held, Study& study) {
+  Round& round = study.rounds.emplace_back();
+  std::vector<ShownPose> trained;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto ordinal = static_cast<std::size_t>(std::ranges::find(clips, poses[i].clip) - clips.begin());
+    if (is_held(i, ordinal)) {
+      round.held.push_back({poses[i].pose, poses[i].clip_name, poses[i].time_s});
+    } else {
+      trained.push_back(poses[i]);
     }
-    add_made_up(study, skeleton, trained, 8, round);
   }
+  round.train = trainees(study.source, trained).poses;
+}
+
+template <class PoseOfClip>
+void hold_out(const std::vector<PoseOfClip>& poses, Holdout holdout, const BuiltScene& built, Study& study) {
+  std::vector<std::uint32_t> clips;  // those that have poses
+  for (const PoseOfClip& pose : poses)
+    if (clips.empty() || clips.back() != pose.clip) clips.push_back(pose.clip);
+  if (holdout == Holdout::frames) {
+    add_round(
+        poses, clips, built, [](std::size_t number, std::size_t) { return number % 2 == 1; }, study);
+    return;
+  }
+  if (clips.size() < 2) throw Failure(Exit::usage, "--holdout", "", "fewer than two clips", "give --holdout frames");
+  const std::size_t rounds = std::min(clips.size(), kMostRounds);
+  for (std::size_t r = 0; r < rounds; ++r)
+    add_round(
+        poses, clips, built, [&](std::size_t, std::size_t clip) { return clip % rounds == r; }, study);
+}
+
+// Where no clip moves it: poses that are made up behind those that are learnt from.
+void hold_made_up(const BuiltScene& built, Study& study) {
+  const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
+  Round& round = study.rounds.emplace_back();
+  round.train = trainees(study.source, built, {}).poses;
+  const std::vector<SampledPose> poses = resampled_poses(skeleton, {}, 2 * kMadeUp);
+  for (std::size_t i = kMadeUp; i < poses.size(); ++i)
+    round.held.push_back({deform_pose(study.source, skeleton, poses[i].local), "", 0});
 }
 
 }  // namespace
 
-Study study_file(const std::string& path, Holdout holdout) {
+Study study_file(const std::string& path, Holdout holdout, const LearnOptions& learn) {
   Study study;
   study.scene = read_gltf(path);
   RawScene scene = study.scene;
@@ -135,19 +122,35 @@ Study study_file(const std::string& path, Holdout holdout) {
   study.name = mesh.name;
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   study.rest = deform_pose(study.source, skeleton, skeleton.rest);
-  Sampled sampled{clip_poses(built, study.source.skeleton, kRate_hz, kMostPoses), {}};
-  for (const SampledPose& pose : sampled.poses)
-    if (sampled.clips.empty() || sampled.clips.back() != pose.clip) sampled.clips.push_back(pose.clip);
-  if (holdout == Holdout::clips && sampled.clips.size() < 2)
-    throw Failure(Exit::usage, "--holdout", "", "fewer than two clips", "give --holdout frames");
-  if (sampled.clips.empty()) {
-    hold_made_up(skeleton, study);
-  } else if (holdout == Holdout::frames) {
-    hold_frames(sampled, built, skeleton, study);
+  if (learn.truth == Truth::examples) {
+    study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source});
+    hold_out(study.source.shown, holdout, built, study);
+    return study;
+  }
+  const std::vector<SampledPose> poses = clip_poses(built, study.source.skeleton, kRate_hz, kMostPoses);
+  if (poses.empty() && holdout == Holdout::frames) {
+    hold_made_up(built, study);
   } else {
-    hold_clips(sampled, built, skeleton, study);
+    hold_out(poses, holdout, built, study);
   }
   return study;
+}
+
+void drop_unusable_poses(const deform::Deformer& truth, Study& study) {
+  const auto unusable = [&](const auto& p) {
+    deform::Positions positions;
+    truth(p.pose, positions);
+    return !std::ranges::all_of(
+        positions, [](const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); });
+  };
+  for (Round& round : study.rounds) {
+    std::erase_if(round.train, unusable);
+    std::erase_if(round.held, unusable);
+  }
+  std::erase_if(study.rounds, [](const Round& round) { return round.held.empty(); });
+  if (study.rounds.empty())
+    throw Failure(Exit::invalid, study.scene.source, "/animations", "no-truth",
+                  "the truth is finite in no pose that is held out");
 }
 
 namespace {
@@ -178,12 +181,16 @@ RawScene cylinder_scene(const deform::SkinnedMesh& mesh) {
   return scene;
 }
 
+glm::dquat bent(double bend, double twist) {
+  return glm::angleAxis(bend, glm::dvec3(0, 0, 1)) * glm::angleAxis(twist, glm::dvec3(1, 0, 0));
+}
+
 void add_clip(const std::vector<std::pair<double, double>>& angles, RawScene& scene) {
   RawChannel channel;
   channel.node = 1;
   channel.path = RawPath::rotation;
   for (const auto& [bend, twist] : angles) {
-    const glm::dquat q = glm::angleAxis(bend, glm::dvec3(0, 0, 1)) * glm::angleAxis(twist, glm::dvec3(1, 0, 0));
+    const glm::dquat q = bent(bend, twist);
     channel.times_s.push_back(static_cast<float>(channel.times_s.size()) / 30);
     channel.values.emplace_back(static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
                                 static_cast<float>(q.w));
@@ -194,7 +201,8 @@ void add_clip(const std::vector<std::pair<double, double>>& angles, RawScene& sc
 }  // namespace
 
 Study study_cylinder() {
-  constexpr int kSeeds = 5, kTrained = 30, kHeld = 200;
+  constexpr int kSeeds = 5, kHeld = 200;
+  constexpr std::uint32_t kTrained = 30;
   constexpr double kMostBend = 120 * std::numbers::pi / 180, kMostTwist = 150 * std::numbers::pi / 180;
   const deform::SkinnedMesh mesh = deform::cylinder();
   Study study;
@@ -222,6 +230,13 @@ Study study_cylinder() {
       round.train.push_back({deform::cylinder_pose(bend, twist), i % 5, true});
     }
     round.train.push_back({study.rest, 0, false});
+    // As for a character, poses between those are made up.
+    for (std::uint32_t i = 0; i < kMadeUp; ++i) {
+      const auto& from = angles[random() % kTrained];
+      const auto& to = angles[random() % kTrained];
+      const glm::dquat turn = glm::slerp(bent(from.first, from.second), bent(to.first, to.second), up_to(1));
+      round.train.push_back({{study.rest[0], deform::Matrix(glm::mat3_cast(turn))}, i % 5, false});
+    }
     for (int i = 0; i < kHeld; ++i) {
       const double bend = up_to(kMostBend), twist = up_to(kMostTwist);
       round.held.push_back({deform::cylinder_pose(bend, twist), "", 0});

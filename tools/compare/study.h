@@ -34,9 +34,13 @@ struct Study {
 // The mesh with the most vertices of those bound to a skin. frames: alternate frames of every clip are held out, and
 // what is made up is learnt from; clips: each clip once, in at most eight rounds. Throws tools::Failure (invalid) if
 // nothing is skinned, (usage) for clips to be held out where there are fewer than two.
-Study study_file(const std::string& path, Holdout holdout);
+// With the truth from examples their poses are the study's.
+Study study_file(const std::string& path, Holdout holdout, const cook::LearnOptions& options);
 
 // The cylinder that is commonly shown, 30 poses to learn from and 200 held out, five times.
 Study study_cylinder();
+
+// Leaves out poses in which the truth is not finite. Throws tools::Failure (invalid) if none is left to be held out.
+void drop_unusable_poses(const deform::Deformer& truth, Study& study);
 
 }  // namespace marrow::tools

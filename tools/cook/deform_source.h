@@ -1,11 +1,23 @@
 // A mesh of the scene as the offline deformers take it, and its poses.
 #pragma once
 
+#include <string>
+
 #include "cook/poses.h"
 #include "cook/skin_binding.h"
 #include "deform/mesh.h"
 
 namespace marrow::cook {
+
+// A pose in which the surface is known.
+struct ShownPose {
+  deform::Pose pose;            // of the skin's joints
+  deform::Positions positions;  // of DeformSource::mesh
+  std::uint32_t clip = 0;
+  std::string clip_name;
+  double time_s = 0;
+  double share = 0;  // of the clip's duration
+};
 
 struct DeformSource {
   deform::SkinnedMesh mesh;                           // joints are the skin's; vertices that move alike are one
@@ -17,6 +29,7 @@ struct DeformSource {
   std::vector<std::uint16_t> joints;
   std::vector<glm::dmat4> inverse_bind;
   std::uint32_t skeleton = 0;
+  std::vector<ShownPose> shown;  // in ascending order of clips; read_examples() has them
 };
 
 DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding,

@@ -12,56 +12,42 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kRate_hz = 30;
-constexpr std::size_t kMostPoses = 320;
-constexpr std::size_t kMadeUp = 100;
-constexpr std::uint32_t kMostFolds = 8;
-constexpr std::size_t kInfluences = 4;  // of weights that are smoothed
+constexpr std::size_t kCandidates = 8;  // of smoothed weights
 
-// Poses of one clip are left out together; with one or two clips a quarter of a clip is.
-std::uint32_t fold_of(const SampledPose& pose, const BuiltScene& built, std::size_t clip_count, std::uint32_t ordinal) {
-  if (clip_count > 2) return ordinal % kMostFolds;
-  const double duration = std::max(1e-6, static_cast<double>(built.clips[pose.clip].duration_s));
-  const auto quarter = static_cast<std::uint32_t>(std::min(3.0, 4 * static_cast<double>(pose.time_s) / duration));
-  return ordinal * 4 + quarter;
+// With half-joints one more, as they come beside joints.
+std::size_t most_joints(const LearnOptions& options) {
+  return static_cast<std::size_t>(options.influences > 0 ? options.influences : options.half_joints > 0 ? 5 : 4);
 }
 
-// How many influences each vertex of `follows` may have: those of the mesh that it lacks must still fit, for SSD.
-std::vector<std::size_t> room_for(const deform::SkinnedMesh& follows, const deform::SkinnedMesh& mesh) {
-  std::vector<std::size_t> out;
-  for (std::size_t v = 0; v < mesh.influences.size(); ++v) {
-    const auto lacks = std::ranges::count_if(mesh.influences[v], [&](const deform::Influence& i) {
-      return std::ranges::find(follows.influences[v], i.joint, &deform::Influence::joint) ==
-             follows.influences[v].end();
-    });
-    out.push_back(kMaxInfluences - static_cast<std::size_t>(lacks));
+// What a vertex may follow, and the best guess without examples: to delta mush the joints that smoothing reaches, of
+// which much is known in closed form; else its own.
+deform::Coordinates make_candidates(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
+  if (options.truth != Truth::delta_mush) return deform::lift(mesh);
+  const deform::DeltaMushOptions& mush = options.delta_mush;
+  deform::Coordinates out =
+      deform::smoothed_ssd(mesh, deform::Surface(mesh, mush.weights), mush.iterations, mush.step, kCandidates);
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    for (const deform::Influence& i : mesh.influences[v])
+      if (std::ranges::find(out[v], i.joint, &deform::Coordinate::joint) == out[v].end())
+        out[v].push_back({i.joint, glm::dvec4(0)});
+    std::ranges::sort(out[v], {}, &deform::Coordinate::joint);
   }
   return out;
 }
 
-// Weights smoothed as delta mush smooths positions: those joints are what it follows. Beside `mesh`'s own at most
-// kMaxInfluences in all.
-deform::SkinnedMesh smoothed(const deform::SkinnedMesh& mesh, const deform::Surface& surface,
-                             const deform::DeltaMushOptions& mush) {
-  deform::SkinnedMesh out = deform::with_smoothed_weights(mesh, surface, mush.iterations, mush.step, kInfluences);
-  const std::vector<std::size_t> room = room_for(out, mesh);
-  for (std::size_t v = 0; v < room.size(); ++v)
-    if (out.influences[v].size() > room[v]) out.influences[v] = mesh.influences[v];
-  return out;
-}
-
-// Where the joints are the same, half-joints aside, what is known in closed form is a better start than the lift.
-void start_from_smoothed(const deform::Coordinates& smoothed, deform::Coordinates& prior) {
-  for (std::size_t v = 0; v < prior.size(); ++v) {
-    std::vector<deform::Coordinate> start = prior[v];
-    std::size_t found = 0;
-    for (deform::Coordinate& c : start) {
-      const auto known = std::ranges::find(smoothed[v], c.joint, &deform::Coordinate::joint);
-      found += known != smoothed[v].end();
-      c.q = known != smoothed[v].end() ? known->q : glm::dvec4(0);
-    }
-    if (found == smoothed[v].size()) prior[v] = std::move(start);
+// SSD smoothed, or SSD where its joints and those leave no room for each other.
+deform::Coordinates smoothed(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
+  const deform::DeltaMushOptions& mush = options.delta_mush;
+  deform::Coordinates out =
+      deform::smoothed_ssd(mesh, deform::Surface(mesh, mush.weights), mush.iterations, mush.step, most_joints(options));
+  const deform::Coordinates lifted = deform::lift(mesh);
+  for (std::size_t v = 0; v < lifted.size(); ++v) {
+    std::set<std::uint32_t> joints;
+    for (const deform::Coordinate& c : lifted[v]) joints.insert(c.joint);
+    for (const deform::Coordinate& c : out[v]) joints.insert(c.joint);
+    if (joints.size() > kMaxInfluences) out[v] = lifted[v];
   }
+  return out;
 }
 
 Learnt as_it_is(const deform::SkinnedMesh& mesh) {
@@ -69,80 +55,46 @@ Learnt as_it_is(const deform::SkinnedMesh& mesh) {
 }
 
 const char* name_of(Truth truth) {
-  return truth == Truth::dual_quaternions ? "dqs" : truth == Truth::centres_of_rotation ? "cor" : "delta-mush";
+  const char* const names[] = {"dqs", "cor", "delta-mush", "examples"};
+  return names[static_cast<std::size_t>(truth)];
 }
 
 }  // namespace
 
-deform::Deformer make_truth(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
+deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options) {
   switch (options.truth) {
     case Truth::dual_quaternions:
-      return deform::dual_quaternions(mesh);
+      return deform::dual_quaternions(source.mesh);
     case Truth::centres_of_rotation:
-      return deform::centres_of_rotation(mesh);
+      return deform::centres_of_rotation(source.mesh);
     case Truth::delta_mush:
+      return deform::delta_mush(source.mesh, options.delta_mush);
+    case Truth::examples:
       break;
   }
-  return deform::delta_mush(mesh, options.delta_mush);
-}
-
-Trainees trainees(const DeformSource& source, const BuiltScene& built) {
-  const BuiltSkeleton& skeleton = built.skeletons[source.skeleton];
-  const std::vector<SampledPose> sampled = clip_poses(built, source.skeleton, kRate_hz, kMostPoses);
-  std::vector<std::uint32_t> clips;
-  for (const SampledPose& pose : sampled)
-    if (clips.empty() || clips.back() != pose.clip) clips.push_back(pose.clip);
-  Trainees out;
-  std::uint32_t folds = 1;
-  for (const SampledPose& pose : sampled) {
-    const auto ordinal = static_cast<std::uint32_t>(std::ranges::find(clips, pose.clip) - clips.begin());
-    const std::uint32_t fold = fold_of(pose, built, clips.size(), ordinal);
-    folds = std::max(folds, fold + 1);
-    out.poses.push_back({deform_pose(source, skeleton, pose.local), fold, true});
-  }
-  if (sampled.empty()) folds = 5;
-  std::uint32_t number = 0;
-  for (const SampledPose& pose : resampled_poses(skeleton, sampled, kMadeUp))
-    out.poses.push_back({deform_pose(source, skeleton, pose.local), number++ % folds, sampled.empty()});
-  out.made_up = number;
-  out.poses.push_back({deform::Pose(source.joints.size(), deform::Matrix(1.0)), 0, false});
-  return out;
+  return as_shown(source.mesh, source.shown);
 }
 
 Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
   const deform::SkinnedMesh& mesh = source.mesh;
   const double size_m = deform::diagonal(mesh);
   if (options.animation_space == AnimationSpace::lift || mesh.positions.empty() || !(size_m > 0)) return as_it_is(mesh);
-  const deform::DeltaMushOptions& mush = options.delta_mush;
-  const deform::Surface surface(mesh, mush.weights);
   Learnt out;
   if (options.animation_space == AnimationSpace::smooth) {
-    out.coordinates = deform::smoothed_ssd(mesh, surface, mush.iterations, mush.step, kInfluences);
-    const deform::Coordinates lifted = deform::lift(mesh);
-    for (std::size_t v = 0; v < lifted.size(); ++v) {
-      std::set<std::uint32_t> joints;
-      for (const deform::Coordinate& c : lifted[v]) joints.insert(c.joint);
-      for (const deform::Coordinate& c : out.coordinates[v]) joints.insert(c.joint);
-      if (joints.size() > kMaxInfluences) out.coordinates[v] = lifted[v];
-    }
+    out.coordinates = smoothed(mesh, options);
     return out;
   }
-  const deform::Deformer truth = make_truth(mesh, options), ssd = deform::ssd(mesh);
-  deform::SkinnedMesh follows = mesh;
-  if (options.truth == Truth::delta_mush) follows = smoothed(mesh, surface, mush);
+  deform::Coordinates candidates = make_candidates(mesh, options);
   if (options.half_joints > 0) {
-    deform::HalfJointMesh helped =
-        deform::with_half_joints(follows, source.parents, source.centres, options.half_joints, room_for(follows, mesh));
-    follows = std::move(helped.mesh);
-    out.half_joints = std::move(helped.half_joints);
+    out.half_joints = deform::add_half_joints(source.parents, source.centres, options.half_joints, candidates);
     for (deform::TrainingPose& p : poses) deform::append_half_joints(out.half_joints, p.pose);
   }
   deform::FitOptions fit;
   fit.keep_bind_pose = options.keep_bind_pose;
-  deform::Coordinates prior = deform::lift(follows);
-  if (options.truth == Truth::delta_mush)
-    start_from_smoothed(deform::smoothed_ssd(mesh, surface, mush.iterations, mush.step, kInfluences), prior);
-  deform::Fit fitted = deform::fit_coordinates(prior, size_m, std::move(poses), truth, ssd, fit);
+  fit.kept = &mesh;
+  fit.most_joints = most_joints(options);
+  deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), make_truth(source, options),
+                                               deform::ssd(mesh), fit);
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
   if (!(fitted.quality.share < 1)) {
@@ -180,10 +132,15 @@ LearnReport learn_binding(RawScene& scene, const RawMesh& mesh, const RawSkin& s
                           const LearnOptions& options, SkinBinding& binding) {
   LearnReport report;
   if (options.animation_space == AnimationSpace::lift) return report;
-  const DeformSource source = deform_source(mesh, skin, binding, built);
+  DeformSource source = deform_source(mesh, skin, binding, built);
   const bool fits = options.animation_space == AnimationSpace::fit;
   Trainees trained;
-  if (fits) trained = trainees(source, built);
+  if (fits && options.truth == Truth::examples) {
+    source.shown = read_examples(options.examples_file, {scene, mesh, skin, built, source});
+    trained = trainees(source, source.shown);
+  } else if (fits) {
+    trained = trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
+  }
   report.poses = trained.poses.size();
   report.made_up = trained.made_up;
   const Learnt learnt = learn(source, std::move(trained.poses), options);

@@ -3,31 +3,26 @@
 
 #include <string>
 
-#include "cook/deform_source.h"
+#include "cook/examples.h"
 #include "deform/deformers.h"
-#include "deform/fit.h"
 
 namespace marrow::cook {
 
 enum class AnimationSpace { lift, smooth, fit };
-enum class Truth { dual_quaternions, centres_of_rotation, delta_mush };
+enum class Truth { dual_quaternions, centres_of_rotation, delta_mush, examples };
 
 struct LearnOptions {
   AnimationSpace animation_space = AnimationSpace::lift;
   Truth truth = Truth::centres_of_rotation;
   deform::DeltaMushOptions delta_mush;
+  std::string examples_file;
   int half_joints = 0;  // between a joint and its parent, 0 … 2
+  int influences = 0;   // that a vertex may have, the weights' own aside; 0: 4, with half-joints 5
   bool keep_bind_pose = false;
 };
 
-deform::Deformer make_truth(const deform::SkinnedMesh& mesh, const LearnOptions& options);
-
-// What a fit is trained on: rest, moments of every clip, and poses that the clips could have had.
-struct Trainees {
-  std::vector<deform::TrainingPose> poses;
-  std::size_t made_up = 0;
-};
-Trainees trainees(const DeformSource& source, const BuiltScene& built);
+// Refers to `source`.
+deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
 
 // Coordinates, and how good they are by cross-validation.
 struct Learnt {

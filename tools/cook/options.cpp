@@ -70,6 +70,12 @@ double number_between(const Value& given, double least, double most) {
   return value;
 }
 
+int whole_number(const Value& given, int least, int most) {
+  const double value = number_between(given, least, most);
+  if (value != std::floor(value)) refuse(given, "\"" + given.text + "\" is no whole number", "give one, as in 4");
+  return static_cast<int>(value);
+}
+
 void set_mesh_codec(CookOptions& options, const Value& given) {
   options.mesh_codec = given.text == "draco"     ? MeshCodec::draco
                        : given.text == "meshopt" ? MeshCodec::meshopt
@@ -87,9 +93,10 @@ void set_animation_space(CookOptions& options, const Value& given) {
 }
 
 void set_truth(CookOptions& options, const Value& given) {
-  options.learn.truth = given.text == "dqs"   ? Truth::dual_quaternions
-                        : given.text == "cor" ? Truth::centres_of_rotation
-                                              : Truth::delta_mush;
+  options.learn.truth = given.text == "dqs"        ? Truth::dual_quaternions
+                        : given.text == "cor"      ? Truth::centres_of_rotation
+                        : given.text == "examples" ? Truth::examples
+                                                   : Truth::delta_mush;
 }
 
 // "N", "N,STEP" or "N,STEP,cotangent".
@@ -133,9 +140,7 @@ void set_auto_weights(CookOptions& options, const Value& given) {
 }
 
 void set_smooth_weights(CookOptions& options, const Value& given) {
-  const double steps = number_between(given, 0, deform::kMostSmoothSteps);
-  if (steps != std::floor(steps)) refuse(given, "\"" + given.text + "\" is no whole number", "give one, as in 10");
-  options.weights.smooth_steps = static_cast<int>(steps);
+  options.weights.smooth_steps = whole_number(given, 0, deform::kMostSmoothSteps);
   options.weights.smooth_origin = given.origin;
 }
 
@@ -212,9 +217,18 @@ const std::vector<Option>& option_table() {
       {"truth",
        OptionKind::text,
        "TEXT",
-       "what --as fit learns from: cor: optimised centres of rotation; dqs: dual quaternions; delta-mush",
-       {"cor", "dqs", "delta-mush"},
+       "what --as fit learns from: cor: optimised centres of rotation; dqs: dual quaternions; delta-mush; examples: "
+       "what "
+       "an artist has shown, --examples",
+       {"cor", "dqs", "delta-mush", "examples"},
        set_truth},
+      {"examples",
+       OptionKind::text,
+       "FILE",
+       "glTF of --truth examples: the character with corrective morph targets that clips drive, or posed meshes "
+       "(docs/deformers.md)",
+       {},
+       [](CookOptions& o, const Value& v) { o.learn.examples_file = v.text; }},
       {"delta-mush",
        OptionKind::text,
        "N[,STEP[,cotangent]]",
@@ -228,6 +242,13 @@ const std::vector<Option>& option_table() {
        "helpers that --as fit may put between a joint and its parent",
        {"0", "1", "2"},
        [](CookOptions& o, const Value& v) { o.learn.half_joints = v.text[0] - '0'; }},
+      {"influences",
+       OptionKind::text,
+       "N",
+       "joints that a vertex may follow in animation space, 1 to 8, the most important ones; those that it has weights "
+       "of it follows anyway; the default is 4, with half-joints 5",
+       {},
+       [](CookOptions& o, const Value& v) { o.learn.influences = whole_number(v, 1, kMaxInfluences); }},
       {"keep-bind-pose",
        OptionKind::flag,
        "",
@@ -308,10 +329,17 @@ CookOptions to_options(const Given& given) {
       option.set(options, value);
     }
   }
+  if (options.learn.animation_space == AnimationSpace::lift)
+    if (const auto found = given.find("influences"); found != given.end())
+      refuse(found->second.front(), "--influences with the lift", "give --as fit or --as smooth too");
   if (options.learn.animation_space != AnimationSpace::fit)
-    for (const char* const name : {"truth", "half-joints", "keep-bind-pose"})
+    for (const char* const name : {"truth", "examples", "half-joints", "keep-bind-pose"})
       if (const auto found = given.find(name); found != given.end() && found->second.front().text != "false")
         refuse(found->second.front(), std::string("--") + name + " without a fit", "give --as fit too");
+  if (options.learn.truth == Truth::examples && options.learn.examples_file.empty())
+    refuse(given.at("truth").front(), "no examples", "give --examples FILE too");
+  if (options.learn.truth != Truth::examples && !options.learn.examples_file.empty())
+    refuse(given.at("examples").front(), "another truth", "give --truth examples too");
   if (!options.skeleton_file.empty() && !options.clips_only)
     refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");
   return options;

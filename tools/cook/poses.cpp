@@ -17,13 +17,24 @@ void check(Status status) {
     throw tools::Failure(tools::Exit::internal, "", "", to_string(status), "please report this");
 }
 
-// One joint of four.
-void copy_joint(const SoaTransform& from, SoaTransform& to, std::size_t lane) {
+glm::dquat rotation_of(const SoaTransform& t, std::size_t lane) {
+  return {static_cast<double>(t.rotation[3][lane]), static_cast<double>(t.rotation[0][lane]),
+          static_cast<double>(t.rotation[1][lane]), static_cast<double>(t.rotation[2][lane])};
+}
+
+void set_rotation(SoaTransform& t, std::size_t lane, const glm::dquat& q) {
+  const double parts[] = {q.x, q.y, q.z, q.w};
+  for (int c = 0; c < 4; ++c) t.rotation[c][lane] = static_cast<float>(parts[c]);
+}
+
+// One joint of four, `share` of the way from one to the other.
+void mix_joint(const SoaTransform& from, const SoaTransform& to, double share, std::size_t lane, SoaTransform& out) {
+  const auto s = static_cast<float>(share);
   for (int c = 0; c < 3; ++c) {
-    to.translation[c][lane] = from.translation[c][lane];
-    to.scale[c][lane] = from.scale[c][lane];
+    out.translation[c][lane] = from.translation[c][lane] + s * (to.translation[c][lane] - from.translation[c][lane]);
+    out.scale[c][lane] = from.scale[c][lane] + s * (to.scale[c][lane] - from.scale[c][lane]);
   }
-  for (int c = 0; c < 4; ++c) to.rotation[c][lane] = from.rotation[c][lane];
+  set_rotation(out, lane, glm::slerp(rotation_of(from, lane), rotation_of(to, lane), share));
 }
 
 // In [0, 1); the standard's distributions differ between libraries.
@@ -36,11 +47,7 @@ void turn_joint(SoaTransform& t, std::size_t lane, std::mt19937& random) {
   const double z = 2 * fraction(random) - 1, around = 6.283185307179586 * fraction(random), r = std::sqrt(1 - z * z);
   const double half = kMost * fraction(random) / 2, s = std::sin(half);
   const glm::dquat turn(std::cos(half), s * r * std::cos(around), s * r * std::sin(around), s * z);
-  const glm::dquat rest(static_cast<double>(t.rotation[3][lane]), static_cast<double>(t.rotation[0][lane]),
-                        static_cast<double>(t.rotation[1][lane]), static_cast<double>(t.rotation[2][lane]));
-  const glm::dquat q = rest * turn;
-  const double parts[] = {q.x, q.y, q.z, q.w};
-  for (int c = 0; c < 4; ++c) t.rotation[c][lane] = static_cast<float>(parts[c]);
+  set_rotation(t, lane, rotation_of(t, lane) * turn);
 }
 
 }  // namespace
@@ -83,7 +90,9 @@ std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const st
       if (poses.empty()) {
         turn_joint(pose.local[j / 4], j % 4, random);
       } else {
-        copy_joint(poses[random() % poses.size()].local[j / 4], pose.local[j / 4], j % 4);
+        const SampledPose& from = poses[random() % poses.size()];
+        const SampledPose& to = poses[random() % poses.size()];
+        mix_joint(from.local[j / 4], to.local[j / 4], fraction(random), j % 4, pose.local[j / 4]);
       }
     }
   }

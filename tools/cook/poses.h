@@ -18,8 +18,9 @@ struct SampledPose {
 // clip.
 std::vector<SampledPose> clip_poses(const BuiltScene& scene, std::uint32_t skeleton, double rate_hz, std::size_t most);
 
-// `count` poses in each of which every joint is as in some moment of `poses`, each joint another: they go together as
-// they may. Without poses, joints are turned from rest by up to 45° about any axis. The same on every run.
+// `count` poses in each of which every joint is somewhere between two moments of `poses`, each joint between others:
+// they go together as they may. Without poses, joints are turned from rest by up to 45° about any axis. The same on
+// every run.
 std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const std::vector<SampledPose>& poses,
                                          std::size_t count);
 

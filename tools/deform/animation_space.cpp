@@ -57,15 +57,6 @@ std::vector<Influence> largest(const Columns<double>& weights, std::size_t v, st
 
 }  // namespace
 
-SkinnedMesh with_smoothed_weights(const SkinnedMesh& mesh, const Surface& surface, int iterations, double step,
-                                  std::size_t most) {
-  Columns<double> weights = weight_columns(mesh);
-  smooth_columns(surface, iterations, step, weights);
-  SkinnedMesh out = mesh;
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) out.influences[v] = largest(weights, v, most);
-  return out;
-}
-
 Coordinates smoothed_ssd(const SkinnedMesh& mesh, const Surface& surface, int iterations, double step,
                          std::size_t most) {
   const Columns<double> own = weight_columns(mesh);

@@ -30,8 +30,4 @@ Coordinates lift(const SkinnedMesh& mesh);
 Coordinates smoothed_ssd(const SkinnedMesh& mesh, const Surface& surface, int iterations, double step,
                          std::size_t most);
 
-// The mesh with its weights smoothed alike, `most` a vertex kept.
-SkinnedMesh with_smoothed_weights(const SkinnedMesh& mesh, const Surface& surface, int iterations, double step,
-                                  std::size_t most);
-
 }  // namespace marrow::deform

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <glm/geometric.hpp>
 
 #include "common/parallel.h"
+#include "deform/choose_joints.h"
+#include "deform/training.h"
 
 namespace marrow::deform {
 namespace {
@@ -19,123 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kKeepPrior = std::numeric_limits<double>::infinity();
-
-// How much poses count; ε is in mean squared errors.
-struct Strength {
-  double power, epsilon;
-};
-constexpr Strength kStrengths[] = {{0, 1}, {0.5, 0.1}, {1, 0.1}, {1, 0.01}};
-constexpr std::size_t kStrengthCount = std::size(kStrengths);
-
-Index index(std::size_t i) {
-  return static_cast<Index>(i);
-}
-
-// What a truth makes of a pose, seen from the prior, in diagonals; and how far the reference is off.
-struct Example {
-  const TrainingPose* at = nullptr;
-  std::vector<glm::vec3> missing;
-  double reference_error = 0;  // squares, summed
-};
-
-// Rows of one fold's poses, three a pose.
-struct Fold {
-  std::size_t first, count;
-};
-
-struct Training {
-  std::vector<Example> examples;  // by ascending fold
-  std::vector<Fold> folds;        // none is empty
-  std::vector<VectorXd> weights;  // a strength: a row; they sum to one third
-  double diagonal_m = 1;
-};
-
-std::vector<Example> make_examples(const Coordinates& prior, double diagonal_m, const std::vector<TrainingPose>& poses,
-                                   const Deformer& truth, const Deformer& reference) {
-  const Deformer from_prior = animation_space(prior);
-  std::vector<Example> out(poses.size());
-  tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
-    Example& e = out[i];
-    Positions now, start;
-    truth(poses[i].pose, now);
-    e.at = &poses[i];
-    reference(poses[i].pose, start);
-    for (std::size_t v = 0; v < now.size(); ++v) {
-      const glm::dvec3 off = (now[v] - start[v]) / diagonal_m;
-      e.reference_error += glm::dot(off, off);
-    }
-    from_prior(poses[i].pose, start);
-    for (std::size_t v = 0; v < now.size(); ++v) e.missing.emplace_back((now[v] - start[v]) / diagonal_m);
-  });
-  return out;
-}
-
-VectorXd pose_weights(const std::vector<Example>& examples, const Strength& strength) {
-  double mean = 0;
-  for (const Example& e : examples) mean += e.reference_error / static_cast<double>(examples.size());
-  VectorXd rows(3 * index(examples.size()));
-  for (std::size_t i = 0; i < examples.size(); ++i) {
-    const double error = mean > 0 ? examples[i].reference_error / mean : 0.0;
-    rows.segment<3>(3 * index(i)).setConstant(std::pow(1 / (error + strength.epsilon), strength.power));
-  }
-  return rows * (1.0 / rows.sum());
-}
-
-bool is_finite(const Example& e) {
-  return std::isfinite(e.reference_error) && std::ranges::all_of(e.missing, [](const glm::vec3& m) {
-           return std::isfinite(m.x) && std::isfinite(m.y) && std::isfinite(m.z);
-         });
-}
-
-// Sorts `poses`.
-Training prepare(const Coordinates& prior, double diagonal_m, std::vector<TrainingPose>& poses, const Deformer& truth,
-                 const Deformer& reference) {
-  std::stable_sort(poses.begin(), poses.end(),
-                   [](const TrainingPose& a, const TrainingPose& b) { return a.fold < b.fold; });
-  Training out;
-  out.diagonal_m = diagonal_m;
-  out.examples = make_examples(prior, diagonal_m, poses, truth, reference);
-  std::erase_if(out.examples, [](const Example& e) { return !is_finite(e); });
-  for (std::size_t i = 0; i < out.examples.size(); ++i) {
-    if (i == 0 || out.examples[i].at->fold != out.examples[i - 1].at->fold) out.folds.push_back({i, 0});
-    ++out.folds.back().count;
-  }
-  for (const Strength& s : kStrengths) out.weights.push_back(pose_weights(out.examples, s));
-  return out;
-}
-
-// Vertices that may follow the same joints. Unknowns: for each joint x, y, z in diagonals and w, all relative to
-// `origin`.
-struct Group {
-  std::vector<std::uint32_t> joints;
-  std::vector<std::uint32_t> vertices;
-  glm::dvec3 origin{0};
-  // As cross-validation found, a strength.
-  double ridge[kStrengthCount];
-  VectorXd held_out[kStrengthCount];  // squared errors, a pose
-};
-
-std::vector<Group> group_by_joints(const Coordinates& prior) {
-  std::map<std::vector<std::uint32_t>, Group> groups;
-  for (std::uint32_t v = 0; v < prior.size(); ++v) {
-    std::vector<std::uint32_t> joints;
-    glm::dvec3 place(0);
-    for (const Coordinate& c : prior[v]) {
-      joints.push_back(c.joint);
-      place += glm::dvec3(c.q);
-    }
-    Group& group = groups[joints];
-    group.vertices.push_back(v);
-    group.origin += place;
-  }
-  std::vector<Group> out;
-  for (auto& [joints, group] : groups) {
-    group.joints = joints;
-    group.origin /= static_cast<double>(group.vertices.size());
-    out.push_back(std::move(group));
-  }
-  return out;
-}
 
 // Columns perpendicular to (1, …, 1) and each other, unit: Helmert's.
 MatrixXd differences(Index n) {
@@ -162,42 +44,29 @@ MatrixXd constraint_basis(Index joints, bool keep_bind_pose) {
   return out;
 }
 
-// A group's equations: `a` times the unknowns is what is `missing`, a column a vertex; within the constraints.
-struct Equations {
+// Equations of what is missing from the prior, within the constraints.
+struct Corrections {
   MatrixXd basis, a, missing;
 
-  Equations(const Group& group, const Training& training, bool keep_bind_pose)
-      : basis(constraint_basis(index(group.joints.size()), keep_bind_pose)),
-        a(3 * index(training.examples.size()), 4 * index(group.joints.size())),
-        missing(a.rows(), index(group.vertices.size())) {
-    for (std::size_t e = 0; e < training.examples.size(); ++e) {
-      write_pose(group, training.examples[e].at->pose, training.diagonal_m, 3 * index(e));
-      for (std::size_t i = 0; i < group.vertices.size(); ++i) {
-        const glm::vec3& m = training.examples[e].missing[group.vertices[i]];
-        missing.col(index(i)).segment<3>(3 * index(e)) << double{m.x}, double{m.y}, double{m.z};
-      }
-    }
-    a = a * basis;
+  Corrections(const Group& group, const Training& training, const Coordinates& prior, bool keep_bind_pose)
+      : basis(constraint_basis(index(group.joints.size()), keep_bind_pose)) {
+    const Equations eq(group, training);
+    missing = eq.truth - eq.a * unknowns(group, prior, training.diagonal_m);
+    a = eq.a * basis;
   }
+};
 
-  // A motion that all joints share has no effect, as the w sum to 0; it is taken out for precision.
-  void write_pose(const Group& group, const Pose& pose, double diagonal_m, Index row) {
-    glm::dvec3 mean(0);
-    for (const std::uint32_t j : group.joints) mean += transform(pose[j], group.origin);
-    mean /= static_cast<double>(group.joints.size());
-    for (std::size_t j = 0; j < group.joints.size(); ++j) {
-      const Matrix& m = pose[group.joints[j]];
-      const glm::dvec3 at = (transform(m, group.origin) - mean) / diagonal_m;
-      for (int r = 0; r < 3; ++r) a.row(row + r).segment<4>(4 * index(j)) << m[0][r], m[1][r], m[2][r], at[r];
-    }
-  }
+// As cross-validation found, a strength.
+struct Validated {
+  double ridge[kStrengthCount];
+  VectorXd held_out[kStrengthCount];  // squared errors, a pose
 };
 
 struct Sums {
   MatrixXd normal, right;
 };
 
-Sums add_up(const Equations& eq, const VectorXd& weights, const Fold& fold) {
+Sums add_up(const Corrections& eq, const VectorXd& weights, const Fold& fold) {
   const Index first = 3 * index(fold.first), rows = 3 * index(fold.count);
   const auto a = eq.a.middleRows(first, rows);
   const MatrixXd weighted = weights.segment(first, rows).asDiagonal() * a;
@@ -211,7 +80,7 @@ MatrixXd solve(const Sums& sums, double ridge) {
 }
 
 // Squared errors of a fold's rows, written a pose; returns their weighted sum.
-double squared_errors(const Equations& eq, const VectorXd& weights, const Fold& fold, const MatrixXd& x,
+double squared_errors(const Corrections& eq, const VectorXd& weights, const Fold& fold, const MatrixXd& x,
                       VectorXd& out) {
   const Index first = 3 * index(fold.first), rows = 3 * index(fold.count);
   const VectorXd by_row =
@@ -220,7 +89,7 @@ double squared_errors(const Equations& eq, const VectorXd& weights, const Fold& 
   return by_row.dot(weights.segment(first, rows));
 }
 
-void cross_validate(Group& group, const Equations& eq, const Training& training, const FitOptions& options) {
+void cross_validate(const Corrections& eq, const Training& training, const FitOptions& options, Validated& group) {
   const bool can = training.folds.size() > 1;
   for (std::size_t s = 0; s < kStrengthCount; ++s) {
     const VectorXd& weights = training.weights[s];
@@ -258,9 +127,9 @@ struct HeldOut {
   std::size_t poses = 0;
 };
 
-HeldOut held_out(const std::vector<Group>& groups, const Training& training, std::size_t strength) {
+HeldOut held_out(const std::vector<Validated>& groups, const Training& training, std::size_t strength) {
   VectorXd errors = VectorXd::Zero(index(training.examples.size()));
-  for (const Group& group : groups) errors += group.held_out[strength];
+  for (const Validated& group : groups) errors += group.held_out[strength];
   double ours = 0, reference = 0;
   std::size_t worse = 0, shipped = 0;
   for (std::size_t e = 0; e < training.examples.size(); ++e) {
@@ -275,7 +144,7 @@ HeldOut held_out(const std::vector<Group>& groups, const Training& training, std
 }
 
 // What counts is the error, and dearly the share of poses beyond `most_worse` that become worse.
-std::size_t best_strength(const std::vector<Group>& groups, const Training& training, const FitOptions& options,
+std::size_t best_strength(const std::vector<Validated>& groups, const Training& training, const FitOptions& options,
                           HeldOut& best) {
   std::size_t chosen = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -290,42 +159,42 @@ std::size_t best_strength(const std::vector<Group>& groups, const Training& trai
   return chosen;
 }
 
-void write_solution(const Group& group, const Equations& eq, const Training& training, std::size_t strength,
-                    Coordinates& out) {
-  if (group.ridge[strength] == kKeepPrior) return;
+void write_solution(const Group& group, const Corrections& eq, const Training& training, std::size_t strength,
+                    double ridge, Coordinates& out) {
   const Fold all{0, training.examples.size()};
-  const MatrixXd x = eq.basis * solve(add_up(eq, training.weights[strength], all), group.ridge[strength]);
+  const MatrixXd x = eq.basis * solve(add_up(eq, training.weights[strength], all), ridge);
   for (std::size_t i = 0; i < group.vertices.size(); ++i) {
     std::vector<Coordinate>& vertex = out[group.vertices[i]];
-    for (std::size_t j = 0; j < vertex.size(); ++j) {
-      const auto part = x.col(index(i)).segment<4>(4 * index(j));
-      const double delta = part[3];
-      vertex[j].q +=
-          glm::dvec4(glm::dvec3(part[0], part[1], part[2]) * training.diagonal_m + group.origin * delta, delta);
-    }
+    for (std::size_t j = 0; j < vertex.size(); ++j)
+      vertex[j].q += coordinate(group, x.col(index(i)).segment<4>(4 * index(j)), training.diagonal_m);
   }
 }
 
 }  // namespace
 
-Fit fit_coordinates(const Coordinates& prior, double diagonal_m, std::vector<TrainingPose> poses, const Deformer& truth,
-                    const Deformer& reference, const FitOptions& options) {
-  const Training training = prepare(prior, diagonal_m, poses, truth, reference);
-  if (training.examples.empty()) return {prior, {}, 0};
-  std::vector<Group> groups = group_by_joints(prior);
+Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vector<TrainingPose> poses,
+                    const Deformer& truth, const Deformer& reference, const FitOptions& options) {
+  const Training training = prepare_training(diagonal_m, poses, truth, reference);
+  if (training.examples.empty()) return {candidates, {}, 0};
+  const Coordinates prior =
+      options.kept == nullptr ? candidates : choose_joints(candidates, *options.kept, options.most_joints, training);
+  const std::vector<Group> groups = group_by_joints(prior);
+  std::vector<Validated> validated(groups.size());
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
-    cross_validate(groups[g], Equations(groups[g], training, options.keep_bind_pose), training, options);
+    cross_validate(Corrections(groups[g], training, prior, options.keep_bind_pose), training, options, validated[g]);
   });
   Fit out;
   HeldOut best;
-  const std::size_t strength = best_strength(groups, training, options, best);
+  const std::size_t strength = best_strength(validated, training, options, best);
   out.quality = best.quality;
   if (best.poses > 0)
     out.rms = std::sqrt(best.squares / static_cast<double>(best.poses) / static_cast<double>(prior.size()));
   out.coordinates = prior;
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
-    write_solution(groups[g], Equations(groups[g], training, options.keep_bind_pose), training, strength,
-                   out.coordinates);
+    const double ridge = validated[g].ridge[strength];
+    if (ridge == kKeepPrior) return;
+    write_solution(groups[g], Corrections(groups[g], training, prior, options.keep_bind_pose), training, strength,
+                   ridge, out.coordinates);
   });
   return out;
 }

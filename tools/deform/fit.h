@@ -16,7 +16,11 @@ struct TrainingPose {
 struct FitOptions {
   bool keep_bind_pose = false;
   // Tried by cross-validation, beside keeping the prior; with one fold the first is taken.
-  std::vector<double> ridges = {1e-3, 1e-5, 1e-4, 1e-2, 1e-1};
+  std::vector<double> ridges = {1e-3, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2, 1e-1};
+  // Where not null, a vertex follows only the `most_joints` of its candidates that matter most, those that it has in
+  // `kept` among them and whatever their number.
+  const SkinnedMesh* kept = nullptr;
+  std::size_t most_joints = 4;
   double most_worse = 0.02;  // share of shipped poses that may be worse than the reference, where that can be had
 };
 
@@ -32,8 +36,8 @@ struct Fit {
   double rms = 0;  // of what is left in shipped poses left out, in diagonals
 };
 
-// prior: what the ridge pulls to; its joints are those that a vertex may follow. reference: what the fit must be better
-// than.
+// candidates: the prior, what the ridge pulls to; its joints are those that a vertex may follow. reference: what the
+// fit must be better than.
 //
 // Poses count w = (1 / (e² + ε))ᵖ, e the reference's RMS error there, so that those in which it is nearly right are not
 // sacrificed to a few extreme ones: of several ε and p the one with the least error that keeps `most_worse`. Everything
@@ -43,7 +47,7 @@ struct Fit {
 //
 // One normal matrix and one factorisation a distinct set of joints, fold, ridge and p, however many vertices share it.
 // On all cores; the same result on every run. Memory: 16 bytes · vertices · poses.
-Fit fit_coordinates(const Coordinates& prior, double diagonal_m, std::vector<TrainingPose> poses, const Deformer& truth,
-                    const Deformer& reference, const FitOptions& options);
+Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vector<TrainingPose> poses,
+                    const Deformer& truth, const Deformer& reference, const FitOptions& options);
 
 }  // namespace marrow::deform

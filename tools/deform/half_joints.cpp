@@ -21,47 +21,26 @@ void append_half_joints(const std::vector<HalfJoint>& half_joints, Pose& pose) {
   for (const HalfJoint& h : half_joints) pose.push_back(half_way(pose[h.parent], pose[h.joint], h.centre, h.share));
 }
 
-namespace {
-
-using Weights = std::map<std::uint32_t, double>;
-
-// The largest first.
-std::vector<std::pair<double, std::uint32_t>> joints_by_weight(const Weights& weights) {
-  std::vector<std::pair<double, std::uint32_t>> out;
-  for (const auto& [joint, weight] : weights) out.emplace_back(-weight, joint);
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-}  // namespace
-
-HalfJointMesh with_half_joints(const SkinnedMesh& mesh, const std::vector<int>& parents,
-                               const std::vector<glm::dvec3>& centres, int per_joint,
-                               const std::vector<std::size_t>& most) {
-  HalfJointMesh out{mesh, {}};
+std::vector<HalfJoint> add_half_joints(const std::vector<int>& parents, const std::vector<glm::dvec3>& centres,
+                                       int per_joint, Coordinates& candidates) {
+  std::vector<HalfJoint> out;
   std::map<std::uint32_t, std::uint32_t> first_of_joint;  // its first helper
-  for (std::size_t v = 0; v < out.mesh.influences.size(); ++v) {
-    std::vector<Influence>& influences = out.mesh.influences[v];
-    Weights weights;
-    for (const Influence& i : influences) weights[i.joint] = i.weight;
-    std::size_t count = influences.size();
-    const auto own = weights;
-    for (const auto& [negative, joint] : joints_by_weight(own)) {
-      const int parent = parents[joint];
-      if (parent < 0 || !own.contains(static_cast<std::uint32_t>(parent))) continue;
-      if (count + static_cast<std::size_t>(per_joint) > most[v]) break;
-      count += static_cast<std::size_t>(per_joint);
+  for (std::vector<Coordinate>& vertex : candidates) {
+    std::vector<Coordinate> helpers;
+    for (const Coordinate& c : vertex) {
+      const int parent = parents[c.joint];
+      if (parent < 0) continue;
       const auto p = static_cast<std::uint32_t>(parent);
-      const auto [at, is_new] = first_of_joint.try_emplace(joint, out.mesh.joint_count);
-      if (is_new) {
-        out.mesh.joint_count += static_cast<std::uint32_t>(per_joint);
-        for (int i = 1; i <= per_joint; ++i)
-          out.half_joints.push_back({p, joint, static_cast<double>(i) / (per_joint + 1), centres[joint]});
-      }
-      for (int i = 0; i < per_joint; ++i) weights[at->second + static_cast<std::uint32_t>(i)] += 0;
+      if (std::ranges::find(vertex, p, &Coordinate::joint) == vertex.end()) continue;
+      const auto [at, is_new] =
+          first_of_joint.try_emplace(c.joint, static_cast<std::uint32_t>(parents.size() + out.size()));
+      for (int i = 1; is_new && i <= per_joint; ++i)
+        out.push_back({p, c.joint, static_cast<double>(i) / (per_joint + 1), centres[c.joint]});
+      for (int i = 0; i < per_joint; ++i)
+        helpers.push_back({at->second + static_cast<std::uint32_t>(i), glm::dvec4(0)});
     }
-    influences.clear();
-    for (const auto& [joint, weight] : weights) influences.push_back({joint, weight});
+    vertex.insert(vertex.end(), helpers.begin(), helpers.end());
+    std::ranges::sort(vertex, {}, &Coordinate::joint);
   }
   return out;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "deform/mesh.h"
+#include "deform/animation_space.h"
 
 namespace marrow::deform {
 
@@ -19,15 +19,10 @@ Matrix half_way(const Matrix& parent, const Matrix& joint, const glm::dvec3& cen
 // Adds a matrix for each, in order.
 void append_half_joints(const std::vector<HalfJoint>& half_joints, Pose& pose);
 
-// Adds influences, of weight 0, to vertices that follow a joint and its parent: of helpers between the two, `per_joint`
-// at even shares. Helpers are numbered from mesh.joint_count on. Where not all fit, those of the heaviest joints do.
-// parents, centres: of each joint. most: for each vertex how many influences it may have.
-struct HalfJointMesh {
-  SkinnedMesh mesh;
-  std::vector<HalfJoint> half_joints;
-};
-HalfJointMesh with_half_joints(const SkinnedMesh& mesh, const std::vector<int>& parents,
-                               const std::vector<glm::dvec3>& centres, int per_joint,
-                               const std::vector<std::size_t>& most);
+// Lets vertices that may follow a joint and its parent follow helpers between the two as well, `per_joint` at even
+// shares: adds them to `candidates`, as zeros. Helpers are numbered from the joints' count on.
+// parents, centres: of each joint.
+std::vector<HalfJoint> add_half_joints(const std::vector<int>& parents, const std::vector<glm::dvec3>& centres,
+                                       int per_joint, Coordinates& candidates);
 
 }  // namespace marrow::deform

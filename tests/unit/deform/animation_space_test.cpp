@@ -50,12 +50,12 @@ TEST(AnimationSpace, SmoothedWeightsSumToOneOnFewJoints) {
   mesh.joint_count = 5;
   for (std::size_t v = 0; v < mesh.influences.size(); ++v)
     mesh.influences[v] = {{static_cast<std::uint32_t>(v % 5), 1.0}};
-  const SkinnedMesh smoothed = with_smoothed_weights(mesh, Surface(mesh), 5, 0.5, 3);
-  for (const std::vector<Influence>& influences : smoothed.influences) {
+  const Coordinates smoothed = smoothed_ssd(mesh, Surface(mesh), 5, 0.5, 3);
+  for (const std::vector<Coordinate>& vertex : smoothed) {
     double sum = 0;
-    for (const Influence& i : influences) sum += i.weight;
+    for (const Coordinate& c : vertex) sum += c.q.w;
     EXPECT_NEAR(sum, 1, 1e-12);
-    EXPECT_LE(influences.size(), 3u);
+    EXPECT_LE(vertex.size(), 3u);
   }
 }
 

@@ -83,26 +83,26 @@ TEST(HalfWay, IsWhatTheRuntimeMakes) {
   }
 }
 
-TEST(WithHalfJoints, AddsOneWhereAVertexFollowsJointAndParent) {
-  SkinnedMesh mesh;
-  mesh.joint_count = 3;  // 0 ← 1 ← 2
-  mesh.positions.assign(4, glm::dvec3(0));
-  mesh.influences = {{{0, 1.0}}, {{0, 0.5}, {1, 0.5}}, {{0, 0.5}, {2, 0.5}}, {{0, 0.2}, {1, 0.3}, {2, 0.5}}};
-  const HalfJointMesh out = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, {8, 8, 8, 8});
-  ASSERT_EQ(out.half_joints.size(), 4u);
-  EXPECT_EQ(out.mesh.joint_count, 7u);
-  EXPECT_EQ(out.half_joints[0].joint, 1u);
-  EXPECT_EQ(out.half_joints[0].parent, 0u);
-  EXPECT_NEAR(out.half_joints[0].share, 1.0 / 3, 1e-12);
-  EXPECT_NEAR(out.half_joints[1].share, 2.0 / 3, 1e-12);
-  EXPECT_EQ(out.half_joints[2].joint, 2u);
-  EXPECT_EQ(out.half_joints[2].parent, 1u);
-  EXPECT_EQ(out.half_joints[2].centre, glm::dvec3(2, 0, 0));
-  const std::size_t counts[] = {1, 4, 2, 7};
-  for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(out.mesh.influences[v].size(), counts[v]) << v;
-  // Not more than allowed: the heavier joint's come first.
-  const HalfJointMesh few = with_half_joints(mesh, {-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, {6, 6, 6, 6});
-  EXPECT_EQ(few.mesh.influences[3].size(), 5u);
+TEST(AddHalfJoints, WhereAVertexFollowsJointAndParent) {
+  const glm::dvec4 q(1, 2, 3, 0.5);
+  Coordinates candidates = {{{0, q}}, {{0, q}, {1, q}}, {{0, q}, {2, q}}, {{0, q}, {1, q}, {2, q}}};
+  const std::vector<HalfJoint> out = add_half_joints({-1, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2, candidates);
+  ASSERT_EQ(out.size(), 4u);
+  EXPECT_EQ(out[0].joint, 1u);
+  EXPECT_EQ(out[0].parent, 0u);
+  EXPECT_NEAR(out[0].share, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(out[1].share, 2.0 / 3, 1e-12);
+  EXPECT_EQ(out[2].joint, 2u);
+  EXPECT_EQ(out[2].parent, 1u);
+  EXPECT_EQ(out[2].centre, glm::dvec3(2, 0, 0));
+  const std::vector<std::vector<std::uint32_t>> follow = {{0}, {0, 1, 3, 4}, {0, 2}, {0, 1, 2, 3, 4, 5, 6}};
+  for (std::size_t v = 0; v < 4; ++v) {
+    ASSERT_EQ(candidates[v].size(), follow[v].size()) << v;
+    for (std::size_t i = 0; i < follow[v].size(); ++i) {
+      EXPECT_EQ(candidates[v][i].joint, follow[v][i]);
+      EXPECT_EQ(candidates[v][i].q, follow[v][i] < 3 ? q : glm::dvec4(0));
+    }
+  }
 }
 
 }  // namespace
