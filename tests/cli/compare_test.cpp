@@ -85,12 +85,39 @@ TEST(CookAs, ReportsWhatWasLearnt) {
   EXPECT_EQ(run_marrow({"pose", out, "--deformer", "as", "-o", folder / "p.obj"}).code, 0);
 }
 
+TEST(CookAs, MultiWeightsAndPoseSpaceStandInTheReport) {
+  const TemporaryFolder folder;
+  for (const char* const codec : {"none", "draco", "meshopt"}) {
+    const Ran ran = run_marrow({"cook", tiny_gltf(), "-o", folder / "t.mrw", "--mwe", "--psd", "3", "--truth", "dqs",
+                                "--mesh-codec", codec, "--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const nlohmann::json mesh = nlohmann::json::parse(ran.out).at("meshes").at(0);
+    for (const char* const learnt : {"multi_weights", "pose_space"})
+      for (const char* const field :
+           {"shipped", "truth", "poses", "made_up_poses", "held_out_share", "worse_share", "max_error_m"})
+        EXPECT_TRUE(mesh.at(learnt).contains(field)) << learnt << " " << field;
+    EXPECT_LE(mesh.at("pose_space").at("examples"), 3);
+    EXPECT_EQ(run_marrow({"info", folder / "t.mrw"}).code, 0);
+  }
+  EXPECT_EQ(run_marrow({"cook", tiny_gltf(), "-o", folder / "t.mrw", "--mwe", "--as", "fit"}).code, 0);
+  EXPECT_EQ(
+      run_marrow({"cook", tiny_gltf(), "-o", folder / "t.mrw", "--mwe", "--truth", "delta-mush", "--delta-mush", "3"})
+          .code,
+      0);
+}
+
 TEST(CookAs, RefusesWhatMakesNoSense) {
   const TemporaryFolder folder;
   const std::string out = folder / "t.mrw";
   for (const std::vector<std::string>& extra : {std::vector<std::string>{"--truth", "dqs"},
                                                 {"--half-joints", "1"},
                                                 {"--keep-bind-pose"},
+                                                {"--mwe"},
+                                                {"--psd", "8"},
+                                                {"--psd", "0", "--truth", "dqs"},
+                                                {"--psd", "33", "--truth", "dqs"},
+                                                {"--psd", "2.5", "--truth", "dqs"},
+                                                {"--mwe", "--truth", "dqs", "--half-joints", "1"},
                                                 {"--as", "fit", "--delta-mush", "0"},
                                                 {"--as", "fit", "--delta-mush", "10,2"},
                                                 {"--as", "fit", "--delta-mush", "10,0.5,hard"},

@@ -68,11 +68,11 @@ Learnt as_it_is(const deform::SkinnedMesh& mesh) {
   return {deform::lift(mesh), {}, {}, 0};
 }
 
+}  // namespace
+
 const char* name_of(Truth truth) {
   return truth == Truth::dual_quaternions ? "dqs" : truth == Truth::centres_of_rotation ? "cor" : "delta-mush";
 }
-
-}  // namespace
 
 deform::Deformer make_truth(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
   switch (options.truth) {

@@ -18,8 +18,11 @@ struct LearnOptions {
   deform::DeltaMushOptions delta_mush;
   int half_joints = 0;  // between a joint and its parent, 0 … 2
   bool keep_bind_pose = false;
+  bool multi_weights = false;
+  int pose_examples = 0;  // of pose space, at most; 0: none
 };
 
+const char* name_of(Truth truth);
 deform::Deformer make_truth(const deform::SkinnedMesh& mesh, const LearnOptions& options);
 
 // What a fit is trained on: rest, moments of every clip, and poses that the clips could have had.

@@ -11,6 +11,7 @@
 #include "cook/gltf/text.h"
 #include "deform/auto_weights.h"
 #include "deform/smooth_weights.h"
+#include "marrow/file.h"
 
 namespace marrow::cook {
 namespace {
@@ -132,10 +133,18 @@ void set_auto_weights(CookOptions& options, const Value& given) {
   if (given.text == "nearest") options.weights.make = WeightMethod::nearest;
 }
 
+int whole_number_to(const Value& given, int most) {
+  const double number = number_between(given, 0, most);
+  if (number != std::floor(number)) refuse(given, "\"" + given.text + "\" is no whole number", "give one, as in 10");
+  return static_cast<int>(number);
+}
+
+void set_pose_space(CookOptions& options, const Value& given) {
+  options.learn.pose_examples = whole_number_to(given, static_cast<int>(kMaxPoseExamples));
+}
+
 void set_smooth_weights(CookOptions& options, const Value& given) {
-  const double steps = number_between(given, 0, deform::kMostSmoothSteps);
-  if (steps != std::floor(steps)) refuse(given, "\"" + given.text + "\" is no whole number", "give one, as in 10");
-  options.weights.smooth_steps = static_cast<int>(steps);
+  options.weights.smooth_steps = whole_number_to(given, deform::kMostSmoothSteps);
   options.weights.smooth_origin = given.origin;
 }
 
@@ -145,6 +154,23 @@ void set_paint(CookOptions& options, const Value& given) {
   if (divide == std::string::npos || divide == 0 || divide + 1 == given.text.size())
     refuse(given, "\"" + given.text + "\" names no joint or no mask", "give JOINT=MASK.png, as in head=head.png");
   options.weights.paint.push_back({given.text.substr(0, divide), given.text.substr(divide + 1), given.origin});
+}
+
+// What is given of learning must have something to do.
+void refuse_idle(const LearnOptions& learn, const Given& given) {
+  const auto refuse_unless = [&](bool makes_sense, const char* name, const char* without, const char* advice) {
+    const auto found = given.find(name);
+    if (!makes_sense && found != given.end() && found->second.front().text != "false")
+      refuse(found->second.front(), fmt::format("--{} without {}", name, without), advice);
+  };
+  const bool fits = learn.animation_space == AnimationSpace::fit,
+             beside = learn.multi_weights || learn.pose_examples > 0;
+  refuse_unless(fits || beside, "truth", "a fit", "give --as fit, --mwe or --psd too");
+  for (const char* const name : {"half-joints", "keep-bind-pose"})
+    refuse_unless(fits, name, "a fit", "give --as fit too");
+  const bool has_truth = fits || given.contains("truth");
+  refuse_unless(has_truth, "mwe", "a truth", "give --truth too");
+  refuse_unless(has_truth || learn.pose_examples == 0, "psd", "a truth", "give --truth too");
 }
 
 }  // namespace
@@ -212,7 +238,8 @@ const std::vector<Option>& option_table() {
       {"truth",
        OptionKind::text,
        "TEXT",
-       "what --as fit learns from: cor: optimised centres of rotation; dqs: dual quaternions; delta-mush",
+       "what --as fit, --mwe and --psd learn from: cor: optimised centres of rotation; dqs: dual quaternions; "
+       "delta-mush",
        {"cor", "dqs", "delta-mush"},
        set_truth},
       {"delta-mush",
@@ -234,6 +261,19 @@ const std::vector<Option>& option_table() {
        "--as fit leaves the bind pose exactly as it is",
        {},
        [](CookOptions& o, const Value&) { o.learn.keep_bind_pose = true; }},
+      {"mwe",
+       OptionKind::flag,
+       "",
+       "also multi-weight enveloping, what `skin_mwe` deforms by, learnt from --truth as --as fit is",
+       {},
+       [](CookOptions& o, const Value&) { o.learn.multi_weights = true; }},
+      {"psd",
+       OptionKind::text,
+       "EXAMPLES",
+       "also pose-space deformation, what `skin_psd` deforms by, learnt from --truth: how many examples it may have, "
+       "up to 32; 8 is a good start; 0: none",
+       {},
+       set_pose_space},
       {"auto-weights",
        OptionKind::text,
        "TEXT",
@@ -308,10 +348,7 @@ CookOptions to_options(const Given& given) {
       option.set(options, value);
     }
   }
-  if (options.learn.animation_space != AnimationSpace::fit)
-    for (const char* const name : {"truth", "half-joints", "keep-bind-pose"})
-      if (const auto found = given.find(name); found != given.end() && found->second.front().text != "false")
-        refuse(found->second.front(), std::string("--") + name + " without a fit", "give --as fit too");
+  refuse_idle(options.learn, given);
   if (!options.skeleton_file.empty() && !options.clips_only)
     refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");
   return options;
