@@ -111,6 +111,21 @@ TEST(CookAs, MultiWeightsAndPoseSpaceStandInTheReport) {
       0);
 }
 
+TEST(CookAs, ShowsItsProgressOnATerminalOnly) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> arguments = {"cook",    tiny_gltf(), "-o",    folder / "t.mrw", "--as", "fit",
+                                              "--truth", "dqs",       "--mwe", "--psd",          "2",    "--json"};
+  const Ran piped = run_marrow(arguments), shown = run_marrow_on_terminal(arguments);
+  EXPECT_EQ(piped.err.find("fitting"), std::string::npos) << piped.err;
+  EXPECT_EQ(piped.err.find('\r'), std::string::npos) << piped.err;
+  EXPECT_EQ(shown.code, 0);
+  EXPECT_EQ(shown.out, piped.out);
+  EXPECT_NE(shown.err.find("[1/"), std::string::npos) << shown.err;
+  const std::size_t last = shown.err.rfind("fitting"), cleared = shown.err.rfind("\r\033[K");
+  ASSERT_NE(last, std::string::npos);
+  EXPECT_EQ(cleared, last + 7) << "the line is wiped at the end";
+}
+
 TEST(CookAs, RefusesWhatMakesNoSense) {
   const TemporaryFolder folder;
   const std::string out = folder / "t.mrw";

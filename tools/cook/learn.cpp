@@ -139,6 +139,7 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   }
   deform::FitOptions fit;
   fit.keep_bind_pose = options.keep_bind_pose;
+  fit.progress = options.progress;
   deform::Coordinates prior = deform::lift(follows);
   if (options.truth == Truth::delta_mush)
     start_from_smoothed(deform::smoothed_ssd(mesh, surface, mush.iterations, mush.step, kInfluences), prior);

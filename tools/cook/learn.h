@@ -19,7 +19,8 @@ struct LearnOptions {
   int half_joints = 0;  // between a joint and its parent, 0 … 2
   bool keep_bind_pose = false;
   bool multi_weights = false;
-  int pose_examples = 0;  // of pose space, at most; 0: none
+  int pose_examples = 0;      // of pose space, at most; 0: none
+  deform::Progress progress;  // of each fit
 };
 
 const char* name_of(Truth truth);

@@ -88,7 +88,9 @@ void learn_deformers(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, 
   if (learn.multi_weights) {
     report.multi_weights = begin_report(learn, trained);
     out.root = multi_weight_root(source);
-    deform::MultiWeightFit fit = deform::fit_multi_weights(source.mesh, out.root, trained.poses, truth);
+    deform::MultiWeightOptions with;
+    with.progress = learn.progress;
+    deform::MultiWeightFit fit = deform::fit_multi_weights(source.mesh, out.root, trained.poses, truth, with);
     if (judge(fit.quality, "multi-weight enveloping", pointer, scene, report.multi_weights))
       out.multi_weights = std::move(fit.weights);
   }
@@ -96,6 +98,7 @@ void learn_deformers(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, 
     report.pose_space = begin_report(learn, trained);
     deform::PoseSpaceOptions with;
     with.most_examples = static_cast<std::size_t>(learn.pose_examples);
+    with.progress = learn.progress;
     deform::PoseSpaceFit fit = deform::fit_pose_space(weighted, source.parents, trained.poses, truth, with);
     if (judge(fit.quality, "pose-space deformation", pointer, scene, report.pose_space))
       out.pose_space = std::move(fit.space);

@@ -313,8 +313,10 @@ Fit fit_coordinates(const Coordinates& prior, double diagonal_m, std::vector<Tra
   const Training training = prepare(prior, diagonal_m, poses, truth, reference);
   if (training.examples.empty()) return {prior, {}, 0};
   std::vector<Group> groups = group_by_joints(prior);
+  Steps steps(options.progress, groups.size());
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
     cross_validate(groups[g], Equations(groups[g], training, options.keep_bind_pose), training, options);
+    steps.one_more();
   });
   Fit out;
   HeldOut best;

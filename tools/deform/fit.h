@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "deform/animation_space.h"
+#include "deform/progress.h"
 
 namespace marrow::deform {
 
@@ -18,6 +19,7 @@ struct FitOptions {
   // Tried by cross-validation, beside keeping the prior; with one fold the first is taken.
   std::vector<double> ridges = {1e-3, 1e-5, 1e-4, 1e-2, 1e-1};
   double most_worse = 0.02;  // share of shipped poses that may be worse than the reference, where that can be had
+  Progress progress = {};    // of sets of joints
 };
 
 // By cross-validation, over shipped poses; by training where there is one fold.
