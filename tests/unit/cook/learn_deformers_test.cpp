@@ -179,6 +179,22 @@ TEST(LearnDeformers, TheRuntimeMakesOfTheFileWhatTheFitMeant) {
   }
 }
 
+// The far end's palette has the root for multi-weights, the parent for pose space.
+TEST(LearnDeformers, EachAloneBringsTheJointsThatItNeeds) {
+  const Offline offline(moving_cylinder());
+  for (const bool multi_weight : {true, false}) {
+    CookOptions options = options_for(MeshCodec::none);
+    options.learn.multi_weights = multi_weight;
+    if (multi_weight) options.learn.pose_examples = 0;
+    const LoadedCook cooked(cook_scene(moving_cylinder(), options));
+    EXPECT_EQ(cooked.file.mesh(1).palette_size(), 2u);
+    EXPECT_EQ(cooked.file.mesh(1).geometry.mwe_residual != nullptr, multi_weight);
+    EXPECT_EQ(cooked.file.mesh(1).geometry.pose_space.examples.empty(), multi_weight);
+    EXPECT_LT(distance(cooked.file, offline, multi_weight).from_offline, 1e-4);
+  }
+  EXPECT_EQ(LoadedCook(cook_scene(moving_cylinder(), {})).file.mesh(1).palette_size(), 1u);
+}
+
 TEST(LearnDeformers, TheReportSaysHowGoodTheyAre) {
   const auto report = cook_scene(moving_cylinder(), options_for(MeshCodec::draco)).report;
   for (const char* const name : {"multi_weights", "pose_space"}) {
