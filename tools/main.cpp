@@ -136,7 +136,8 @@ void add_compare(CLI::App& app) {
   command->add_flag(
       "--json", a.json,
       "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
-      "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, bytes_per_vertex, ns_per_vertex}]}, "
+      "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, bytes_per_vertex, ns_per_vertex, "
+      "instructions_per_vertex}]}, "
       "lengths in metres");
   command->add_option("-o,--output", a.out, "also a page with pictures and charts, in one file")->type_name("OUT.html");
   command->callback([&a] { run_compare(a); });

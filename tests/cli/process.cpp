@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -85,14 +86,14 @@ Ran run_marrow(const std::vector<std::string>& arguments) {
   return run_program(all);
 }
 
-Ran run_program(const std::vector<std::string>& program_and_arguments, std::chrono::microseconds kill_after) {
-  const TemporaryFolder folder;
-  const std::string out = folder / "out", err = folder / "err";
+namespace {
+
+pid_t start(const std::vector<std::string>& program_and_arguments, const std::string& out, const std::string& err) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_NOCTTY, 0600);
   std::vector<std::string> texts = program_and_arguments;
   std::vector<char*> argv;
   for (std::string& text : texts) argv.push_back(text.data());
@@ -101,13 +102,43 @@ Ran run_program(const std::vector<std::string>& program_and_arguments, std::chro
   const int failed = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error("cannot start " + texts[0]);
+  return child;
+}
+
+int exit_code_of(pid_t child) {
+  int status = 0;
+  if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for the program");
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+}
+
+}  // namespace
+
+Ran run_program(const std::vector<std::string>& program_and_arguments, std::chrono::microseconds kill_after) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", err = folder / "err";
+  const pid_t child = start(program_and_arguments, out, err);
   if (kill_after.count() > 0) {
     std::this_thread::sleep_for(kill_after);
     ::kill(child, SIGKILL);
   }
-  int status = 0;
-  if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for the program");
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), read_text(out), read_text(err)};
+  const int code = exit_code_of(child);
+  return {code, read_text(out), read_text(err)};
+}
+
+Ran run_marrow_on_terminal(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0)
+    throw std::runtime_error("cannot make a terminal");
+  std::vector<std::string> all = {MARROW_PROGRAM};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const pid_t child = start(all, folder / "out", ::ptsname(terminal));
+  std::string err;
+  char bytes[4096];
+  for (ssize_t n = 0; (n = ::read(terminal, bytes, sizeof bytes)) > 0;) err.append(bytes, static_cast<std::size_t>(n));
+  ::close(terminal);
+  const int code = exit_code_of(child);
+  return {code, read_text(folder / "out"), err};
 }
 
 }  // namespace marrow::test

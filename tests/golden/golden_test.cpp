@@ -153,5 +153,46 @@ TEST(GoldenStride, FramesAtUnevenTimes) {
   }
 }
 
+// What the file's numbers say, evaluated in double precision by a decoder of its own.
+TEST(GoldenElbow, DeformsWithAHalfJoint) {
+  const test::AlignedBlock block = test::golden_half_joint_copy();
+  File file;
+  ASSERT_EQ(load(block, file), Status::ok);
+  const Mesh mesh = file.mesh(0);
+  ASSERT_EQ(mesh.half_joints.size, 1u);
+  EXPECT_EQ(mesh.half_joints[0].parent, 0u);
+  EXPECT_EQ(mesh.half_joints[0].joint, 1u);
+  EXPECT_EQ(mesh.half_joints[0].share, 0.5f);
+  struct Moment {
+    float time_s;
+    std::uint32_t vertex;
+    Vec3 as, ssd;
+  };
+  const Moment moments[] = {
+      {0.0f, 9, {0.2512067, 0.7518073, -0.2519657}, {0.2500000, 0.7500000, -0.2500000}},
+      {0.0f, 18, {-0.2473670, 1.2515293, -0.2496816}, {-0.2500000, 1.2500000, -0.2500000}},
+      {0.6f, 1, {0.2500000, 0.0000000, -0.2500000}, {0.2500000, 0.0000000, -0.2500000}},
+      {0.6f, 14, {-0.2468128, 0.7966787, -0.1510958}, {-0.1788672, 0.8323517, -0.1405685}},
+      {1.0f, 6, {-0.1937712, 0.4342704, -0.1301529}, {-0.1513494, 0.5600562, -0.1825483}},
+      {1.0f, 14, {-0.2132063, 0.7197200, 0.0274921}, {-0.0903209, 0.9047199, 0.0198070}},
+      {1.3f, 18, {-0.3664017, 1.0273216, 0.2322065}, {-0.2442452, 1.1266624, 0.1988821}},
+      {1.3f, 23, {-0.3329935, 1.5129914, -0.0088766}, {-0.3518736, 1.4915708, 0.0168238}},
+      {2.45f, 9, {0.1249065, 0.7328085, -0.3150578}, {0.1369975, 0.7192129, -0.2090813}},
+      {2.45f, 23, {0.0773575, 1.5891965, 0.1449647}, {0.0500734, 1.5857331, 0.1132442}},
+  };
+  int cases = 0;
+  for (const Moment& m : moments) {
+    const std::uint32_t slot = mesh.geometry.source_slots[m.vertex];
+    const test::PosedMesh as = test::pose_mesh(file, 0, m.time_s, 0, test::Deformer::as),
+                          ssd = test::pose_mesh(file, 0, m.time_s, 0, test::Deformer::ssd);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(static_cast<double>(as.positions[slot * 3 + i]), m.as[i], 3e-6) << m.vertex << " at " << m.time_s;
+      EXPECT_NEAR(static_cast<double>(ssd.positions[slot * 3 + i]), m.ssd[i], 3e-6) << m.vertex << " at " << m.time_s;
+      ++cases;
+    }
+  }
+  EXPECT_EQ(cases, 30);
+}
+
 }  // namespace
 }  // namespace marrow

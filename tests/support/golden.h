@@ -18,6 +18,8 @@ extern const unsigned char looks_v1[];
 extern const unsigned long long looks_v1_size;
 extern const unsigned char stride_v1[];
 extern const unsigned long long stride_v1_size;
+extern const unsigned char elbow_v1[];
+extern const unsigned long long elbow_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -44,6 +46,11 @@ inline AlignedBlock golden_pack_copy() {
 // A file whose coded clip has frames at uneven times.
 inline AlignedBlock golden_uneven_copy() {
   return AlignedBlock(embedded::stride_v1, static_cast<std::size_t>(embedded::stride_v1_size));
+}
+
+// A file with a residual and a half-joint.
+inline AlignedBlock golden_half_joint_copy() {
+  return AlignedBlock(embedded::elbow_v1, static_cast<std::size_t>(embedded::elbow_v1_size));
 }
 
 // A file with materials, embedded images and kept nodes.

@@ -127,7 +127,7 @@ PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, st
   Morphed m(file, mesh, clip_index < file.clip_count() ? &clip : nullptr, time_s, cycle);
   std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
   if (clip_index < file.clip_count()) sample_either(skeleton, file.clip(clip_index), time_s, local);
-  std::vector<Affine> model(skeleton.joint_count), palette(mesh.joint_count);
+  std::vector<Affine> model(skeleton.joint_count), palette(mesh.palette_size());
   require(local_to_model(skeleton, local, model) == Status::ok);
   require(build_palette(mesh, model, palette) == Status::ok);
   PosedMesh out;
@@ -185,7 +185,7 @@ std::uint64_t hash_nodes(std::uint64_t state, const File& file) {
 
 // Deformers that few meshes have data for, on a palette that turns and moves every entry a little.
 std::uint64_t hash_family(std::uint64_t state, const Mesh& mesh) {
-  std::vector<Affine> palette(mesh.joint_count, Affine{{{0.75f, -0.5f, 0, 1}, {0.5f, 0.75f, 0, 0}, {0, 0, 1, 2}}});
+  std::vector<Affine> palette(mesh.palette_size(), Affine{{{0.75f, -0.5f, 0, 1}, {0.5f, 0.75f, 0, 0}, {0, 0, 1, 2}}});
   for (std::size_t j = 0; j < palette.size(); ++j) palette[j].rows[0][1] = static_cast<float>(j % 7) / 8;
   std::vector<float> positions(mesh.geometry.slot_count * 3), distances(psd_distance_count(mesh.geometry));
   if (mesh.geometry.mwe_residual != nullptr) {

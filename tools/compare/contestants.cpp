@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cook/learn_deformers.h"
 #include "deform/multi_weight.h"
 #include "deform/pose_space.h"
 #include "deform/refit.h"
@@ -15,6 +16,8 @@ using cook::LearnOptions;
 using deform::Pose;
 using deform::Positions;
 using deform::SkinnedMesh;
+
+constexpr int kPoseExamples = 8;
 
 // A copy, as training may go before the study.
 Trained by_weights(const SkinnedMesh& mesh) {
@@ -53,11 +56,11 @@ Trained by_coordinates(cook::Learnt learnt) {
 // Normals go through linear blend skinning's matrices, as the runtime's do.
 Trained by_multi_weights(const Study& study, const Round& round, const deform::Deformer& truth) {
   const SkinnedMesh& mesh = study.source.mesh;
-  constexpr std::uint32_t kRoot = 0;
+  const std::uint32_t root = cook::multi_weight_root(study.source);
   const auto fit =
-      std::make_shared<const deform::MultiWeightFit>(deform::fit_multi_weights(mesh, kRoot, round.train, truth));
+      std::make_shared<const deform::MultiWeightFit>(deform::fit_multi_weights(mesh, root, round.train, truth));
   Trained out = by_weights(mesh);
-  out.deform = [fit, deformer = deform::multi_weight(mesh, fit->weights, kRoot)](const Pose& pose, Positions& to) {
+  out.deform = [fit, deformer = deform::multi_weight(mesh, fit->weights, root)](const Pose& pose, Positions& to) {
     deformer(pose, to);
   };
   return out;
@@ -65,8 +68,10 @@ Trained by_multi_weights(const Study& study, const Round& round, const deform::D
 
 Trained in_pose_space(const Study& study, const Round& round, const deform::Deformer& truth) {
   const SkinnedMesh& mesh = study.source.mesh;
+  deform::PoseSpaceOptions most;
+  most.most_examples = kPoseExamples;
   const auto fit = std::make_shared<const deform::PoseSpaceFit>(
-      deform::fit_pose_space(mesh, study.source.parents, round.train, truth));
+      deform::fit_pose_space(mesh, study.source.parents, round.train, truth, most));
   Trained out = by_weights(mesh);
   out.deform = [fit, deformer = deform::pose_space(mesh, fit->space)](const Pose& pose, Positions& to) {
     deformer(pose, to);
@@ -111,12 +116,16 @@ std::vector<Contestant> contestants(const LearnOptions& options) {
   refit.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return by_weights(deform::refit_weights(study.source.mesh, round.train, cook::make_truth(study.source, o)));
   };
-  Contestant mwe = refit, psd = refit;
+  Contestant mwe = ssd, psd = ssd;
   mwe.name = "mwe";
+  mwe.cooked.multi_weights = true;
+  mwe.kernel = Contestant::Kernel::mwe;
   mwe.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return by_multi_weights(study, round, cook::make_truth(study.source, o));
   };
   psd.name = "psd";
+  psd.cooked.pose_examples = kPoseExamples;
+  psd.kernel = Contestant::Kernel::psd;
   psd.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return in_pose_space(study, round, cook::make_truth(study.source, o));
   };

@@ -61,16 +61,16 @@ std::string table(const DeformerComparison& c) {
       "<table><tr><th>deformer</th><th>RMS, learnt from, mm</th><th>RMS, held out, mm</th><th>of "
       "SSD's</th><th>largest, mm</th>"
       "<th>poses worse than SSD</th><th>volume of the truth's</th><th>sharpest crease</th><th>normals off by</th>"
-      "<th>bytes a vertex</th><th>ns a vertex</th></tr>\n";
+      "<th>bytes a vertex</th><th>ns a vertex</th><th>instructions a vertex</th></tr>\n";
   for (const DeformerRow& r : c.rows) {
     const auto or_none = [](double x) { return x > 0 ? fmt::format("{:.2f}", x) : std::string("–"); };
     out += fmt::format(
         "<tr><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.3f}</td><td>{:.1f} "
         "%</td><td>{:.3f}</td><td>{:.1f}°</td>"
-        "<td>{:.2f}°</td><td>{}</td><td>{}</td></tr>\n",
+        "<td>{:.2f}°</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, ssd->held_rms > 0 ? r.held_rms / ssd->held_rms : 1.0,
         1e3 * r.held_max, 100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, or_none(r.bytes_per_vertex),
-        or_none(r.ns_per_vertex));
+        or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
   }
   return out + "</table>\n";
 }

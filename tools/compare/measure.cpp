@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "common/instructions.h"
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"
@@ -155,36 +156,78 @@ void measure_round(const Shape& shape, const Trained& trained, const deform::Def
   totals.held += held.size();
 }
 
-// Nanoseconds a vertex of the mesh's primitives, the best of several runs.
-double time_kernel(const File& file, const Study& study, Contestant::Kernel kernel, std::size_t vertices) {
+// A kernel on the mesh's primitives, in the rest pose.
+class KernelRun {
+ public:
+  KernelRun(const File& file, const Study& study, Contestant::Kernel kernel) : kernel_(kernel) {
+    Character character(file);
+    for (std::uint32_t i = 0; i < study.source.vertex_of.size(); ++i) {
+      Part& part = parts_.emplace_back();
+      part.mesh = file.mesh(i);
+      const Geometry& g = part.mesh.geometry;
+      const auto palette = character.palette(i);
+      part.palette.assign(palette.data(), palette.data() + palette.size());
+      part.coordinates.resize(as_coordinate_count(g));
+      check(as_coordinates(g, part.coordinates));
+      part.distances.resize(psd_distance_count(g));
+      part.positions.resize(std::size_t{3} * g.slot_count);
+      vertices_ += g.vertex_count;
+    }
+  }
+  // Whether the file has what the kernel needs.
+  bool is_possible() const {
+    return std::ranges::all_of(parts_, [&](const Part& p) {
+      return kernel_ == Contestant::Kernel::mwe   ? p.mesh.geometry.mwe_residual != nullptr
+             : kernel_ == Contestant::Kernel::psd ? !p.distances.empty()
+                                                  : true;
+    });
+  }
+  double vertices() const { return vertices_; }
+  void operator()() {
+    for (Part& p : parts_) check(deform(p));
+  }
+
+ private:
+  struct Part {
+    Mesh mesh;
+    std::vector<Affine> palette;
+    std::vector<float> coordinates, distances, positions;
+  };
+  Status deform(Part& p) const {
+    SkinOutput out;
+    out.positions = p.positions;
+    switch (kernel_) {
+      case Contestant::Kernel::rigid:
+        return skin_rigid(p.mesh, p.palette, out);
+      case Contestant::Kernel::ssd:
+        return skin_ssd(p.mesh, p.palette, out);
+      case Contestant::Kernel::as:
+        return skin_as(p.mesh, p.coordinates, p.palette, out);
+      case Contestant::Kernel::mwe:
+        return skin_mwe(p.mesh, p.palette, out);
+      case Contestant::Kernel::psd:
+        break;
+    }
+    check(psd_distances(p.mesh.geometry, p.palette, p.distances));
+    return skin_psd(p.mesh, p.distances, p.palette, out);
+  }
+
+  Contestant::Kernel kernel_;
+  std::vector<Part> parts_;
+  double vertices_ = 0;
+};
+
+// Nanoseconds, the best of several runs.
+double time_of(KernelRun& run) {
   using Clock = std::chrono::steady_clock;
   constexpr int kRuns = 40;
-  Character character(file);
-  PosedMesh posed;
   double best = 1e300;
-  std::vector<std::vector<float>> coordinates, positions;
-  std::vector<Mesh> meshes;
-  for (std::size_t i = 0; i < study.source.vertex_of.size(); ++i) {
-    meshes.push_back(file.mesh(static_cast<std::uint32_t>(i)));
-    const Geometry& g = meshes.back().geometry;
-    coordinates.emplace_back(as_coordinate_count(g));
-    check(as_coordinates(g, coordinates.back()));
-    positions.emplace_back(std::size_t{3} * g.slot_count);
-  }
-  for (int run = 0; run < kRuns; ++run) {
+  for (int i = 0; i < kRuns; ++i) {
     const auto start = Clock::now();
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const auto palette = character.palette(static_cast<std::uint32_t>(i));
-      const Span<const Affine> matrices(palette.data(), palette.size());
-      SkinOutput out;
-      out.positions = positions[i];
-      check(kernel == Contestant::Kernel::rigid ? skin_rigid(meshes[i], matrices, out)
-            : kernel == Contestant::Kernel::ssd ? skin_ssd(meshes[i], matrices, out)
-                                                : skin_as(meshes[i], coordinates[i], matrices, out));
-    }
+    run();
     best = std::min(best, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
   }
-  return best / static_cast<double>(vertices);
+  return best;
 }
 
 void measure_cost(const Study& study, const Contestant& contestant, DeformerRow& row) {
@@ -193,17 +236,18 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
   options.learn = contestant.cooked;
   options.raw_clips = true;
   const cook::CookResult cooked = cook::cook_scene(study.scene, options);
-  double bytes = 0, vertices = 0;
-  for (std::size_t i = 0; i < study.source.vertex_of.size(); ++i) {
-    const auto& mesh = cooked.report["meshes"][i];
-    bytes += mesh["bytes"].get<double>();
-    vertices += mesh["vertices"].get<double>();
-  }
-  row.bytes_per_vertex = bytes / vertices;
   const AlignedBytes unpacked = tools::unpacked(cooked.file, study.scene.source);
   File file;
   check(load({unpacked.data(), unpacked.size()}, file));
-  row.ns_per_vertex = time_kernel(file, study, contestant.kernel, static_cast<std::size_t>(vertices));
+  KernelRun run(file, study, contestant.kernel);
+  if (!run.is_possible()) return;
+  double bytes = 0;
+  for (std::size_t i = 0; i < study.source.vertex_of.size(); ++i)
+    bytes += cooked.report["meshes"][i]["bytes"].get<double>();
+  row.bytes_per_vertex = bytes / run.vertices();
+  row.ns_per_vertex = time_of(run) / run.vertices();
+  if (const auto count = count_instructions([&] { run(); }))
+    row.instructions_per_vertex = static_cast<double>(*count) / run.vertices();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -13,23 +14,14 @@ namespace {
 
 // For each node the number of the joint at or above it; kNone: none.
 std::vector<int> joint_above(const RawScene& scene, const std::vector<int>& joints) {
-  std::vector<int> number(scene.nodes.size(), kNone);
-  std::vector<char> known(scene.nodes.size(), 0);
+  std::vector<int> number(scene.nodes.size(), kNone), out;
+  std::vector<char> is_joint(scene.nodes.size(), 0);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     number[to_index(joints[j])] = static_cast<int>(j);
-    known[to_index(joints[j])] = 1;
+    is_joint[to_index(joints[j])] = 1;
   }
-  std::vector<std::size_t> way;
-  for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
-    std::size_t at = n;
-    for (; known[at] == 0 && scene.nodes[at].parent != kNone; at = to_index(scene.nodes[at].parent)) way.push_back(at);
-    known[at] = 1;
-    for (; !way.empty(); way.pop_back()) {
-      number[way.back()] = number[at];
-      known[way.back()] = 1;
-    }
-  }
-  return number;
+  for (const std::size_t n : nearest_known(scene, is_joint)) out.push_back(number[n]);
+  return out;
 }
 
 struct Skeleton {
@@ -80,6 +72,21 @@ bool is_usable(const glm::dmat4& matrix) {
       if (!(std::abs(matrix[c][r]) <= kFarthestPlace)) return false;
   const double determinant = glm::determinant(glm::dmat3(matrix));
   return std::isfinite(1 / determinant) && std::isfinite(determinant);
+}
+
+std::vector<std::size_t> nearest_known(const RawScene& scene, std::vector<char> known) {
+  std::vector<std::size_t> out(scene.nodes.size()), way;
+  std::iota(out.begin(), out.end(), std::size_t{0});
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+    std::size_t at = n;
+    for (; known[at] == 0 && scene.nodes[at].parent != kNone; at = to_index(scene.nodes[at].parent)) way.push_back(at);
+    known[at] = 1;
+    for (; !way.empty(); way.pop_back()) {
+      out[way.back()] = out[at];
+      known[way.back()] = 1;
+    }
+  }
+  return out;
 }
 
 std::vector<glm::dmat4> rest_of_nodes(const RawScene& scene) {

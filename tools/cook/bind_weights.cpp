@@ -51,20 +51,11 @@ std::vector<char> moved_nodes(const RawScene& scene) {
 
 // Nodes at or below one that is a joint or moved.
 std::vector<char> moving_nodes(const RawScene& scene) {
-  std::vector<char> moving = moved_nodes(scene), known = moving;
+  std::vector<char> moving = moved_nodes(scene), out;
   for (const RawSkin& skin : scene.skins)
-    for (const int joint : skin.joints) moving[to_index(joint)] = known[to_index(joint)] = 1;
-  std::vector<std::size_t> way;
-  for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
-    std::size_t at = n;
-    for (; known[at] == 0 && scene.nodes[at].parent != kNone; at = to_index(scene.nodes[at].parent)) way.push_back(at);
-    known[at] = 1;
-    for (; !way.empty(); way.pop_back()) {
-      moving[way.back()] = moving[at];
-      known[way.back()] = 1;
-    }
-  }
-  return moving;
+    for (const int joint : skin.joints) moving[to_index(joint)] = 1;
+  for (const std::size_t n : nearest_known(scene, moving)) out.push_back(moving[n]);
+  return out;
 }
 
 // Meshes that have a skin in the file: in the skin's mesh space.

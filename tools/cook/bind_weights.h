@@ -28,6 +28,9 @@ inline std::size_t to_index(int i) {
   return static_cast<std::size_t>(i);
 }
 
+// For each node the nearest at or above it for which `known` is set; the topmost if it is set for none.
+std::vector<std::size_t> nearest_known(const RawScene& scene, std::vector<char> known);
+
 // scene_from_node of every node, at rest.
 std::vector<glm::dmat4> rest_of_nodes(const RawScene& scene);
 

@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/build.h"
+#include "cook/learn_deformers.h"
 #include "cook/skin_binding.h"
 
 namespace marrow::cook {
@@ -29,11 +30,13 @@ struct Bound {
 using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
 using SkinBindings = std::map<std::pair<int, int>, SkinBinding>;             // mesh, skin
 
-// The joints that vertices use, and those that their half-joints stand between; entries in the skin's order.
+// The joints that vertices and their deformers use, and those that half-joints stand between; entries in the skin's
+// order.
 Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
                      const std::vector<int>& joint_of_node, std::vector<std::uint16_t>& entry_of) {
   const std::size_t joints = skin.joints.size();
   entry_of.assign(joints + binding.half_joints.size(), 0);
+  for (const std::uint32_t j : joints_of_deformers(binding.deformers, vertices)) entry_of[j] = 1;
   for (const BoundVertex& vertex : vertices)
     for (const BoundInfluence& i : vertex) entry_of[i.joint] = 1;
   for (std::size_t h = 0; h < binding.half_joints.size(); ++h)
@@ -54,10 +57,12 @@ Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std:
   return out;
 }
 
-Palette bind_vertices(const RawSkin& skin, const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
-                      const std::vector<int>& joint_of_node, std::vector<Binding>& bindings) {
+Palette bind_vertices(const RawSkin& skin, const SkinBinding& binding, std::size_t primitive,
+                      const std::vector<int>& joint_of_node, std::vector<Binding>& bindings, DeformerData& deformers) {
+  const std::vector<BoundVertex>& vertices = binding.primitives[primitive];
   std::vector<std::uint16_t> entry_of;
   Palette out = make_palette(skin, binding, vertices, joint_of_node, entry_of);
+  deformers = deformer_data(binding, primitive, entry_of, out.joints.size() + out.half_joints.size());
   for (const BoundVertex& vertex : vertices) {
     Binding b;
     for (const BoundInfluence& i : vertex) {
@@ -102,6 +107,7 @@ MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
 struct Task {
   const RawPrimitive* primitive;
   std::vector<Binding> bindings;
+  DeformerData deformers;
   std::size_t joint_count;
   MeshGrid grid;
 };
@@ -111,7 +117,7 @@ Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const Ra
                      const std::vector<int>& joint_of_node, Task& task) {
   Bound bound;
   if (skin != nullptr) {
-    bound.palette = bind_vertices(*skin, *binding, binding->primitives[number], joint_of_node, task.bindings);
+    bound.palette = bind_vertices(*skin, *binding, number, joint_of_node, task.bindings, task.deformers);
     task.grid.residual_step = binding->residual_step_m;
     task.grid.residual_weight_step = binding->residual_weight_step;
   } else {
@@ -128,9 +134,10 @@ const SkinBinding& bind_mesh(RawScene& scene, int mesh, int skin, const CookOpti
   const auto [at, is_new] = bindings.try_emplace({mesh, skin});
   if (is_new) {
     const RawMesh& source = scene.meshes[static_cast<std::size_t>(mesh)];
+    const RawSkin& onto = scene.skins[static_cast<std::size_t>(skin)];
     at->second = bind_to_skin(scene, source);
-    out.learnt.push_back(
-        learn_binding(scene, source, scene.skins[static_cast<std::size_t>(skin)], out, options.learn, at->second));
+    out.learnt.push_back(learn_binding(scene, source, onto, out, options.learn, at->second));
+    learn_deformers(scene, source, onto, out, options, mesh_grid(source, options), at->second, out.learnt.back());
     at->second.report = static_cast<int>(out.learnt.size()) - 1;
   }
   return at->second;
@@ -147,7 +154,7 @@ std::vector<std::uint32_t> build_geometries(const std::string& source, const std
   tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
     const Task& task = tasks[i];
     try {
-      built[i] = build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, options);
+      built[i] = build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, options, task.deformers);
     } catch (const tools::Failure& failure) {
       throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
     }

@@ -80,12 +80,21 @@ struct BuiltGeometry {
   MeshError error;
 };
 
-// How a mesh's animation space came about.
+// How multi-weights or a pose space came about.
+struct DeformerReport {
+  const char* truth = "";  // empty: not asked for
+  bool shipped = false;
+  std::size_t poses = 0, made_up = 0, examples = 0;  // examples: of pose space
+  double held_out_share = 1, worse_share = 0;        // see deform::FitQuality
+};
+
+// How a mesh's animation space came about, and what else was learnt.
 struct LearnReport {
   const char* kind = "lift";  // as it was shipped: lift, smooth or fit
   const char* truth = "";
   std::size_t poses = 0, made_up = 0, half_joints = 0;
   double held_out_share = 1, worse_share = 0;  // see deform::FitQuality
+  DeformerReport multi_weights, pose_space;
 };
 
 struct BuiltMesh {

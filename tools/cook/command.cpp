@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -77,22 +78,21 @@ class MemoryGate {
 // One line on a terminal, written over and over.
 class Progress {
  public:
-  explicit Progress(std::size_t count) : count_(count), shown_(count > 0 && ::isatty(STDERR_FILENO) == 1) {}
+  Progress() : shown_(::isatty(STDERR_FILENO) == 1) {}
   ~Progress() {
     if (shown_) std::fputs("\r\033[K", stderr);
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  void begin(const std::string& name) {
+  void show(std::size_t number, std::size_t count, const std::string& what) {
     if (!shown_) return;
     const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "\r\033[K[{}/{}] {}", ++begun_, count_, fs::path(name).filename().string());
+    fmt::print(stderr, "\r\033[K[{}/{}] {}", number, count, what);
     std::fflush(stderr);
   }
 
  private:
   std::mutex mutex_;
-  std::size_t count_, begun_ = 0;
   bool shown_;
 };
 
@@ -286,9 +286,13 @@ int cook_one(const CookArguments& a) {
   expect_distinct({a.out, a.report, a.depfile}, a.inputs);
   SettingsOf settings(a.settings);
   const std::string root = fs::path(a.inputs[0]).parent_path().string();
-  const Order order = settings.order({a.inputs[0], a.out, root.empty() ? "." : root}, a.given);
+  Order order = settings.order({a.inputs[0], a.out, root.empty() ? "." : root}, a.given);
   Cook cook(a);
-  const Cook::Cooked cooked = cook.cook(order);
+  const Cook::Cooked cooked = [&] {
+    Progress progress;
+    order.options.learn.progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "fitting"); };
+    return cook.cook(order);
+  }();
   const Outcome& outcome = cooked.outcome;
   print_warnings(order.job, outcome);
   const std::string report = report_text(outcome.report);
@@ -354,9 +358,10 @@ int cook_batch(const CookArguments& a) {
   Cook cook(a);
   std::vector<Outcome> outcomes(jobs.size());
   {
-    Progress progress(jobs.size());
+    Progress progress;
+    std::atomic<std::size_t> begun{0};
     for_each_in_parallel(jobs.size(), [&](std::size_t i) {
-      progress.begin(jobs[i].in);
+      progress.show(++begun, jobs.size(), fs::path(jobs[i].in).filename().string());
       outcomes[i] = cook_into_folder(cook, orders[i]);
     });
   }

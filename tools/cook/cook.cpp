@@ -27,6 +27,26 @@ ordered_json report_learnt(const LearnReport& learnt) {
           {"worse_share", learnt.worse_share}};
 }
 
+ordered_json report_deformer(const DeformerReport& learnt, double error_m) {
+  return {{"shipped", learnt.shipped},
+          {"truth", learnt.truth},
+          {"poses", learnt.poses},
+          {"made_up_poses", learnt.made_up},
+          {"held_out_share", learnt.held_out_share},
+          {"worse_share", learnt.worse_share},
+          {"max_error_m", error_m}};
+}
+
+// What was learnt for a mesh; of what was not asked for nothing.
+void report_learning(const LearnReport& learnt, const BuiltGeometry& geometry, ordered_json& mesh) {
+  mesh["animation_space"] = report_learnt(learnt);
+  if (*learnt.multi_weights.truth != '\0')
+    mesh["multi_weights"] = report_deformer(learnt.multi_weights, geometry.error.multi_weight_m);
+  if (*learnt.pose_space.truth == '\0') return;
+  mesh["pose_space"] = report_deformer(learnt.pose_space, geometry.error.pose_space_m);
+  mesh["pose_space"]["examples"] = learnt.pose_space.examples;
+}
+
 // A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
 ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) {
   ordered_json out = ordered_json::array();
@@ -51,7 +71,7 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"max_weight_error", geometry.error.weight},
                    {"max_target_error_m", geometry.error.target_m}});
     if (mesh.learnt != kNone)
-      out.back()["animation_space"] = report_learnt(built.learnt[static_cast<std::size_t>(mesh.learnt)]);
+      report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry, out.back());
   }
   return out;
 }

@@ -54,12 +54,12 @@ Learnt as_it_is(const deform::SkinnedMesh& mesh) {
   return {deform::lift(mesh), {}, {}, 0};
 }
 
+}  // namespace
+
 const char* name_of(Truth truth) {
   const char* const names[] = {"dqs", "cor", "delta-mush", "examples"};
   return names[static_cast<std::size_t>(truth)];
 }
-
-}  // namespace
 
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options) {
   switch (options.truth) {
@@ -73,6 +73,14 @@ deform::Deformer make_truth(const DeformSource& source, const LearnOptions& opti
       break;
   }
   return as_shown(source.mesh, source.shown);
+}
+
+Trainees find_trainees(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
+                       const LearnOptions& options, DeformSource& source) {
+  if (options.truth != Truth::examples)
+    return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
+  source.shown = read_examples(options.examples_file, {scene, mesh, skin, built, source});
+  return trainees(source, source.shown);
 }
 
 Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
@@ -93,6 +101,7 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   fit.keep_bind_pose = options.keep_bind_pose;
   fit.kept = &mesh;
   fit.most_joints = most_joints(options);
+  fit.progress = options.progress;
   deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), make_truth(source, options),
                                                deform::ssd(mesh), fit);
   out.quality = fitted.quality;
@@ -135,12 +144,7 @@ LearnReport learn_binding(RawScene& scene, const RawMesh& mesh, const RawSkin& s
   DeformSource source = deform_source(mesh, skin, binding, built);
   const bool fits = options.animation_space == AnimationSpace::fit;
   Trainees trained;
-  if (fits && options.truth == Truth::examples) {
-    source.shown = read_examples(options.examples_file, {scene, mesh, skin, built, source});
-    trained = trainees(source, source.shown);
-  } else if (fits) {
-    trained = trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
-  }
+  if (fits) trained = find_trainees(scene, mesh, skin, built, options, source);
   report.poses = trained.poses.size();
   report.made_up = trained.made_up;
   const Learnt learnt = learn(source, std::move(trained.poses), options);

@@ -19,10 +19,18 @@ struct LearnOptions {
   int half_joints = 0;  // between a joint and its parent, 0 … 2
   int influences = 0;   // that a vertex may have, the weights' own aside; 0: 4, with half-joints 5
   bool keep_bind_pose = false;
+  bool multi_weights = false;
+  int pose_examples = 0;      // of pose space, at most; 0: none
+  deform::Progress progress;  // of each fit
 };
 
+const char* name_of(Truth truth);
 // Refers to `source`.
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
+
+// The poses to learn from. Where examples are the truth they are read into `source`.
+Trainees find_trainees(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
+                       const LearnOptions& options, DeformSource& source);
 
 // Coordinates, and how good they are by cross-validation.
 struct Learnt {

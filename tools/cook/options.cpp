@@ -11,6 +11,7 @@
 #include "cook/gltf/text.h"
 #include "deform/auto_weights.h"
 #include "deform/smooth_weights.h"
+#include "marrow/file.h"
 
 namespace marrow::cook {
 namespace {
@@ -139,6 +140,10 @@ void set_auto_weights(CookOptions& options, const Value& given) {
   if (given.text == "nearest") options.weights.make = WeightMethod::nearest;
 }
 
+void set_pose_space(CookOptions& options, const Value& given) {
+  options.learn.pose_examples = whole_number(given, 0, kMaxPoseExamples);
+}
+
 void set_smooth_weights(CookOptions& options, const Value& given) {
   options.weights.smooth_steps = whole_number(given, 0, deform::kMostSmoothSteps);
   options.weights.smooth_origin = given.origin;
@@ -150,6 +155,30 @@ void set_paint(CookOptions& options, const Value& given) {
   if (divide == std::string::npos || divide == 0 || divide + 1 == given.text.size())
     refuse(given, "\"" + given.text + "\" names no joint or no mask", "give JOINT=MASK.png, as in head=head.png");
   options.weights.paint.push_back({given.text.substr(0, divide), given.text.substr(divide + 1), given.origin});
+}
+
+// What is given of learning must have something to do.
+void refuse_idle(const LearnOptions& learn, const Given& given) {
+  const auto refuse_unless = [&](bool makes_sense, const char* name, const char* without, const char* advice) {
+    const auto found = given.find(name);
+    if (!makes_sense && found != given.end() && found->second.front().text != "false")
+      refuse(found->second.front(), fmt::format("--{} without {}", name, without), advice);
+  };
+  const bool fits = learn.animation_space == AnimationSpace::fit,
+             beside = learn.multi_weights || learn.pose_examples > 0;
+  refuse_unless(fits || beside, "truth", "a fit", "give --as fit, --mwe or --psd too");
+  refuse_unless(learn.truth == Truth::examples, "examples", "their truth", "give --truth examples too");
+  refuse_unless(learn.truth != Truth::examples || !learn.examples_file.empty(), "truth", "its examples",
+                "give --examples FILE too");
+  refuse_unless(learn.animation_space != AnimationSpace::lift, "influences", "a choice of them",
+                "give --as fit or --as smooth too");
+  for (const char* const name : {"half-joints", "keep-bind-pose"})
+    refuse_unless(fits, name, "a fit", "give --as fit too");
+  refuse_unless(learn.animation_space != AnimationSpace::lift || (beside && learn.truth == Truth::delta_mush),
+                "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
+  const bool has_truth = fits || given.contains("truth");
+  refuse_unless(has_truth, "mwe", "a truth", "give --truth too");
+  refuse_unless(has_truth || learn.pose_examples == 0, "psd", "a truth", "give --truth too");
 }
 
 }  // namespace
@@ -217,9 +246,8 @@ const std::vector<Option>& option_table() {
       {"truth",
        OptionKind::text,
        "TEXT",
-       "what --as fit learns from: cor: optimised centres of rotation; dqs: dual quaternions; delta-mush; examples: "
-       "what "
-       "an artist has shown, --examples",
+       "what --as fit, --mwe and --psd learn from: cor: optimised centres of rotation; dqs: dual quaternions; "
+       "delta-mush; examples: what an artist has shown, --examples",
        {"cor", "dqs", "delta-mush", "examples"},
        set_truth},
       {"examples",
@@ -255,6 +283,19 @@ const std::vector<Option>& option_table() {
        "--as fit leaves the bind pose exactly as it is",
        {},
        [](CookOptions& o, const Value&) { o.learn.keep_bind_pose = true; }},
+      {"mwe",
+       OptionKind::flag,
+       "",
+       "also multi-weight enveloping, what `skin_mwe` deforms by, learnt from --truth as --as fit is",
+       {},
+       [](CookOptions& o, const Value&) { o.learn.multi_weights = true; }},
+      {"psd",
+       OptionKind::text,
+       "EXAMPLES",
+       "also pose-space deformation, what `skin_psd` deforms by, learnt from --truth: how many examples it may have, "
+       "up to 32; 8 is a good start; 0: none",
+       {},
+       set_pose_space},
       {"auto-weights",
        OptionKind::text,
        "TEXT",
@@ -329,17 +370,7 @@ CookOptions to_options(const Given& given) {
       option.set(options, value);
     }
   }
-  if (options.learn.animation_space == AnimationSpace::lift)
-    if (const auto found = given.find("influences"); found != given.end())
-      refuse(found->second.front(), "--influences with the lift", "give --as fit or --as smooth too");
-  if (options.learn.animation_space != AnimationSpace::fit)
-    for (const char* const name : {"truth", "examples", "half-joints", "keep-bind-pose"})
-      if (const auto found = given.find(name); found != given.end() && found->second.front().text != "false")
-        refuse(found->second.front(), std::string("--") + name + " without a fit", "give --as fit too");
-  if (options.learn.truth == Truth::examples && options.learn.examples_file.empty())
-    refuse(given.at("truth").front(), "no examples", "give --examples FILE too");
-  if (options.learn.truth != Truth::examples && !options.learn.examples_file.empty())
-    refuse(given.at("examples").front(), "another truth", "give --truth examples too");
+  refuse_idle(options.learn, given);
   if (!options.skeleton_file.empty() && !options.clips_only)
     refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");
   return options;

@@ -7,6 +7,8 @@
 
 #include "cook/raw.h"
 #include "deform/half_joints.h"
+#include "deform/multi_weight.h"
+#include "deform/pose_space.h"
 
 namespace marrow::cook {
 
@@ -17,6 +19,14 @@ struct BoundInfluence {
 };
 using BoundVertex = std::vector<BoundInfluence>;  // by ascending joint; weights sum to 1, δ to 0
 
+// Multi-weights and pose space, of vertices that move alike; joints as in BoundInfluence.
+struct BoundDeformers {
+  std::vector<std::vector<std::uint32_t>> vertex_of;  // for each primitive and its vertices which of those
+  std::uint32_t root = 0;                             // whose frame multi-weights are meant in
+  deform::MultiWeights multi_weights;                 // empty: none
+  deform::PoseSpace pose_space;                       // without examples: none
+};
+
 // A mesh bound to a skin: all its primitives, since they may share vertices where they touch.
 struct SkinBinding {
   std::vector<std::vector<BoundVertex>> primitives;  // vertex by vertex
@@ -24,6 +34,7 @@ struct SkinBinding {
   // How finely residuals are to be stored; 0: there are none.
   double residual_step_m = 0;
   double residual_weight_step = 0;
+  BoundDeformers deformers;
   int report = kNone;  // index into BuiltScene::learnt
 };
 

@@ -180,8 +180,10 @@ Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vecto
       options.kept == nullptr ? candidates : choose_joints(candidates, *options.kept, options.most_joints, training);
   const std::vector<Group> groups = group_by_joints(prior);
   std::vector<Validated> validated(groups.size());
+  Steps steps(options.progress, groups.size());
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
     cross_validate(Corrections(groups[g], training, prior, options.keep_bind_pose), training, options, validated[g]);
+    steps.one_more();
   });
   Fit out;
   HeldOut best;

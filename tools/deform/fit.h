@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "deform/animation_space.h"
+#include "deform/progress.h"
 
 namespace marrow::deform {
 
@@ -22,6 +23,7 @@ struct FitOptions {
   const SkinnedMesh* kept = nullptr;
   std::size_t most_joints = 4;
   double most_worse = 0.02;  // share of shipped poses that may be worse than the reference, where that can be had
+  Progress progress = {};    // of sets of joints
 };
 
 // By cross-validation, over shipped poses; by training where there is one fold.

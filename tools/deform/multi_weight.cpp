@@ -250,8 +250,11 @@ MultiWeightFit fit_multi_weights(const SkinnedMesh& mesh, std::uint32_t root, st
                                  const Deformer& truth, const MultiWeightOptions& options) {
   const Training training = prepare(mesh, root, std::move(poses), truth);
   std::vector<Group> groups = group_by_joints(mesh);
-  tools::for_each_in_parallel(groups.size(),
-                              [&](std::size_t g) { cross_validate(mesh, training, options.ridges, groups[g]); });
+  Steps steps(options.progress, groups.size());
+  tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
+    cross_validate(mesh, training, options.ridges, groups[g]);
+    steps.one_more();
+  });
   MultiWeightFit out{single_weights(mesh), quality_of(groups, training)};
   tools::for_each_in_parallel(
       groups.size(), [&](std::size_t g) { write_solution(mesh, training, options.ridges, groups[g], out.weights); });

@@ -31,6 +31,7 @@ MultiWeights single_weights(const SkinnedMesh& mesh);
 struct MultiWeightOptions {
   // Tried by cross-validation, beside keeping SSD; with one fold the first is taken.
   std::vector<double> ridges = {1e-4, 1e-6, 1e-5, 1e-3, 1e-2, 1e-1, 1};
+  Progress progress = {};  // of sets of joints
 };
 
 struct MultiWeightFit {

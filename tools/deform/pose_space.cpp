@@ -232,6 +232,7 @@ std::size_t cross_validate(const Training& t, const PoseSpaceOptions& options, s
   folds.erase(std::unique(folds.begin(), folds.end()), folds.end());
   const bool can = folds.size() > 1;
   std::vector<std::vector<double>> errors(can ? options.widths.size() : 1, std::vector<double>(t.poses.size(), 0));
+  Steps steps(options.progress, folds.size());
   for (const std::uint32_t fold : folds) {
     std::vector<std::size_t> inside, others;
     for (std::size_t p = 0; p < t.poses.size(); ++p) (t.poses[p].fold == fold ? inside : others).push_back(p);
@@ -242,6 +243,7 @@ std::size_t cross_validate(const Training& t, const PoseSpaceOptions& options, s
       const std::vector<double> of_fold = errors_of(t, with, inside);
       for (std::size_t i = 0; i < inside.size(); ++i) errors[w][inside[i]] = of_fold[i];
     }
+    steps.one_more();
   }
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();

@@ -42,6 +42,7 @@ struct PoseSpaceOptions {
   // σ as multiples of the mean distance of vertices from an example to the next; tried by cross-validation, with one
   // fold the first is taken.
   std::vector<double> widths = {1, 0.5, 2, 4};
+  Progress progress = {};  // of parts that cross-validation leaves out
 };
 
 struct PoseSpaceFit {

@@ -56,7 +56,8 @@ std::uint64_t source_bytes(const nlohmann::ordered_json& report) {
 
 // One input: cooks it, draws its sheet, measures it. `stem` names the outputs.
 Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input, const std::string& stem) {
-  const cook::CookResult cooked = cook::cook_file(input, {});
+  const cook::CookOptions options;
+  const cook::CookResult cooked = cook::cook_file(input, options);
   const std::string mrw = (std::filesystem::path(arguments.directory) / (stem + ".mrw")).string();
   write_file_atomically(mrw, cooked.file);
   // Read back, so that what is shown is what the file holds.

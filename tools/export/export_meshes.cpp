@@ -84,10 +84,19 @@ class Meshes {
       part_->targets = std::move(next.targets);
     }
     part_->primitives.push_back(primitive(mesh));
-    if (mesh.geometry.as_residual != nullptr)
-      scene_.warnings.push_back("mesh " + std::to_string(number) + " \"" + mesh.name +
-                                "\": glTF has no animation space; its residual is left out, so it is deformed by "
-                                "linear blend skinning");
+    warn_of_deformers(number, mesh);
+  }
+
+  void warn_of_deformers(std::uint32_t number, const Mesh& mesh) {
+    const Geometry& g = mesh.geometry;
+    const auto left_out = [&](bool has, const char* what) {
+      if (has)
+        scene_.warnings.push_back("mesh " + std::to_string(number) + " \"" + mesh.name + "\": glTF has no " + what +
+                                  " is left out, so it is deformed by linear blend skinning");
+    };
+    left_out(g.as_residual != nullptr, "animation space; its residual");
+    left_out(g.mwe_residual != nullptr, "multi-weight enveloping; it");
+    left_out(!g.pose_space.examples.empty(), "pose space; it");
   }
 
   std::vector<PartTarget> targets_of(const Mesh& mesh) const {

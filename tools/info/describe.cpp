@@ -80,6 +80,8 @@ ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File:
           {"joint_sets", g.runs.size},
           {"attributes", attributes},
           {"as", g.as_residual != nullptr ? "lift + residual" : "lift"},
+          {"mwe", g.mwe_residual != nullptr},
+          {"pose_examples", g.pose_space.examples.size},
           {"targets", g.targets.size},
           {"source_order", !g.source_slots.empty()},
           {"geometry", mesh.geometry_index},

@@ -2,16 +2,13 @@
 #include "cook/learn.h"
 
 #include <cmath>
-#include <cstring>
 
 #include <gtest/gtest.h>
 
-#include "common/unpack_mrw.h"
-#include "cook/cook.h"
 #include "cook/gltf/read.h"
-#include "cook/write.h"
 #include "deform/animation_space.h"
 #include "marrow/marrow.h"
+#include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {
 namespace {
@@ -28,23 +25,6 @@ CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
   options.learn.half_joints = 1;
   return options;
 }
-
-struct LoadedCook {
-  explicit LoadedCook(const CookResult& result) : report(result.report) {
-    bytes = format::kPackedMagic == magic(result.file) ? tools::unpacked(result.file, "")
-                                                       : tools::AlignedBytes{std::span<const std::byte>(result.file)};
-    EXPECT_EQ(load({bytes.data(), bytes.size()}, file), Status::ok);
-  }
-  static std::uint32_t magic(const std::vector<std::byte>& file) {
-    std::uint32_t out = 0;
-    std::memcpy(&out, file.data(), sizeof out);
-    return out;
-  }
-
-  nlohmann::ordered_json report;
-  tools::AlignedBytes bytes;
-  File file;
-};
 
 struct Skins {
   std::vector<float> ssd, as;  // 3 a slot

@@ -58,11 +58,12 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
     const std::string value = option.kind == OptionKind::flag          ? "true"
                               : !option.choices.empty()                ? '"' + option.choices.back() + '"'
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
-                              : shape == "STEPS" || shape[0] == 'N'    ? "\"3\""
-                              : shape == "JOINT=MASK.png"              ? "\"hand=hand.png\""
-                                                                       : "\"0.1mm\"";
+                              : shape == "STEPS" || shape == "EXAMPLES" || shape[0] == 'N' ? "\"3\""
+                              : shape == "JOINT=MASK.png"                                  ? "\"hand=hand.png\""
+                                                                                           : "\"0.1mm\"";
     // A character is only for clip packs, a truth for fits.
-    const bool of_fit = name == "truth" || name == "half-joints" || name == "keep-bind-pose";
+    const bool of_fit = name == "truth" || name == "half-joints" || name == "keep-bind-pose" || name == "delta-mush" ||
+                        name == "mwe" || name == "psd";
     const std::string pack = name == "skeleton" ? "clips-only = true\n" : of_fit ? "as = 'fit'\n" : "";
     const Settings settings = parse(pack + name + " = " + value);
     EXPECT_EQ(settings.defaults.count(option.name), 1u) << option.name;

@@ -7,26 +7,16 @@
 #include "math/exponential.h"
 #include "support/family.h"
 #include "support/rig.h"
+#include "support/skinned.h"
 
 namespace marrow {
 namespace {
 
 using test::Map;
 using test::Quat;
+using test::Skinned;
 using test::TestMesh;
 using test::Vec3;
-
-struct Skinned {
-  std::vector<float> positions, normals, tangents;
-  explicit Skinned(std::size_t slots) : positions(slots * 3), normals(slots * 3), tangents(slots * 4) {}
-  SkinOutput output(NormalTransform transform = NormalTransform::inverse_transpose) {
-    return {positions, normals, tangents, transform};
-  }
-  static Vec3 three(const std::vector<float>& v, std::size_t slot, std::size_t stride = 3) {
-    return {static_cast<double>(v[slot * stride]), static_cast<double>(v[slot * stride + 1]),
-            static_cast<double>(v[slot * stride + 2])};
-  }
-};
 
 std::vector<Affine> random_palette(std::uint64_t seed, std::size_t count, const Vec3& scale) {
   test::Random random(seed);

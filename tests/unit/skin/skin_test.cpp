@@ -5,27 +5,17 @@
 #include <gtest/gtest.h>
 
 #include "support/rig.h"
+#include "support/skinned.h"
 
 namespace marrow {
 namespace {
 
 using test::Map;
+using test::Skinned;
 using test::TestMesh;
 using test::TestRun;
 using test::TestVertex;
 using test::Vec3;
-
-struct Skinned {
-  std::vector<float> positions, normals, tangents;
-  explicit Skinned(std::size_t slots) : positions(slots * 3), normals(slots * 3), tangents(slots * 4) {}
-  SkinOutput output(NormalTransform transform = NormalTransform::inverse_transpose) {
-    return {positions, normals, tangents, transform};
-  }
-  static Vec3 three(const std::vector<float>& v, std::size_t slot, std::size_t stride = 3) {
-    return {static_cast<double>(v[slot * stride]), static_cast<double>(v[slot * stride + 1]),
-            static_cast<double>(v[slot * stride + 2])};
-  }
-};
 
 enum class Kind { rigid, ssd, as };
 

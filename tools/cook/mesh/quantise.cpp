@@ -268,10 +268,15 @@ void add_residuals(const std::vector<RoundedBinding>& vertices, const MeshGrid& 
   }
 }
 
-void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings, const MeshGrid& grid, double allowed,
-                    OwnedStreams& out, MeshError& error) {
+std::uint32_t weight_bits(double allowed) {
   std::uint32_t bits = 1;
   while (bits < packed::kMaxWeightBits && 1.0 / ((1 << bits) - 1) > allowed) ++bits;
+  return bits;
+}
+
+void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings, const MeshGrid& grid, double allowed,
+                    OwnedStreams& out, MeshError& error) {
+  const std::uint32_t bits = weight_bits(allowed);
   const std::int32_t one = (1 << bits) - 1;
   std::vector<RoundedBinding> vertices;
   std::vector<Binding> kept;
@@ -400,6 +405,14 @@ OwnedStreams quantised_streams(const RawPrimitive& p, const std::vector<Binding>
   add_influences(p, bindings, grid, precision.weight_error, out, error);
   add_targets(p, grid.step, glm::radians(precision.normal_error_deg), out, error);
   return out;
+}
+
+Binding quantised_binding(const Binding& binding, const glm::vec3& position, const MeshGrid& grid,
+                          const MeshPrecision& precision) {
+  const std::int32_t one = (1 << weight_bits(precision.weight_error)) - 1;
+  RoundedBinding r = rounded(binding, position, one, grid);
+  for (std::size_t j = 0; j < r.weights.size(); ++j) r.kept.weights[j] = static_cast<double>(r.weights[j]) / one;
+  return r.kept;
 }
 
 }  // namespace marrow::cook

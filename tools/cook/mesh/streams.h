@@ -93,6 +93,10 @@ OwnedStreams quantised_streams(const RawPrimitive& primitive, const std::vector<
                                std::size_t joint_count, const MeshGrid& grid, const MeshPrecision& precision,
                                MeshError& error);
 
+// What this leaves of a vertex's binding: influences that do not vanish, with the weights that the runtime will see.
+Binding quantised_binding(const Binding& binding, const glm::vec3& position, const MeshGrid& grid,
+                          const MeshPrecision& precision);
+
 // Adds what the deformers need to streams that either of the above has made of the same vertices: residuals of weights
 // on the weights that the streams have, and examples' deltas in 16 bits. Steps are such that the errors, as MeshError
 // has them, stay below the grid's step; where that takes more bits than there are, or without a grid, all bits are used

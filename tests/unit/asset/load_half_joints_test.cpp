@@ -1,0 +1,88 @@
+// load: the rules of half-joints, broken one at a time in a golden file.
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "asset/format.h"
+#include "support/golden.h"
+#include "support/pose_file.h"
+
+namespace marrow {
+namespace {
+
+class LoadHalfJoints : public ::testing::Test {
+ protected:
+  LoadHalfJoints() : block_(test::golden_half_joint_copy()), bytes_(block_.data(), block_.data() + block_.size()) {
+    File original;
+    EXPECT_EQ(load(block_, original), Status::ok);
+    for (const File::Section& s : original.sections())
+      if (s.type == format::kTypes[format::kMeshes]) mesh_ = s;
+    format::MeshHeader header;
+    std::memcpy(&header, block_.data() + mesh_.offset, sizeof header);
+    first_ = mesh_.offset + layout(header).half_joints;
+    EXPECT_EQ(first_ + sizeof(HalfJoint), std::size_t{mesh_.offset} + mesh_.bytes);
+  }
+  // What load() says, with the checksum made to fit.
+  template <class T>
+  Status load_with(std::size_t offset, T value, DataError& error) {
+    std::memcpy(block_.data() + offset, &value, sizeof value);
+    test::forge_checksum(block_.data(), block_.size());
+    File out;
+    const Status status = load(block_, out, &error);
+    EXPECT_EQ(out.mesh_count(), status == Status::ok ? 1u : 0u);
+    std::memcpy(block_.data(), bytes_.data(), block_.size());
+    return status;
+  }
+  template <class T>
+  void refuse(std::size_t offset, T value, const char* what) {
+    DataError error;
+    EXPECT_EQ(load_with(offset, value, error), Status::bad_data) << what;
+    EXPECT_STREQ(error.rule, "a half-joint stands between two joints of the mesh") << what;
+    EXPECT_EQ(error.offset, first_) << what;
+    ++refused_;
+  }
+
+  test::AlignedBlock block_;
+  std::vector<std::byte> bytes_;
+  File::Section mesh_{};
+  std::size_t first_ = 0;
+  int refused_ = 0;
+};
+
+TEST_F(LoadHalfJoints, StandBetweenTwoJoints) {
+  refuse(first_, std::uint16_t{1}, "its parent is its joint");
+  refuse(first_ + 2, std::uint16_t{0}, "its joint is its parent");
+  refuse(first_, std::uint16_t{2}, "its parent is a half-joint");
+  refuse(first_, std::uint16_t{0xFFFF}, "a parent out of range");
+  refuse(first_ + 2, std::uint16_t{2}, "its joint is a half-joint");
+  refuse(first_ + 2, std::uint16_t{0xFFFF}, "a joint out of range");
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float share :
+       {0.0f, -0.0f, 1.0f, -0.5f, 1.5f, kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()})
+    refuse(first_ + 4, share, "a share that is not between");
+  EXPECT_EQ(refused_, 14);
+}
+
+TEST_F(LoadHalfJoints, MayLieAnywhereBetween) {
+  DataError error;
+  for (const float share : {std::numeric_limits<float>::denorm_min(), 0.25f, std::nextafter(1.0f, 0.0f)})
+    EXPECT_EQ(load_with(first_ + 4, share, error), Status::ok) << share;
+}
+
+TEST_F(LoadHalfJoints, AreAsManyAsThePaletteLeavesAndTheSectionHolds) {
+  int refused = 0;
+  for (const int count : {0, 2, 3, 0xFFFF}) {
+    DataError error;
+    EXPECT_EQ(load_with(mesh_.offset + 22, static_cast<std::uint16_t>(count), error), Status::bad_data) << count;
+    EXPECT_GE(error.offset, std::size_t{mesh_.offset}) << count;
+    EXPECT_LT(error.offset, first_) << count;
+    ++refused;
+  }
+  EXPECT_EQ(refused, 4);
+}
+
+}  // namespace
+}  // namespace marrow
