@@ -73,10 +73,11 @@ void AsSurface::list_blocks() {
     numbers_[p] = {slot, corner};
     slot += g.slot_count;
     corner += g.index_count;
-    std::uint32_t coordinates = 0, set = 0;
+    std::uint32_t skin = 0, coordinates = 0, set = 0;
     for (const Run& run : g.runs) {
       for (std::uint32_t i = 0; i < (run.vertex_count + 3) / 4; ++i) {
-        blocks_[block++] = {p, coordinates, set, run.influences};
+        blocks_[block++] = {p, skin, coordinates, set, run.influences};
+        skin += 4 * (run.influences + 2);
         coordinates += 16 * run.influences - 4;
       }
       set += run.influences;
@@ -105,7 +106,7 @@ void AsSurface::opposite(std::uint32_t slot, std::uint32_t corner, std::uint32_t
 
 void AsSurface::read(std::uint32_t slot, AsVertex& out) const {
   const Block& b = block(slot);
-  const float* from = position(slot);
+  const float* from = part(slot).coordinates.data + b.coordinates + slot % 4;
   out.set = geometry(slot).sets + b.set;
   out.influences = b.influences;
   float(&last)[4] = out.q[b.influences - 1];

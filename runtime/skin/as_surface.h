@@ -22,8 +22,8 @@ class AsSurface {
   };
   struct Block {
     std::uint32_t part;
-    std::uint32_t coordinates;  // the block's first float
-    std::uint32_t set;          // the run's first entry of Geometry::sets
+    std::uint32_t skin, coordinates;  // the block's first floats
+    std::uint32_t set;                // the run's first entry of Geometry::sets
     std::uint32_t influences;
   };
 
@@ -39,10 +39,8 @@ class AsSurface {
   std::uint32_t local(std::uint32_t slot) const { return slot - numbers_[block(slot).part].first_slot; }
 
   void read(std::uint32_t slot, AsVertex& out) const;
-  // In the bind pose, Σ q_j: x, then y and z four floats on each.
-  const float* position(std::uint32_t slot) const {
-    return part(slot).coordinates.data + block(slot).coordinates + slot % 4;
-  }
+  // In the bind pose, without residuals: x, then y and z four floats on each.
+  const float* position(std::uint32_t slot) const { return geometry(slot).skin + block(slot).skin + slot % 4; }
   // One of a vertex's normals, tangents …, blocks of `stride` × 4 floats.
   static float lane(const float* stream, std::uint32_t stride, std::uint32_t slot, std::uint32_t component) {
     return stream[std::size_t{stride} * (slot / 4) * 4 + 4 * component + slot % 4];

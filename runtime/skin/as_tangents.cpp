@@ -98,7 +98,9 @@ class Derivation {
       if (vertex_.q[j][3] > vertex_.q[heaviest_][3]) heaviest_ = j;
   }
 
-  // Derivatives along the frame's axes on the surface, triangles weighed by their areas; sums of Σ_j are the axes.
+  // Derivatives along the frame's axes on the bind pose's surface, triangles weighed by their areas. What they lack of
+  // the axes there, as an artist's normal is not the triangles' and a ring is not flat, goes through the blended
+  // matrix: so residuals tilt normals, and a vertex without area has the blend's.
   void run(const Frame& frame, Tangents& out) {
     for (auto& tangent : out)
       for (auto& tau : tangent)
@@ -111,16 +113,20 @@ class Derivation {
       normal = normal + doubled;
       areas += length(doubled);
     });
+    Vec3 lacks[2] = {frame.axis[0], frame.axis[1]};
     const float area = length(normal);
     if (area > kFlat * areas) {
       const Vec3 across[2] = {cross(normal * (1 / area), frame.axis[0]), cross(normal * (1 / area), frame.axis[1])};
       for_each_triangle(surface_, slot_, frame.normal, [&](std::uint32_t k, std::uint32_t l) {
         const Vec3 to_k = position_of(k) - v, to_l = position_of(l) - v;
-        add(k, dot(to_l, across[0]) / area, dot(to_l, across[1]) / area, out);
-        add(l, -dot(to_k, across[0]) / area, -dot(to_k, across[1]) / area, out);
+        const float of_k[2] = {dot(to_l, across[0]) / area, dot(to_l, across[1]) / area};
+        const float of_l[2] = {-dot(to_k, across[0]) / area, -dot(to_k, across[1]) / area};
+        for (int a = 0; a < 2; ++a) lacks[a] = lacks[a] - to_k * of_k[a] - to_l * of_l[a];
+        add(k, of_k, out);
+        add(l, of_l, out);
       });
     }
-    for (int a = 0; a < 2; ++a) close(frame.axis[a], out[a]);
+    for (int a = 0; a < 2; ++a) add_blend(lacks[a], out[a]);
   }
 
  private:
@@ -131,7 +137,7 @@ class Derivation {
 
   // A neighbour's difference from the vertex, times a factor a tangent. What it has of joints that the vertex lacks
   // goes to that of the vertex's joints which the neighbour follows most.
-  void add(std::uint32_t neighbour, float first, float second, Tangents& out) const {
+  void add(std::uint32_t neighbour, const float (&factors)[2], Tangents& out) const {
     AsVertex n;
     surface_.read(neighbour, n);
     float q[kMaxInfluences][4];
@@ -151,19 +157,18 @@ class Derivation {
     for (int c = 0; c < 4; ++c) q[heir][c] += left[c];
     for (std::uint32_t j = 0; j < vertex_.influences; ++j)
       for (int c = 0; c < 4; ++c) {
-        out[0][j][c] += first * q[j][c];
-        out[1][j][c] += second * q[j][c];
+        out[0][j][c] += factors[0] * q[j][c];
+        out[1][j][c] += factors[1] * q[j][c];
       }
   }
 
-  // What the derivative lacks of the axis, as an artist's normal is not the triangles' and a ring is not flat, goes
-  // through the blended matrix. So the bind pose is exact, and a vertex without area has the blend's normal.
-  void close(Vec3 axis, float (&tau)[kMaxInfluences][4]) const {
-    float lacks[3] = {axis.x, axis.y, axis.z};
-    for (std::uint32_t j = 0; j < vertex_.influences; ++j)
-      for (int c = 0; c < 3; ++c) lacks[c] -= tau[j][c];
-    for (std::uint32_t j = 0; j < vertex_.influences; ++j)
-      for (int c = 0; c < 3; ++c) tau[j][c] += vertex_.q[j][3] * lacks[c];
+  // A direction through the blended matrix.
+  void add_blend(Vec3 direction, float (&tau)[kMaxInfluences][4]) const {
+    for (std::uint32_t j = 0; j < vertex_.influences; ++j) {
+      tau[j][0] += vertex_.q[j][3] * direction.x;
+      tau[j][1] += vertex_.q[j][3] * direction.y;
+      tau[j][2] += vertex_.q[j][3] * direction.z;
+    }
   }
 
   const AsSurface& surface_;
@@ -171,12 +176,15 @@ class Derivation {
   AsVertex vertex_;
 };
 
-// Of a block: both axes x[4] y[4] z[4], then x[4] y[4] z[4] w[4] of both tangents for each influence but the last.
-void write(const Frame& frame, const Tangents& tangents, std::uint32_t influences, float* to) {
+// Of a block: Σ_j of both tangents, x[4] y[4] z[4] each, then x[4] y[4] z[4] w[4] of both for each influence but the
+// last.
+void write(const Tangents& tangents, std::uint32_t influences, float* to) {
   for (int a = 0; a < 2; ++a, to += 12) {
-    to[0] = frame.axis[a].x;
-    to[4] = frame.axis[a].y;
-    to[8] = frame.axis[a].z;
+    for (int c = 0; c < 3; ++c) {
+      float sum = 0;
+      for (std::uint32_t j = 0; j < influences; ++j) sum += tangents[a][j][c];
+      to[4 * c] = sum;
+    }
   }
   for (std::uint32_t j = 0; j + 1 < influences; ++j)
     for (int a = 0; a < 2; ++a, to += 16)
@@ -207,8 +215,7 @@ Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch) {
     Tangents tangents;
     Derivation(surface, slot).run(frame, tangents);
     const AsSurface::Block& block = surface.block(slot);
-    write(frame, tangents, block.influences,
-          surface.part(slot).tangents.data + 2 * std::size_t{block.coordinates} + slot % 4);
+    write(tangents, block.influences, surface.part(slot).tangents.data + 2 * std::size_t{block.coordinates} + slot % 4);
   }
   return Status::ok;
 }

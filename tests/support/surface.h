@@ -75,12 +75,14 @@ inline SurfaceVertex sheet_vertex(Random& random, std::uint32_t x, std::uint32_t
     v.vertex.weights.push_back(w);
     left -= w;
   }
-  for (std::size_t k = 0; residuals && k < influences; ++k)
-    v.vertex.residual.push_back({random.between(-0.02, 0.02), random.between(-0.02, 0.02), random.between(-0.02, 0.02),
-                                 influences < 2 ? 0.0
-                                 : k == 0       ? 0.03125
-                                 : k == 1       ? -0.03125
-                                                : 0.0});
+  // The first two undo each other, so that the bind pose stays.
+  for (std::size_t k = 0; residuals && k < influences; ++k) {
+    std::array<double, 4> d{};
+    for (std::size_t c = 0; c < 3 && k == 0; ++c) d[c] = random.between(-0.02, 0.02);
+    if (k == 0) d[3] = 0.03125;
+    for (std::size_t c = 0; c < 4 && k == 1; ++c) d[c] = -v.vertex.residual[0][c];
+    v.vertex.residual.push_back(influences < 2 ? std::array<double, 4>{} : d);
+  }
   return v;
 }
 

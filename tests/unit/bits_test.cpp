@@ -293,7 +293,7 @@ TEST(Bits, SurfaceNormals) {
   const AsPart part{&mesh, coordinates, tau};
   std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&part, 1}) / 4);
   EXPECT_EQ(as_tangents({&part, 1}, {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4}), Status::ok);
-  EXPECT_EQ(hash_of(tau), 0x020550D903E1F322u) << "as_tangents";
+  EXPECT_EQ(hash_of(tau), 0x4C48EC061FD99C0Bu) << "as_tangents";
   test::Random random(61);
   std::uint64_t h = test::kHashStart;
   for (int moment = 0; moment < 10; ++moment) {
@@ -305,7 +305,7 @@ TEST(Bits, SurfaceNormals) {
     EXPECT_EQ(skin_as(mesh, coordinates, palette, {positions, normals, tangents}, tau), Status::ok);
     h = hash_of(tangents, hash_of(normals, hash_of(positions, h)));
   }
-  EXPECT_EQ(h, 0xB704F0E95A276BB4u) << "skin_as";
+  EXPECT_EQ(h, 0xEAA4E4084A861FF4u) << "skin_as";
 }
 
 TEST(Bits, GoldenFile) {

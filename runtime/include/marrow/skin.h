@@ -76,9 +76,9 @@ std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts);
 // Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain, section 4.3:
 //   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
 //   Σ_j (τ_j)_w = 0
-// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose perpendicular
-// unit vectors, the first along the mesh's tangent if it has one, with t₀ × t₁ the mesh's normal. What of that normal
-// the triangles do not explain goes through the blend, all of it where a vertex has no triangles with an area. Of a
+// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
+// residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
+// has one. What the triangles do not explain of them goes through the blend: all, if they have no area. Of a
 // neighbour's joints those that a vertex lacks count as the one of its own which that neighbour follows most.
 //
 // parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with

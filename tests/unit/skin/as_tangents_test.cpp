@@ -311,6 +311,21 @@ TEST(AsTangents, ACreaseStaysOne) {
   }
 }
 
+// A square whose residual tilts it by 45° in the bind pose already: its normals, said to be straight up, tilt with it.
+TEST(AsTangents, ResidualsTiltNormals) {
+  std::vector<SurfaceVertex> vertices;
+  for (int i = 0; i < 4; ++i) {
+    SurfaceVertex v = on_two({i % 2 * 1.0, i / 2 * 1.0, 0}, {0, 0, 1}, 0.5);
+    v.vertex.residual = {{0, 0, 0.25 * (i % 2), 0}, {0, 0, 0.75 * (i % 2), 0}};
+    vertices.push_back(v);
+  }
+  const TestSurface surface(vertices, {{0, 1, 3}, {0, 3, 2}}, std::vector<Map>(2), true);
+  const Map turned = test::from_trs({1, 2, 3}, test::axis_angle({1, 2, 3}, 0.5), {1, 1, 1});
+  const Skinned got = skin(surface.view(), {turned, turned});
+  for (std::size_t v = 0; v < 4; ++v)
+    EXPECT_LT(test::angle_deg(three(got.normals, surface.slot(v)), test::direction(turned, {-1, 0, 1})), 0.001) << v;
+}
+
 TEST(AsTangents, VerticesWithoutAreaHaveTheBlendsNormal) {
   const Vec3 slanted = test::normalised(Vec3{1, 2, 3});
   std::vector<SurfaceVertex> vertices;
