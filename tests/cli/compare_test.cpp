@@ -27,8 +27,8 @@ TEST(Compare, TheCylinder) {
   for (const char* const name :
        {"rigid", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_fit_half1", "as_fit_half2", "mwe", "psd"}) {
     ASSERT_TRUE(rows.contains(name)) << name;
-    for (const char* const field :
-         {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume", "crease_deg", "normal_deg"})
+    for (const char* const field : {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume",
+                                    "crease_deg", "normal_deg", "blended_normal_deg"})
       EXPECT_TRUE(rows[name].at(field).is_number()) << name << " " << field;
     EXPECT_TRUE(rows[name].contains("bytes_per_vertex") && rows[name].contains("ns_per_vertex")) << name;
   }

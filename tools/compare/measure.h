@@ -12,12 +12,13 @@ namespace marrow::tools {
 struct DeformerRow {
   std::string deformer;
   double train_rms = 0, train_max = 0, held_rms = 0, held_max = 0;
-  double worse_share = 0;       // of held-out poses in which the RMS error is above SSD's
-  double volume = 1;            // over the truth's, in held-out poses, on average
-  double crease_deg = 0;        // how sharply some edge is folded beyond the bind pose; the mean over held-out poses
-  double normal_deg = 0;        // between the normals it shades with and those of the mesh it makes, where joints meet
-  double bytes_per_vertex = 0;  // of geometry, in the cooked file; 0: cannot be cooked
-  double ns_per_vertex = 0;     // of the runtime's kernel on this machine, positions; 0: has none
+  double worse_share = 0;  // of held-out poses in which the RMS error is above SSD's
+  double volume = 1;       // over the truth's, in held-out poses, on average
+  double crease_deg = 0;   // how sharply some edge is folded beyond the bind pose; the mean over held-out poses
+  double normal_deg = 0;   // between the normals it shades with and those of the mesh it makes, where joints meet
+  double blended_normal_deg = 0;  // the same if all went through the blended matrix, as is cheaper
+  double bytes_per_vertex = 0;    // of geometry, in the cooked file; 0: cannot be cooked
+  double ns_per_vertex = 0;       // of the runtime's kernel on this machine, positions; 0: has none
   // For pictures and charts, of the first round: a held-out pose's RMS error.
   std::vector<double> error_of_pose;
 };
