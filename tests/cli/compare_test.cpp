@@ -39,6 +39,11 @@ TEST(Compare, TheCylinder) {
   EXPECT_LT(rows["as_fit_half1"]["held_rms"].get<double>(), 0.06 * ssd);
   EXPECT_NEAR(rows["as_fit_half1"]["volume"].get<double>(), 1, 0.01);
   EXPECT_LT(rows["as_fit_half2"]["held_rms"].get<double>(), 0.03 * ssd);
+  for (const char* const name : {"as_lift", "as_smooth", "as_fit", "as_fit_half1", "as_fit_half2"}) {
+    EXPECT_LT(rows[name]["normal_deg"].get<double>(), 0.5) << name;
+    EXPECT_GT(rows[name]["blended_normal_deg"].get<double>(), 10) << name;
+  }
+  EXPECT_EQ(rows["ssd"]["normal_deg"], rows["ssd"]["blended_normal_deg"]);
 }
 
 TEST(Compare, SaysWhatIsWrong) {
@@ -65,7 +70,7 @@ TEST(Compare, WritesOnePage) {
   EXPECT_EQ(first.find("Use "), 0u) << first;
   EXPECT_NE(page.find("<h1>Use "), std::string::npos);
   EXPECT_NE(page.find("as_fit_half1"), std::string::npos);
-  EXPECT_EQ(page.find("http"), std::string::npos) << "self-contained";
+  EXPECT_EQ(page.find("://"), std::string::npos) << "self-contained; pictures in base64 have no colons";
 #ifdef MARROW_HAS_GLES
   EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
 #endif
