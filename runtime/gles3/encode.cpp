@@ -31,11 +31,11 @@ void swap_influences(Vertex& v, std::uint32_t a, std::uint32_t b) {
 
 // Lane `lane` of a block of as_tangents(): the last influence has what the others leave of the sums.
 void read_tangents(const float* block, std::uint32_t k, std::uint32_t lane, Vertex& v) {
-  for (std::uint32_t a = 0; a < 2; ++a) {
+  for (std::size_t a = 0; a < 2; ++a) {
     float(&last)[4] = v.tangents[k - 1][a];
-    for (std::uint32_t c = 0; c < 3; ++c) last[c] = block[12 * a + 4 * c + lane];
-    for (std::uint32_t j = 0; j + 1 < k; ++j) {
-      for (std::uint32_t c = 0; c < 4; ++c) {
+    for (std::size_t c = 0; c < 3; ++c) last[c] = block[12 * a + 4 * c + lane];
+    for (std::size_t j = 0; j + 1 < k; ++j) {
+      for (std::size_t c = 0; c < 4; ++c) {
         v.tangents[j][a][c] = block[24 + 32 * j + 16 * a + 4 * c + lane];
         last[c] -= v.tangents[j][a][c];
       }
@@ -148,26 +148,26 @@ void put_coordinates(const Vertex& v, const Layout& layout, const Quantisation& 
 // number is 32766. What rounding one influence loses goes to the next, so that w still sum to 0; the last w follows
 // from that, and the first tangent's says instead whether the texture's triad is left-handed.
 void put_tangents(const Vertex& v, const Quantisation& q, bool left_handed, std::byte* to) {
-  for (std::uint32_t a = 0; a < 2; ++a) {
+  for (std::size_t a = 0; a < 2; ++a) {
     float exact[4][4] = {};
     float largest = 0;
-    for (std::uint32_t j = 0; j < v.influences; ++j) {
+    for (std::size_t j = 0; j < v.influences; ++j) {
       const float(&tau)[4] = v.tangents[j][a];
-      for (std::uint32_t c = 0; c < 3; ++c) exact[j][c] = (tau[c] - q.centre[c] * tau[3]) / q.half_extent;
+      for (std::size_t c = 0; c < 3; ++c) exact[j][c] = (tau[c] - q.centre[c] * tau[3]) / q.half_extent;
       exact[j][3] = tau[3];
       for (const float x : exact[j]) largest = std::fmax(largest, std::fabs(x));
     }
     const float scale = largest > 0 ? 32766.0f / largest : 0;
     float carry[4] = {};
-    for (std::uint32_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < 4; ++j) {
       std::int16_t stored[4] = {};
-      for (std::uint32_t c = 0; j < v.influences && c < 4; ++c) {
+      for (std::size_t c = 0; j < v.influences && c < 4; ++c) {
         const float x = exact[j][c] * scale + carry[c];
         stored[c] = static_cast<std::int16_t>(round_to_int(x));
         carry[c] = x - static_cast<float>(stored[c]);
       }
       if (j == 3) stored[3] = a == 1 ? 0 : left_handed ? -32767 : 32767;
-      std::memcpy(to + 32 * std::size_t{a} + 8 * std::size_t{j}, stored, sizeof(stored));
+      std::memcpy(to + 32 * a + 8 * j, stored, sizeof(stored));
     }
   }
 }

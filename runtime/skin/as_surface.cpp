@@ -1,7 +1,6 @@
 #include "skin/as_surface.h"
 
 #include <bit>
-#include <cstring>
 
 namespace marrow {
 namespace {
@@ -28,7 +27,7 @@ Counts count(Span<const AsPart> parts) {
 // Of a position's coordinates, four floats apart.
 std::uint32_t hash_of(const float* position) {
   std::uint32_t h = 0;
-  for (int c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < 3; ++c) {
     h = (h ^ std::bit_cast<std::uint32_t>(position[4 * c] + 0.0f)) * 0x9E3779B1u;  // -0 is 0
     h ^= h >> 15;
   }
@@ -41,7 +40,11 @@ std::uint32_t index_of(const Geometry& g, std::uint32_t i) {
 }
 
 bool same_joint(const Mesh& a, std::uint32_t i, const Mesh& b, std::uint32_t j) {
-  return a.joints[i] == b.joints[j] && std::memcmp(&a.inverse_bind[i], &b.inverse_bind[j], sizeof(Affine)) == 0;
+  if (a.joints[i] != b.joints[j]) return false;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c)
+      if (a.inverse_bind[i].rows[r][c] != b.inverse_bind[j].rows[r][c]) return false;
+  return true;
 }
 
 }  // namespace
@@ -110,7 +113,7 @@ void AsSurface::read(std::uint32_t slot, AsVertex& out) const {
   out.set = geometry(slot).sets + b.set;
   out.influences = b.influences;
   float(&last)[4] = out.q[b.influences - 1];
-  for (int c = 0; c < 3; ++c) last[c] = from[4 * c];
+  for (std::size_t c = 0; c < 3; ++c) last[c] = from[4 * c];
   last[3] = 1;
   for (std::uint32_t j = 0; j + 1 < b.influences; ++j) {
     for (int c = 0; c < 4; ++c) {

@@ -43,7 +43,7 @@ class AsSurface {
   const float* position(std::uint32_t slot) const { return geometry(slot).skin + block(slot).skin + slot % 4; }
   // One of a vertex's normals, tangents …, blocks of `stride` × 4 floats.
   static float lane(const float* stream, std::uint32_t stride, std::uint32_t slot, std::uint32_t component) {
-    return stream[std::size_t{stride} * (slot / 4) * 4 + 4 * component + slot % 4];
+    return stream[4 * (std::size_t{stride} * (slot / 4) + component) + slot % 4];
   }
   // Whether a palette entry of a slot's mesh is an entry of another's: the same joint, bound alike.
   bool same_entry(std::uint32_t slot, std::uint32_t entry, std::uint32_t other_slot, std::uint32_t other_entry) const;

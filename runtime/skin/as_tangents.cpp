@@ -180,7 +180,7 @@ class Derivation {
 // last.
 void write(const Tangents& tangents, std::uint32_t influences, float* to) {
   for (int a = 0; a < 2; ++a, to += 12) {
-    for (int c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3; ++c) {
       float sum = 0;
       for (std::uint32_t j = 0; j < influences; ++j) sum += tangents[a][j][c];
       to[4 * c] = sum;
@@ -188,7 +188,7 @@ void write(const Tangents& tangents, std::uint32_t influences, float* to) {
   }
   for (std::uint32_t j = 0; j + 1 < influences; ++j)
     for (int a = 0; a < 2; ++a, to += 16)
-      for (int c = 0; c < 4; ++c) to[4 * c] = tangents[a][j][c];
+      for (std::size_t c = 0; c < 4; ++c) to[4 * c] = tangents[a][j][c];
 }
 
 }  // namespace
