@@ -5,6 +5,7 @@
 //   MARROW_INFLUENCES      4 or 8
 //   MARROW_NORMAL, _TANGENT, _UV, _COLOUR  0 or 1: which attributes the mesh has
 //   MARROW_MORPH_TARGETS   how many morph targets may count at a time; 0: none, the mesh has none
+//   MARROW_SURFACE_NORMALS 1: animation space has tangents as vectors, and normals are the deformed surface's own
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
@@ -24,6 +25,17 @@ layout(location = 6) in vec4 in_coordinate6;
 layout(location = 7) in vec4 in_coordinate7;
 #endif
 uniform float marrow_coordinate_scale;
+#if MARROW_SURFACE_NORMALS
+// τ of each influence: (x, y, z, w), Σ w = 0, in any unit. The last w is what the others leave.
+layout(location = 4) in vec4 in_first0;
+layout(location = 5) in vec4 in_first1;
+layout(location = 6) in vec4 in_first2;
+layout(location = 7) in vec4 in_first3;  // w: handedness of the texture's triad
+layout(location = 9) in vec4 in_second0;
+layout(location = 10) in vec4 in_second1;
+layout(location = 11) in vec4 in_second2;
+layout(location = 15) in vec4 in_second3;
+#endif
 #else
 layout(location = 0) in vec3 in_position;
 #if MARROW_DEFORMER == 2
@@ -44,14 +56,14 @@ layout(std140) uniform MarrowPalette {
 };
 #endif
 
-#if MARROW_NORMAL
+#if MARROW_NORMAL && !MARROW_SURFACE_NORMALS
 #if MARROW_DEFORMER == 0
 layout(location = 10) in vec3 in_normal;
 #else
 layout(location = 10) in vec2 in_normal;  // octahedral
 #endif
 #endif
-#if MARROW_TANGENT
+#if MARROW_TANGENT && !MARROW_SURFACE_NORMALS
 #if MARROW_DEFORMER == 0
 layout(location = 11) in vec4 in_tangent;
 #else
@@ -140,12 +152,26 @@ void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec
   vec4 my = marrow_rows[row + 1];
   vec4 mz = marrow_rows[row + 2];
   position += vec3(dot(mx, q), dot(my, q), dot(mz, q));
-#if MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS
+#if (MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS) && !MARROW_SURFACE_NORMALS
   x += q.w * mx.xyz;
   y += q.w * my.xyz;
   z += q.w * mz.xyz;
 #endif
 }
+
+#if MARROW_SURFACE_NORMALS
+vec3 marrow_vector(vec4 v, uint joint) {
+  int row = 3 * int(joint);
+  return vec3(dot(marrow_rows[row], v), dot(marrow_rows[row + 1], v), dot(marrow_rows[row + 2], v));
+}
+
+// Σ M τ, unit.
+vec3 marrow_surface_tangent(vec4 a, vec4 b, vec4 c, vec3 d) {
+  vec3 t = marrow_vector(a, in_joints0.x) + marrow_vector(b, in_joints0.y) + marrow_vector(c, in_joints0.z) +
+           marrow_vector(vec4(d, -(a.w + b.w + c.w)), in_joints0.w);
+  return marrow_unit(t);
+}
+#endif
 #elif MARROW_DEFORMER != 0
 // Adds one influence of SSD to the blended matrix.
 void marrow_add(float weight, uint joint, inout vec4 x, inout vec4 y, inout vec4 z) {
@@ -173,10 +199,10 @@ MarrowVertex marrow_skin() {
   vec3 change = vec3(0.0);  // of the bind position
   vec3 normal = vec3(0.0);
   vec3 tangent = vec3(0.0);
-#if MARROW_NORMAL
+#if MARROW_NORMAL && !MARROW_SURFACE_NORMALS
   normal = marrow_from_octahedron(in_normal);
 #endif
-#if MARROW_TANGENT
+#if MARROW_TANGENT && !MARROW_SURFACE_NORMALS
   tangent = marrow_from_octahedron(vec2(in_tangent.x, abs(in_tangent.y) * 2.0 - 1.0));
 #endif
 #if MARROW_MORPH_TARGETS
@@ -226,12 +252,26 @@ MarrowVertex marrow_skin() {
 #endif
 
   float mirrored = 1.0;
+#if MARROW_SURFACE_NORMALS
+#if MARROW_NORMAL || MARROW_TANGENT
+  vec3 first = marrow_surface_tangent(in_first0, in_first1, in_first2, in_first3.xyz);
+  vec3 second = marrow_surface_tangent(in_second0, in_second1, in_second2, in_second3.xyz);
+  int row = 3 * int(in_joints0.x);
+  mirrored = dot(marrow_unit(marrow_rows[row].xyz),
+                 cross(marrow_unit(marrow_rows[row + 1].xyz), marrow_unit(marrow_rows[row + 2].xyz))) < 0.0 ? -1.0 : 1.0;
+  v.normal = mirrored * marrow_unit(cross(first, second));
+#endif
+#if MARROW_TANGENT
+  v.tangent = vec4(first, in_first3.w < 0.0 ? -mirrored : mirrored);
+#endif
+#else
 #if MARROW_NORMAL
   v.normal = marrow_normal(x.xyz, y.xyz, z.xyz, normal, mirrored);
 #endif
 #if MARROW_TANGENT
   v.tangent = vec4(marrow_unit(vec3(dot(x.xyz, tangent), dot(y.xyz, tangent), dot(z.xyz, tangent))),
                    in_tangent.y < 0.0 ? -mirrored : mirrored);
+#endif
 #endif
 #endif
   return v;

@@ -136,8 +136,8 @@ void add_compare(CLI::App& app) {
   command->add_flag(
       "--json", a.json,
       "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
-      "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, bytes_per_vertex, ns_per_vertex, "
-      "instructions_per_vertex}]}, "
+      "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, blended_normal_deg, bytes_per_vertex, "
+      "ns_per_vertex, instructions_per_vertex}]}, "
       "lengths in metres");
   command->add_option("-o,--output", a.out, "also a page with pictures and charts, in one file")->type_name("OUT.html");
   command->callback([&a] { run_compare(a); });
@@ -159,6 +159,13 @@ void add_render(CLI::App& app) {
   add_deformer(command, a.deformer);
   command->add_option("--path", a.path, "cpu: skinned by the processor; ubo: by the vertex shader")
       ->check(CLI::IsMember({"cpu", "ubo"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--normals", a.normals,
+          "in animation space: of the deformed surface, through its tangents, or, cheaper, through the blended "
+          "matrix, as meshes with morph targets and, by the vertex shader, with more than four influences")
+      ->check(CLI::IsMember({"tangents", "blended"}))
       ->capture_default_str();
   command->add_option("--size", a.size, "pixels")->type_name("WxH")->capture_default_str();
   command->add_option("--heatmap", a.heatmap, "colour the distance between two deformers, as in ssd:as")

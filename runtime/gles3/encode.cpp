@@ -14,6 +14,7 @@ struct Vertex {
   std::uint16_t joints[kMaxInfluences];
   float weights[kMaxInfluences];
   float residual[kMaxInfluences][4];
+  float tangents[kMaxInfluences][2][4];  // animation-space vectors, of those that have them
 };
 
 void swap_influences(Vertex& v, std::uint32_t a, std::uint32_t b) {
@@ -24,12 +25,30 @@ void swap_influences(Vertex& v, std::uint32_t a, std::uint32_t b) {
   v.weights[b] = old.weights[a];
   std::memcpy(v.residual[a], old.residual[b], sizeof(v.residual[a]));
   std::memcpy(v.residual[b], old.residual[a], sizeof(v.residual[b]));
+  std::memcpy(v.tangents[a], old.tangents[b], sizeof(v.tangents[a]));
+  std::memcpy(v.tangents[b], old.tangents[a], sizeof(v.tangents[b]));
 }
 
-// Lane `lane` of a block of four vertices; `residual` may be null. The largest weight is moved to the front.
-Vertex read_vertex(const float* skin, const float* residual, const std::uint16_t* set, std::uint32_t k,
-                   std::uint32_t lane) {
+// Lane `lane` of a block of as_tangents(): the last influence has what the others leave of the sums.
+void read_tangents(const float* block, std::uint32_t k, std::uint32_t lane, Vertex& v) {
+  for (std::size_t a = 0; a < 2; ++a) {
+    float(&last)[4] = v.tangents[k - 1][a];
+    for (std::size_t c = 0; c < 3; ++c) last[c] = block[12 * a + 4 * c + lane];
+    for (std::size_t j = 0; j + 1 < k; ++j) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        v.tangents[j][a][c] = block[24 + 32 * j + 16 * a + 4 * c + lane];
+        last[c] -= v.tangents[j][a][c];
+      }
+    }
+  }
+}
+
+// Lane `lane` of a block of four vertices; `residual` and `tangents` may be null. The largest weight is moved to the
+// front.
+Vertex read_vertex(const float* skin, const float* residual, const float* tangents, const std::uint16_t* set,
+                   std::uint32_t k, std::uint32_t lane) {
   Vertex v = {};
+  if (tangents != nullptr) read_tangents(tangents, k, lane, v);
   v.influences = k;
   for (std::uint32_t c = 0; c < 3; ++c) v.position[c] = skin[4 * c + lane];
   float last = 1;
@@ -48,7 +67,7 @@ Vertex read_vertex(const float* skin, const float* residual, const std::uint16_t
 
 // Calls visit(slot, vertex) for every slot in order.
 template <class Visit>
-void for_each_vertex(const Geometry& geometry, const Visit& visit) {
+void for_each_vertex(const Geometry& geometry, const float* tangents, const Visit& visit) {
   const float* skin = geometry.skin;
   const float* residual = geometry.as_residual;
   const std::uint16_t* set = geometry.sets;
@@ -56,10 +75,11 @@ void for_each_vertex(const Geometry& geometry, const Visit& visit) {
   for (const Run& run : geometry.runs) {
     for (std::uint32_t block = 0; block < (run.vertex_count + 3) / 4; ++block) {
       for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        visit(slot++, read_vertex(skin, residual, set, run.influences, lane));
+        visit(slot++, read_vertex(skin, residual, tangents, set, run.influences, lane));
       }
       skin += 4 * (3 + run.influences - 1);
       if (residual != nullptr) residual += std::size_t{16} * run.influences;
+      if (tangents != nullptr) tangents += std::size_t{32} * run.influences - 8;
     }
     set += run.influences;
   }
@@ -124,6 +144,34 @@ void put_coordinates(const Vertex& v, const Layout& layout, const Quantisation& 
   }
 }
 
+// Both tangents' vectors of four influences. Each tangent in a unit of its own, as only directions count: its largest
+// number is 32766. What rounding one influence loses goes to the next, so that w still sum to 0; the last w follows
+// from that, and the first tangent's says instead whether the texture's triad is left-handed.
+void put_tangents(const Vertex& v, const Quantisation& q, bool left_handed, std::byte* to) {
+  for (std::size_t a = 0; a < 2; ++a) {
+    float exact[4][4] = {};
+    float largest = 0;
+    for (std::size_t j = 0; j < v.influences; ++j) {
+      const float(&tau)[4] = v.tangents[j][a];
+      for (std::size_t c = 0; c < 3; ++c) exact[j][c] = (tau[c] - q.centre[c] * tau[3]) / q.half_extent;
+      exact[j][3] = tau[3];
+      for (const float x : exact[j]) largest = std::fmax(largest, std::fabs(x));
+    }
+    const float scale = largest > 0 ? 32766.0f / largest : 0;
+    float carry[4] = {};
+    for (std::size_t j = 0; j < 4; ++j) {
+      std::int16_t stored[4] = {};
+      for (std::size_t c = 0; j < v.influences && c < 4; ++c) {
+        const float x = exact[j][c] * scale + carry[c];
+        stored[c] = static_cast<std::int16_t>(round_to_int(x));
+        carry[c] = x - static_cast<float>(stored[c]);
+      }
+      if (j == 3) stored[3] = a == 1 ? 0 : left_handed ? -32767 : 32767;
+      std::memcpy(to + 32 * a + 8 * j, stored, sizeof(stored));
+    }
+  }
+}
+
 }  // namespace
 
 void quantise_sum(const float* values, std::uint32_t count, std::int32_t total, std::int32_t* out) {
@@ -158,7 +206,7 @@ void to_octahedron(const float unit[3], float out[2]) {
   out[1] = unit[2] >= 0 ? y : (1 - std::fabs(x)) * (y >= 0 ? 1.0f : -1.0f);
 }
 
-Layout make_layout(const Mesh& mesh) {
+Layout make_layout(const Mesh& mesh, bool as_tangents) {
   const Geometry& g = mesh.geometry;
   Layout layout;
   for (const Run& run : g.runs) {
@@ -168,7 +216,9 @@ Layout make_layout(const Mesh& mesh) {
   layout.ssd_weights = 8;
   layout.ssd_joints = layout.ssd_weights + 2 * layout.influences;
   layout.ssd_stride = layout.ssd_joints + layout.joint_bytes * layout.influences;
-  layout.as_joints = 8 * layout.influences;
+  layout.surface_normals = as_tangents && layout.influences == 4 && g.normals != nullptr && g.targets.empty();
+  layout.as_tangents = 8 * layout.influences;
+  layout.as_joints = layout.as_tangents + (layout.surface_normals ? 64 : 0);
   layout.as_stride = layout.as_joints + layout.joint_bytes * layout.influences;
   std::uint32_t& stride = layout.surface_stride;
   layout.normal = stride;
@@ -198,7 +248,7 @@ Quantisation make_quantisation(const Geometry& g) {
   float largest_weight = 1;
   if (g.as_residual != nullptr) {
     float room = q.half_extent;
-    for_each_vertex(g, [&](std::uint32_t, const Vertex& v) {
+    for_each_vertex(g, nullptr, [&](std::uint32_t, const Vertex& v) {
       for (std::uint32_t j = 0; j < v.influences; ++j) {
         const float delta = v.residual[j][3];
         largest_weight = std::fmax(largest_weight, std::fabs(v.weights[j] + delta));
@@ -217,7 +267,7 @@ Quantisation make_quantisation(const Geometry& g) {
 }
 
 void encode_ssd(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, std::byte* out) {
-  for_each_vertex(geometry, [&](std::uint32_t slot, const Vertex& v) {
+  for_each_vertex(geometry, nullptr, [&](std::uint32_t slot, const Vertex& v) {
     std::byte* vertex = out + std::size_t{slot} * layout.ssd_stride;
     std::int16_t position[4] = {};
     for (std::uint32_t c = 0; c < 3; ++c) position[c] = to_snorm16(unit_position(v, quantisation, c));
@@ -231,10 +281,16 @@ void encode_ssd(const Geometry& geometry, const Layout& layout, const Quantisati
   });
 }
 
-void encode_as(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, std::byte* out) {
-  for_each_vertex(geometry, [&](std::uint32_t slot, const Vertex& v) {
+void encode_as(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, const float* tangents,
+               std::byte* out) {
+  if (!layout.surface_normals) tangents = nullptr;
+  for_each_vertex(geometry, tangents, [&](std::uint32_t slot, const Vertex& v) {
     std::byte* vertex = out + std::size_t{slot} * layout.as_stride;
     put_coordinates(v, layout, quantisation, vertex);
+    if (tangents != nullptr) {
+      const bool left_handed = geometry.tangents != nullptr && geometry.tangents[slot / 4 * 16 + 12 + slot % 4] < 0;
+      put_tangents(v, quantisation, left_handed, vertex + layout.as_tangents);
+    }
     put_joints(v, layout, vertex + layout.as_joints);
   });
 }

@@ -4,6 +4,7 @@
 #include "gles3/gl_constants.h"
 #include "gles3/morph.h"
 #include "marrow/gles3.h"
+#include "marrow/skin.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -38,18 +39,18 @@ void describe_joints(const Api& api, const Layout& layout, std::uint32_t stride,
   }
 }
 
-void describe_surface(const Api& api, const Geometry& g, const Layout& layout, std::uint32_t buffer,
-                      std::uint32_t morph_buffer) {
-  if (morph_buffer != 0) {
-    api.BindBuffer(kGlArrayBuffer, morph_buffer);
+// directions: normals and tangents too.
+void describe_surface(const Api& api, const Geometry& g, const Layout& layout, bool directions, const GpuMesh& mesh) {
+  if (mesh.morph_buffer != 0) {
+    api.BindBuffer(kGlArrayBuffer, mesh.morph_buffer);
     api.EnableVertexAttribArray(kMorphRowLocation);
     api.VertexAttribIPointer(kMorphRowLocation, 1, kGlUnsignedInt, 4, nullptr);
   }
   if (layout.surface_stride == 0) return;
-  api.BindBuffer(kGlArrayBuffer, buffer);
+  api.BindBuffer(kGlArrayBuffer, mesh.surface_buffer);
   const std::uint32_t stride = layout.surface_stride;
-  if (g.normals != nullptr) attribute(api, kNormalLocation, 2, kGlShort, true, stride, layout.normal);
-  if (g.tangents != nullptr) attribute(api, kTangentLocation, 2, kGlShort, true, stride, layout.tangent);
+  if (directions && g.normals != nullptr) attribute(api, kNormalLocation, 2, kGlShort, true, stride, layout.normal);
+  if (directions && g.tangents != nullptr) attribute(api, kTangentLocation, 2, kGlShort, true, stride, layout.tangent);
   if (g.uvs != nullptr) {
     attribute(api, kUvLocation, 2, layout.uv_unorm ? kGlUnsignedShort : kGlFloat, layout.uv_unorm, stride, layout.uv);
   }
@@ -74,19 +75,22 @@ void make_ssd(const Api& api, const Geometry& g, const Layout& layout, const Qua
     attribute(api, kWeightsLocation + i, 4, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights + 8 * i);
   }
   describe_joints(api, layout, layout.ssd_stride, layout.ssd_joints);
-  describe_surface(api, g, layout, mesh.surface_buffer, mesh.morph_buffer);
+  describe_surface(api, g, layout, true, mesh);
 }
 
 void make_as(const Api& api, const Geometry& g, const Layout& layout, const Quantisation& q, Span<std::byte> scratch,
-             GpuMesh& mesh) {
-  encode_as(g, layout, q, scratch.data);
+             const float* tangents, GpuMesh& mesh) {
+  encode_as(g, layout, q, tangents, scratch.data);
   mesh.as_array = begin_array(api, mesh);
   mesh.as_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.as_stride} * g.slot_count);
   for (std::uint32_t i = 0; i < layout.influences; ++i) {
     attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
   }
+  for (std::uint32_t i = 0; layout.surface_normals && i < 8; ++i) {
+    attribute(api, kSurfaceLocations[i], 4, kGlShort, true, layout.as_stride, layout.as_tangents + 8 * i);
+  }
   describe_joints(api, layout, layout.as_stride, layout.as_joints);
-  describe_surface(api, g, layout, mesh.surface_buffer, mesh.morph_buffer);
+  describe_surface(api, g, layout, !layout.surface_normals, mesh);
 }
 
 // bind · [h·I | c]
@@ -112,7 +116,8 @@ GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, 
   out.influences = static_cast<std::uint8_t>(layout.influences);
   out.features = static_cast<std::uint8_t>((g.normals != nullptr ? kNormals : 0) |
                                            (g.tangents != nullptr ? kTangents : 0) | (g.uvs != nullptr ? kUvs : 0) |
-                                           (g.colours != nullptr ? kColours : 0) | (g.targets.empty() ? 0 : kMorphs));
+                                           (g.colours != nullptr ? kColours : 0) | (g.targets.empty() ? 0 : kMorphs) |
+                                           (options.as && layout.surface_normals ? kSurfaceNormals : 0));
   out.coordinate_scale = 32767.0f / static_cast<float>(q.coordinate_one);
   return out;
 }
@@ -120,7 +125,7 @@ GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, 
 }  // namespace
 
 std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options) {
-  const Layout layout = make_layout(mesh);
+  const Layout layout = make_layout(mesh, !options.as_tangents.empty());
   std::size_t stride = layout.surface_stride;
   if (options.ssd) stride = larger(stride, layout.ssd_stride);
   if (options.as) stride = larger(stride, layout.as_stride);
@@ -132,11 +137,13 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
   const Geometry& g = mesh.geometry;
   if (!options.ssd && !options.as) return Status::bad_argument;
   if (bind.size < mesh.joint_count || scratch.size < prepare_scratch_bytes(mesh, options)) return Status::bad_argument;
+  const Span<const float> tangents = options.as_tangents;
+  if (!tangents.empty() && tangents.size < as_tangent_count(g)) return Status::bad_argument;
   const std::uint32_t fits = caps.uniform_block_bytes / 48;
   if (mesh.palette_size() > (fits < kPaletteJoints ? fits : kPaletteJoints)) return Status::unsupported;
-  const Layout layout = make_layout(mesh);
+  const Layout layout = make_layout(mesh, !tangents.empty());
   // Eight influences in animation space need locations up to the last.
-  if (caps.vertex_attributes <= kMorphRowLocation) return Status::unsupported;
+  if (caps.vertex_attributes <= kSurfaceLocations[7]) return Status::unsupported;
 
   const Quantisation quantisation = make_quantisation(g);
   GpuMesh made = describe(mesh, layout, quantisation, options);
@@ -150,7 +157,7 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
     made.surface_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.surface_stride} * g.slot_count);
   }
   if (options.ssd) make_ssd(api, g, layout, quantisation, scratch, made);
-  if (options.as) make_as(api, g, layout, quantisation, scratch, made);
+  if (options.as) make_as(api, g, layout, quantisation, scratch, tangents.data, made);
   api.BindVertexArray(0);
   api.BindBuffer(kGlArrayBuffer, 0);
   if (api.GetError() != kGlNoError) {

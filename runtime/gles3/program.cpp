@@ -45,6 +45,8 @@ Text preamble(const ProgramKey& key) {
   text.define("MARROW_UV", (key.features & kUvs) != 0 ? 1 : 0);
   text.define("MARROW_COLOUR", (key.features & kColours) != 0 ? 1 : 0);
   text.define("MARROW_MORPH_TARGETS", (key.features & kMorphs) != 0 ? kMorphTargets : 0);
+  const bool can = key.deformer == Deformer::as && key.influences == 4 && (key.features & kMorphs) == 0;
+  text.define("MARROW_SURFACE_NORMALS", can && (key.features & kSurfaceNormals) != 0 ? 1 : 0);
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
   return text;
 }

@@ -65,11 +65,84 @@ struct AnimationSpace {
   }
 };
 
+// Normals of the deformed surface: two tangents a vertex are animation-space vectors, as positions are.
+class WithTangents {
+ public:
+  explicit WithTangents(const float* tangents) : tangents_(tangents) {}
+
+  template <Directions D>
+  void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
+           Cursor& at) {
+    JointSet joints;
+    load_joint_set(set, influences, palette, joints);
+    tangents_ = blend<has_tangents(D)>(joints, influences, blocks, tangents_, at);
+  }
+
+ private:
+  struct Vectors {
+    f32x4 x, y, z;
+  };
+
+  static Vectors first(const Blend& m, const float* v) {
+    const f32x4 x = load(v), y = load(v + 4), z = load(v + 8);
+    return {dot3(m.a.x, m.a.y, m.a.z, x, y, z), dot3(m.b.x, m.b.y, m.b.z, x, y, z), dot3(m.c.x, m.c.y, m.c.z, x, y, z)};
+  }
+
+  static void add(const Factors (&m)[3], const float* v, Vectors& to) {
+    const f32x4 x = load(v), y = load(v + 4), z = load(v + 8), w = load(v + 12);
+    to = {to.x + dot4(m[0], x, y, z, w), to.y + dot4(m[1], x, y, z, w), to.z + dot4(m[2], x, y, z, w)};
+  }
+
+  template <bool Tangents>
+  static void write(const Vectors& t0, const Vectors& t1, f32x4 mirror, Cursor& at) {
+    const f32x4 x = t0.y * t1.z - t0.z * t1.y, y = t0.z * t1.x - t0.x * t1.z, z = t0.x * t1.y - t0.y * t1.x;
+    const f32x4 scale = flip(inverse_length(dot3(x, y, z, x, y, z)), mirror);
+    store_xyz(at.out_normals, x * scale, y * scale, z * scale);
+    at.out_normals += 12;
+    if constexpr (Tangents) {
+      const f32x4 shorten = inverse_length(dot3(t0.x, t0.y, t0.z, t0.x, t0.y, t0.z));
+      store_xyzw(at.out_tangents, t0.x * shorten, t0.y * shorten, t0.z * shorten,
+                 flip(load_aligned(at.tangents + 12), mirror));
+      at.tangents += 16;
+      at.out_tangents += 16;
+    }
+  }
+
+  // Returns where the next run's tangents begin.
+  template <bool Tangents>
+  [[gnu::noinline]] static const float* blend(const JointSet& joints, std::uint32_t influences, std::uint32_t blocks,
+                                              const float* tau, Cursor& cursor) {
+    const f32x4 mirror = determinant(joints.last);
+    Cursor at = cursor;
+    for (; blocks > 0; --blocks) {
+      Vectors p = first(joints.last, at.stream), t0 = first(joints.last, tau), t1 = first(joints.last, tau + 12);
+      p = {p.x + joints.last.a.t, p.y + joints.last.b.t, p.z + joints.last.c.t};
+      at.stream += 12;
+      tau += 24;
+      for (std::uint32_t j = 0; j + 1 < influences; ++j, at.stream += 16, tau += 32) {
+        add(joints.others[j], at.stream, p);
+        add(joints.others[j], tau, t0);
+        add(joints.others[j], tau + 16, t1);
+      }
+      store_xyz(at.out_positions, p.x, p.y, p.z);
+      at.out_positions += 12;
+      write<Tangents>(t0, t1, mirror, at);
+    }
+    cursor = at;
+    return tau;
+  }
+
+  const float* tangents_;
+};
+
 }  // namespace
 
-Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out) {
+Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out,
+               Span<const float> tangents) {
   MARROW_REQUIRE(coordinates.size >= as_coordinate_count(mesh.geometry));
-  return deform<AnimationSpace>(mesh, coordinates.data, palette, out);
+  MARROW_REQUIRE(tangents.empty() || tangents.size >= as_tangent_count(mesh.geometry));
+  if (tangents.empty() || out.normals.empty()) return deform<AnimationSpace>(mesh, coordinates.data, palette, out);
+  return deform(mesh, coordinates.data, palette, out, WithTangents(tangents.data));
 }
 
 }  // namespace marrow

@@ -151,6 +151,7 @@ TEST_F(BadInput, Usage) {
     expect_failure({"render", good, "--size", size, "-o", png}, kUsage, size);
   expect_failure({"render", good, "--heatmap", "ssd:magic", "-o", png}, kUsage, "magic");
   expect_failure({"render", good, "--path", "magic", "-o", png}, kUsage, "magic");
+  expect_failure({"render", good, "--normals", "magic", "-o", png}, kUsage, "magic");
   expect_failure({"render", good}, kUsage, "marrow");
 #endif
   EXPECT_GE(cases_, 11);

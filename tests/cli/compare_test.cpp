@@ -27,8 +27,8 @@ TEST(Compare, TheCylinder) {
   for (const char* const name :
        {"rigid", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_fit_half1", "as_fit_half2", "mwe", "psd"}) {
     ASSERT_TRUE(rows.contains(name)) << name;
-    for (const char* const field :
-         {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume", "crease_deg", "normal_deg"})
+    for (const char* const field : {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume",
+                                    "crease_deg", "normal_deg", "blended_normal_deg"})
       EXPECT_TRUE(rows[name].at(field).is_number()) << name << " " << field;
     const bool is_cooked = std::string(name) != "ssd_refit";
     EXPECT_EQ(rows[name].at("bytes_per_vertex").is_number(), is_cooked) << name;
@@ -44,6 +44,11 @@ TEST(Compare, TheCylinder) {
   EXPECT_LT(rows["as_fit_half1"]["held_rms"].get<double>(), 0.06 * ssd);
   EXPECT_NEAR(rows["as_fit_half1"]["volume"].get<double>(), 1, 0.01);
   EXPECT_LT(rows["as_fit_half2"]["held_rms"].get<double>(), 0.03 * ssd);
+  for (const char* const name : {"as_lift", "as_smooth", "as_fit", "as_fit_half1", "as_fit_half2"}) {
+    EXPECT_LT(rows[name]["normal_deg"].get<double>(), 0.5) << name;
+    EXPECT_GT(rows[name]["blended_normal_deg"].get<double>(), 10) << name;
+  }
+  EXPECT_EQ(rows["ssd"]["normal_deg"], rows["ssd"]["blended_normal_deg"]);
 }
 
 TEST(Compare, SaysWhatIsWrong) {
@@ -70,7 +75,7 @@ TEST(Compare, WritesOnePage) {
   EXPECT_EQ(first.find("Use "), 0u) << first;
   EXPECT_NE(page.find("<h1>Use "), std::string::npos);
   EXPECT_NE(page.find("as_fit_half1"), std::string::npos);
-  EXPECT_EQ(page.find("http"), std::string::npos) << "self-contained";
+  EXPECT_EQ(page.find("://"), std::string::npos) << "self-contained; pictures in base64 have no colons";
 #ifdef MARROW_HAS_GLES
   EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
 #endif

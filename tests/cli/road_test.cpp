@@ -162,9 +162,10 @@ std::pair<unsigned, unsigned> png_size(const std::string& png) {
 TEST_F(CliRoad, RenderWritesAPicture) {
   const std::vector<std::string> common = {"render", mrw(), "--clip", "wave", "--time", "0.5", "--size", "96x64", "-o"};
   const std::vector<std::vector<std::string>> variants = {
-      {"--path", "cpu", "--deformer", "ssd"},   {"--path", "cpu", "--deformer", "as"},
-      {"--path", "cpu", "--deformer", "rigid"}, {"--path", "ubo", "--deformer", "ssd"},
-      {"--path", "ubo", "--deformer", "as"},    {"--heatmap", "ssd:as"}};
+      {"--path", "cpu", "--deformer", "ssd"},      {"--path", "cpu", "--deformer", "as"},
+      {"--path", "cpu", "--deformer", "rigid"},    {"--path", "ubo", "--deformer", "ssd"},
+      {"--path", "ubo", "--deformer", "as"},       {"--heatmap", "ssd:as"},
+      {"--normals", "blended", "--deformer", "as"}};
   std::size_t pictures = 0;
   for (const auto& variant : variants) {
     const std::string png = folder_ / ("p" + std::to_string(pictures) + ".png");

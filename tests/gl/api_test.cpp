@@ -63,6 +63,8 @@ TEST(Api, PrepareRefusesBadCalls) {
   gles3::GpuMesh out;
   const gles3::Caps caps;
   EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {false, false}, scratch, bind, out), Status::bad_argument);
+  const std::vector<float> too_few(as_tangent_count(mesh.geometry) - 1);
+  EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {true, true, too_few}, scratch, bind, out), Status::bad_argument);
   EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {}, {scratch.data(), scratch.size() - 1}, bind, out),
             Status::bad_argument);
   EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {}, scratch, {bind.data(), bind.size() - 1}, out), Status::bad_argument);

@@ -98,12 +98,14 @@ const tools::Gl& gl() {
   return *context;
 }
 
-Feedback::Feedback(const Mesh& mesh) : mesh_(mesh), bind_(mesh.joint_count) {
-  std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh));
+Feedback::Feedback(const Mesh& mesh, Span<const float> tangents) : mesh_(mesh), bind_(mesh.joint_count) {
+  gles3::PrepareOptions options;
+  options.as_tangents = tangents;
+  std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh, options));
   // The least that GLES 3.0 promises, whatever this driver can do.
   gles3::Caps caps;
   caps.uniform_offset_alignment = std::max(caps.uniform_offset_alignment, gl().caps().uniform_offset_alignment);
-  prepared_ = gles3::prepare(gl(), caps, mesh, {}, scratch, bind_, gpu_);
+  prepared_ = gles3::prepare(gl(), caps, mesh, options, scratch, bind_, gpu_);
   if (!ok()) return;
   EXPECT_EQ(gles3::create_palette_ring(gl(), caps, 2 * mesh.palette_size(), 2, ring_), Status::ok);
   // A draw call wants a complete framebuffer even if nothing is rasterised.

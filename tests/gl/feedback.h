@@ -23,7 +23,8 @@ struct Skinned {
 class Feedback {
  public:
   // Fails the current test and leaves ok() false if a step refuses.
-  explicit Feedback(const Mesh& mesh);
+  // tangents: from as_tangents(), or empty.
+  explicit Feedback(const Mesh& mesh, Span<const float> tangents = {});
   ~Feedback();
   Feedback(const Feedback&) = delete;
   Feedback& operator=(const Feedback&) = delete;

@@ -17,10 +17,11 @@ constexpr double kMostPosition = 2e-4;
 constexpr double kMostNormalDeg = 1;
 // Below this a fold is so flat that one step of a weight turns its normal.
 constexpr double kLeastConditioning = 0.02;
+constexpr double kLeastSurfaceConditioning = 0.01;
 constexpr int kMoments = 4;
 
 struct Tally {
-  Worst rigid, ssd, as;
+  Worst rigid, ssd, as, surface;
   std::size_t poses = 0, meshes = 0, refused = 0;
 };
 
@@ -41,10 +42,22 @@ Worst compare_mesh(const Mesh& mesh, const tools::Character& character, std::uin
                  kLeastConditioning);
 }
 
+// Animation space with its surface's own normals.
+Worst compare_surface(const Mesh& mesh, const tools::Character& character, std::uint32_t index,
+                      Span<const float> tangents, Feedback& feedback, double diagonal) {
+  tools::PosedMesh posed;
+  character.skin(index, tools::Deformer::as, posed);
+  const Skinned got = feedback.skin(gles3::Deformer::as, character.scene_from_joint(mesh.skeleton));
+  const std::vector<double> well = surface_conditioning(mesh.geometry, tangents, character.palette(index));
+  return compare(mesh.geometry, got, {posed.positions, posed.normals, posed.tangents}, diagonal, well,
+                 kLeastSurfaceConditioning);
+}
+
 Tally read_back(const Model& model) {
   const File& file = model.file;
   Tally tally;
-  tools::Character character(file);
+  tools::Character character(file), with_surface(file, tools::AsNormals::tangents);
+  const std::vector<std::vector<float>> tangents = tools::tangents_of(file);
   const double diagonal =
       2 * static_cast<double>(tools::box_of(tools::skin_all(file, character, tools::Deformer::ssd)).radius());
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
@@ -58,6 +71,8 @@ Tally read_back(const Model& model) {
     EXPECT_EQ(feedback.prepared(), Status::ok) << model.name;
     if (!feedback.ok()) continue;
     ++tally.meshes;
+    Feedback surface(mesh, tangents[m]);
+    const bool has_surface = (surface.gpu().features & gles3::kSurfaceNormals) != 0;
     // clip_count() stands for the rest pose.
     for (std::uint32_t clip = 0; clip <= file.clip_count(); ++clip) {
       const bool rest = clip == file.clip_count();
@@ -67,6 +82,10 @@ Tally read_back(const Model& model) {
         tally.rigid.add(compare_mesh(mesh, character, m, feedback, tools::Deformer::rigid, diagonal));
         tally.ssd.add(compare_mesh(mesh, character, m, feedback, tools::Deformer::ssd, diagonal));
         tally.as.add(compare_mesh(mesh, character, m, feedback, tools::Deformer::as, diagonal));
+        if (has_surface) {
+          with_surface.pose(play, play.duration_s * static_cast<float>(moment) / (kMoments - 1));
+          tally.surface.add(compare_surface(mesh, with_surface, m, tangents[m], surface, diagonal));
+        }
         ++tally.poses;
       }
     }
@@ -75,15 +94,15 @@ Tally read_back(const Model& model) {
 }
 
 void expect_promises(const std::string& name, const Tally& tally) {
-  for (const Worst* worst : {&tally.rigid, &tally.ssd, &tally.as}) {
+  for (const Worst* worst : {&tally.rigid, &tally.ssd, &tally.as, &tally.surface}) {
     EXPECT_LE(worst->position, kMostPosition) << name;
     EXPECT_LE(worst->normal_deg, kMostNormalDeg) << name;
     EXPECT_LE(worst->tangent_deg, kMostNormalDeg) << name;
     EXPECT_EQ(worst->wrong_signs, 0u) << name;
   }
-  std::printf("%-32s %4zu poses  position %.1e %.1e %.1e  normal %.3f %.3f %.3f deg\n", name.c_str(), tally.poses,
+  std::printf("%-32s %4zu poses  position %.1e %.1e %.1e  normal %.3f %.3f %.3f %.3f deg\n", name.c_str(), tally.poses,
               tally.rigid.position, tally.ssd.position, tally.as.position, tally.rigid.normal_deg, tally.ssd.normal_deg,
-              tally.as.normal_deg);
+              tally.as.normal_deg, tally.surface.normal_deg);
 }
 
 TEST(Readback, TheEmbeddedSample) {
@@ -95,6 +114,7 @@ TEST(Readback, TheEmbeddedSample) {
   EXPECT_GE(tally.poses, tally.meshes * (3 * kMoments + 1));  // three clips at least, and the rest pose
   EXPECT_GE(tally.as.vertices, 3000u * tally.poses / tally.meshes);
   EXPECT_GT(tally.as.normals, tally.as.vertices / 2);
+  EXPECT_GT(tally.surface.normals, tally.surface.vertices / 2);
 }
 
 TEST(Readback, EveryModel) {
@@ -113,13 +133,14 @@ TEST(Readback, EveryModel) {
     all.rigid.add(tally.rigid);
     all.ssd.add(tally.ssd);
     all.as.add(tally.as);
+    all.surface.add(tally.surface);
     all.poses += tally.poses;
     all.meshes += tally.meshes;
     all.refused += tally.refused;
     ++models;
   }
   std::printf("%s\n", gl().driver().c_str());
-  expect_promises("worst of all (rigid, SSD, AS)", all);
+  expect_promises("worst of all (rigid, SSD, AS, its surface's)", all);
   std::printf(
       "%zu models, %zu meshes, %zu refused for their joints, %zu vertices compared, %zu normals, %zu tangents\n",
       models, all.meshes, all.refused, all.as.vertices, all.as.normals, all.as.tangents);
@@ -127,6 +148,8 @@ TEST(Readback, EveryModel) {
   EXPECT_GE(all.meshes, models - 1);
   EXPECT_GE(all.poses, all.meshes);
   EXPECT_GT(all.as.normals, all.as.vertices / 2);
+  std::printf("%zu of %zu normals of surfaces\n", all.surface.normals, all.surface.vertices);
+  EXPECT_GT(all.surface.normals, all.as.normals / 4);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "support/aligned.h"
 #include "support/morphs.h"
 #include "support/rig.h"
+#include "support/surface.h"
 
 namespace marrow::test {
 namespace {
@@ -130,6 +131,61 @@ TEST(Noise, Morphs) {
 }
 TEST(Noise, MoreMorphsThanAShaderAdds) {
   expect_promises("80 targets", run_character(18, 40, false, 80));
+}
+
+// A sheet with up to `most` influences in three poses, with mirrored joints in one, all with their tangents as vectors.
+Worst run_sheet(std::uint64_t seed, std::size_t most, bool residuals, std::uint8_t& features) {
+  const Sheet sheet = make_sheet(seed, 16, 9, most, residuals);
+  const TestSurface surface(sheet.vertices, sheet.triangles, std::vector<Map>(9), residuals);
+  Mesh mesh = surface.view();
+  for (std::size_t c = 0; c < 3; ++c) {
+    mesh.geometry.box_min[c] = c < 2 ? -1.0f : -0.125f;
+    mesh.geometry.box_max[c] = -mesh.geometry.box_min[c];
+  }
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), tangents(as_tangent_count(mesh.geometry));
+  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  const AsPart part{&mesh, coordinates, tangents};
+  std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&part, 1}) / 4);
+  EXPECT_EQ(as_tangents({&part, 1}, {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4}), Status::ok);
+  Feedback feedback(mesh, tangents);
+  EXPECT_EQ(feedback.prepared(), Status::ok);
+  Worst worst;
+  if (!feedback.ok()) return worst;
+  features = feedback.gpu().features;
+  const bool surface_normals = (features & gles3::kSurfaceNormals) != 0;
+  Random random(seed);
+  for (int moment = 0; moment < 3; ++moment) {
+    std::vector<Affine> palette;
+    for (int j = 0; j < 9; ++j) {
+      const Vec3 t{random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.1, 0.1)};
+      const Vec3 axis{random.between(-1, 1), random.between(-1, 1), random.between(0.5, 1)};
+      palette.push_back(to_affine(from_trs(t, axis_angle(axis, 0.75), {1, moment == 1 ? -1.0 : 1.0, 1})));
+    }
+    Buffers want(mesh.geometry);
+    EXPECT_EQ(skin_as(mesh, coordinates, palette, want.output(), surface_normals ? tangents : Span<const float>()),
+              Status::ok);
+    const std::vector<double> well = surface_normals ? surface_conditioning(mesh.geometry, tangents, palette)
+                                                     : conditioning(mesh.geometry, palette, true);
+    worst.add(compare(mesh.geometry, feedback.skin(gles3::Deformer::as, palette), want.output(),
+                      diagonal_of(want.positions), well, surface_normals ? 0.01 : kLeastConditioning));
+  }
+  return worst;
+}
+
+TEST(Noise, SurfaceNormals) {
+  std::uint8_t features = 0;
+  for (const bool residuals : {false, true}) {
+    expect_promises(residuals ? "surface normals, residuals" : "surface normals",
+                    run_sheet(21, 4, residuals, features));
+    EXPECT_NE(features & gles3::kSurfaceNormals, 0);
+  }
+}
+
+// Eight influences leave no attributes for tangents: the blend it is.
+TEST(Noise, SurfaceNormalsFallBackOnTheBlend) {
+  std::uint8_t features = 0;
+  expect_promises("no room for surface normals", run_sheet(22, 8, true, features));
+  EXPECT_EQ(features & gles3::kSurfaceNormals, 0);
 }
 
 TEST(Noise, OneJointMoreIsRefused) {

@@ -45,6 +45,48 @@ std::vector<double> conditioning(const Geometry& g, Span<const Affine> palette, 
   return out;
 }
 
+std::vector<double> surface_conditioning(const Geometry& g, Span<const float> tangents, Span<const Affine> palette) {
+  double centre[3], half = 1e-30;
+  for (int c = 0; c < 3; ++c) {
+    centre[c] = 0.5 * (static_cast<double>(g.box_min[c]) + static_cast<double>(g.box_max[c]));
+    half = std::max(half, static_cast<double>(g.box_max[c]) - centre[c]);
+  }
+  std::vector<double> out;
+  const float* block = tangents.data;
+  const std::uint16_t* set = g.sets;
+  for (const Run& run : g.runs) {
+    const std::uint32_t k = run.influences;
+    for (std::uint32_t slot = 0; slot < (run.vertex_count + 3) / 4 * 4; ++slot) {
+      const float* const lane = block + std::size_t{slot / 4} * (32 * k - 8) + slot % 4;
+      double t[2][3] = {}, ratio[2];
+      for (std::size_t a = 0; a < 2; ++a) {
+        double left[4] = {}, largest = 0;
+        for (std::size_t c = 0; c < 3; ++c) left[c] = static_cast<double>(lane[12 * a + 4 * c]);
+        for (std::uint32_t j = 0; j < k; ++j) {
+          double tau[4];
+          for (std::size_t c = 0; c < 4; ++c) {
+            tau[c] = j + 1 < k ? static_cast<double>(lane[24 + 32 * j + 16 * a + 4 * c]) : left[c];
+            if (j + 1 < k) left[c] -= tau[c];
+          }
+          for (std::size_t r = 0; r < 3; ++r)
+            for (std::size_t c = 0; c < 4; ++c) t[a][r] += static_cast<double>(palette[set[j]].rows[r][c]) * tau[c];
+          for (std::size_t c = 0; c < 3; ++c)
+            largest = std::max(largest, std::fabs(tau[c] - centre[c] * tau[3]) / half);
+          largest = std::max(largest, std::fabs(tau[3]));
+        }
+        ratio[a] = largest > 0 ? std::sqrt(row_dot(t[a], t[a])) / (half * largest) : 0;
+      }
+      const double n[3] = {t[0][1] * t[1][2] - t[0][2] * t[1][1], t[0][2] * t[1][0] - t[0][0] * t[1][2],
+                           t[0][0] * t[1][1] - t[0][1] * t[1][0]};
+      const double lengths = row_dot(t[0], t[0]) * row_dot(t[1], t[1]);
+      out.push_back(lengths > 0 ? std::min(ratio[0], ratio[1]) * std::sqrt(row_dot(n, n) / lengths) : 0);
+    }
+    block += std::size_t{(run.vertex_count + 3) / 4} * (32 * k - 8);
+    set += k;
+  }
+  return out;
+}
+
 Worst compare(const Geometry& g, const Skinned& got, const SkinOutput& want, double diagonal,
               const std::vector<double>& well, double least) {
   Worst worst;

@@ -45,6 +45,11 @@ inline double angle_deg(const float* a, const float* b) {
 // space does.
 std::vector<double> conditioning(const Geometry& geometry, Span<const Affine> palette, bool residual_weights);
 
+// The same of tangents as vectors: how long each tangent is in this pose beside its vectors, times the sine of the
+// angle between the two.
+std::vector<double> surface_conditioning(const Geometry& geometry, Span<const float> tangents,
+                                         Span<const Affine> palette);
+
 // got: the GPU's. well: from conditioning(); normals below `least` are not compared.
 Worst compare(const Geometry& geometry, const Skinned& got, const SkinOutput& want, double diagonal,
               const std::vector<double>& well, double least);

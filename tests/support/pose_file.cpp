@@ -103,6 +103,15 @@ std::uint64_t hash_reference(std::uint64_t state, const File& pack, std::uint32_
   return state;
 }
 
+// Whatever the file says, they can be had.
+void require_tangents(const Mesh& mesh, const std::vector<float>& coordinates) {
+  if (mesh.geometry.normals == nullptr) return;
+  std::vector<float> tangents(as_tangent_count(mesh.geometry));
+  const AsPart part{&mesh, coordinates, tangents};
+  std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&part, 1}) / 4);
+  require(as_tangents({&part, 1}, {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4}) == Status::ok);
+}
+
 }  // namespace
 
 void forge_checksum(std::byte* block, std::size_t size) {
@@ -141,6 +150,7 @@ PosedMesh pose_mesh(const File& file, std::uint32_t clip_index, float time_s, st
   if (deformer == Deformer::as) {
     std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
     require(as_coordinates(m.morphed.bind, coordinates) == Status::ok);
+    require_tangents(mesh, coordinates);
     require(morph_coordinates(m.morphed, coordinates) == Status::ok);
     status = skin_as(mesh, coordinates, palette, output);
   } else {

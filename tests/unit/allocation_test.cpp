@@ -43,6 +43,10 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
   std::vector<float> positions(mesh.geometry.slot_count * 3), normals(positions.size()),
       tangents(mesh.geometry.slot_count * 4);
   ASSERT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  std::vector<float> tau(as_tangent_count(mesh.geometry));
+  const AsPart part{&mesh, coordinates, tau};
+  std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&part, 1}) / 4);
+  const Span<std::byte> scratch_bytes(reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4);
   const SkinOutput out{positions, normals, tangents};
   std::vector<SoaTransform> first(local.size()), blended(local.size());
   std::vector<AdditiveTransform> change(local.size());
@@ -54,6 +58,7 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
 
   int failures = 0;
   const std::size_t before = test::allocation_count();
+  failures += as_tangents({&part, 1}, scratch_bytes) != Status::ok;
   for (int frame = 0; frame < 1000; ++frame) {
     const float time_s = static_cast<float>(frame) * clip.duration_s / 999;
     failures += sample(skeleton, clip, time_s, local) != Status::ok;
@@ -74,6 +79,7 @@ TEST(Allocation, AThousandFramesAllocateNothing) {
     failures += skin_rigid(mesh, palette, out) != Status::ok;
     failures += skin_ssd(mesh, palette, out) != Status::ok;
     failures += skin_as(mesh, coordinates, palette, out) != Status::ok;
+    failures += skin_as(mesh, coordinates, palette, out, tau) != Status::ok;
     failures += skin_mwe(mesh, palette, out) != Status::ok;
     failures += psd_distances(mesh.geometry, palette, distances) != Status::ok;
     failures += skin_psd(mesh, distances, palette, out) != Status::ok;

@@ -127,6 +127,29 @@ TEST(BadCalls, AnimationSpaceCoordinates) {
   EXPECT_TRUE(f.untouched());
 }
 
+TEST(BadCalls, AnimationSpaceTangents) {
+  Frame f;
+  std::vector<float> tau(as_tangent_count(f.mesh.geometry), Frame::kUntouched);
+  ASSERT_EQ(tau.size(), 2 * f.coordinates.size());
+  const AsPart good{&f.mesh, f.coordinates, tau};
+  std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&good, 1}) / 4);
+  std::byte* const bytes = reinterpret_cast<std::byte*>(scratch.data());
+  const auto derive = [&](const AsPart& part, std::size_t size) { return as_tangents({&part, 1}, {bytes, size}); };
+  Mesh bare = f.mesh;
+  bare.geometry.normals = nullptr;
+  EXPECT_EQ(derive({nullptr, f.coordinates, tau}, scratch.size() * 4), Status::bad_argument);
+  EXPECT_EQ(derive({&bare, f.coordinates, tau}, scratch.size() * 4), Status::bad_argument);
+  EXPECT_EQ(derive({&f.mesh, shorter(f.coordinates), tau}, scratch.size() * 4), Status::bad_argument);
+  EXPECT_EQ(derive({&f.mesh, f.coordinates, shorter(tau)}, scratch.size() * 4), Status::bad_argument);
+  EXPECT_EQ(derive(good, scratch.size() * 4 - 1), Status::bad_argument);
+  EXPECT_EQ(as_tangents({&good, 1}, {bytes + 1, scratch.size() * 4 - 1}), Status::bad_argument);
+  for (const float t : tau) EXPECT_EQ(t, Frame::kUntouched);
+  EXPECT_EQ(skin_as(f.mesh, f.coordinates, f.palette, f.output(), shorter(tau)), Status::bad_argument);
+  EXPECT_TRUE(f.untouched());
+  EXPECT_EQ(derive(good, scratch.size() * 4), Status::ok);
+  EXPECT_EQ(skin_as(f.mesh, f.coordinates, f.palette, f.output(), tau), Status::ok);
+}
+
 TEST(BadCalls, LargerThanNeededIsFine) {
   Frame f;
   f.positions.resize(f.positions.size() + 5, Frame::kUntouched);

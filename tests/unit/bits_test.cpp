@@ -14,6 +14,7 @@
 #include "support/pose_file.h"
 #include "support/poses.h"
 #include "support/rig.h"
+#include "support/surface.h"
 
 namespace marrow {
 namespace {
@@ -278,6 +279,33 @@ TEST(Bits, Family) {
   }
   EXPECT_EQ(mwe, 0xDBFEE162F0108126u);
   EXPECT_EQ(psd, 0x1A75385F8B210DF4u);
+}
+
+// Animation space with normals through tangents.
+TEST(Bits, SurfaceNormals) {
+  const test::Sheet sheet = test::make_sheet(60, 12, 9, 8, true);
+  const test::TestSurface surface(sheet.vertices, sheet.triangles, std::vector<test::Map>(9), true);
+  const Mesh mesh = surface.view();
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), tau(as_tangent_count(mesh.geometry));
+  std::vector<float> positions(mesh.geometry.slot_count * 3), normals(positions.size()),
+      tangents(mesh.geometry.slot_count * 4);
+  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  const AsPart part{&mesh, coordinates, tau};
+  std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&part, 1}) / 4);
+  EXPECT_EQ(as_tangents({&part, 1}, {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4}), Status::ok);
+  EXPECT_EQ(hash_of(tau), 0x4C48EC061FD99C0Bu) << "as_tangents";
+  test::Random random(61);
+  std::uint64_t h = test::kHashStart;
+  for (int moment = 0; moment < 10; ++moment) {
+    std::vector<Affine> palette;
+    for (int j = 0; j < 9; ++j) {
+      const test::Vec3 t{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+      palette.push_back(test::to_affine(test::from_trs(t, random.rotation(), {1, j % 4 == 3 ? -1.0 : 1.0, 1})));
+    }
+    EXPECT_EQ(skin_as(mesh, coordinates, palette, {positions, normals, tangents}, tau), Status::ok);
+    h = hash_of(tangents, hash_of(normals, hash_of(positions, h)));
+  }
+  EXPECT_EQ(h, 0xEAA4E4084A861FF4u) << "skin_as";
 }
 
 TEST(Bits, GoldenFile) {

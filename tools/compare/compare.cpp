@@ -37,6 +37,7 @@ ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
                     {"volume", r.volume},
                     {"crease_deg", r.crease_deg},
                     {"normal_deg", r.normal_deg},
+                    {"blended_normal_deg", r.blended_normal_deg},
                     {"bytes_per_vertex", or_null(r.bytes_per_vertex)},
                     {"ns_per_vertex", or_null(r.ns_per_vertex)},
                     {"instructions_per_vertex", or_null(r.instructions_per_vertex)}});
@@ -57,17 +58,19 @@ void print_table(const Study& study, const CompareArguments& a, const DeformerCo
   fmt::print("{}\n\n", verdict(c));
   fmt::print("{}: truth {}, {} poses learnt from, {} held out; lengths in mm\n", study.name, truth_of(a), c.trained,
              c.held);
-  fmt::print("{:<14}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n", "deformer", "train rms", "held rms",
-             "held max", "of ssd's", "worse", "volume", "crease", "normals", "B/vertex", "ns", "instr");
+  fmt::print("{:<14}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>9}{:>9}{:>8}{:>8}\n", "deformer", "train rms",
+             "held rms", "held max", "of ssd's", "worse", "volume", "crease", "normals", "blended", "B/vertex", "ns",
+             "instr");
   const auto or_none = [](double x) { return x > 0 ? fmt::format("{:.2f}", x) : std::string("-"); };
   double ssd = 0;
   for (const DeformerRow& r : c.rows)
     if (r.deformer == "ssd") ssd = r.held_rms;
   for (const DeformerRow& r : c.rows)
-    fmt::print("{:<14}{:>10.4f}{:>10.4f}{:>10.3f}{:>10.3f}{:>7.1f}%{:>8.3f}{:>7.1f}°{:>8.2f}°{:>9}{:>8}{:>8}\n",
-               r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, 1e3 * r.held_max, ssd > 0 ? r.held_rms / ssd : 1.0,
-               100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, or_none(r.bytes_per_vertex),
-               or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
+    fmt::print(
+        "{:<14}{:>10.4f}{:>10.4f}{:>10.3f}{:>10.3f}{:>7.1f}%{:>8.3f}{:>7.1f}°{:>8.2f}°{:>8.2f}°{:>9}{:>8}{:>8}\n",
+        r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, 1e3 * r.held_max, ssd > 0 ? r.held_rms / ssd : 1.0,
+        100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, r.blended_normal_deg, or_none(r.bytes_per_vertex),
+        or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
 }
 
 }  // namespace

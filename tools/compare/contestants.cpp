@@ -1,7 +1,11 @@
 #include "compare/contestants.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
 
 #include "cook/learn_deformers.h"
 #include "deform/multi_weight.h"
@@ -37,7 +41,7 @@ SkinnedMesh follows_one_joint(SkinnedMesh mesh) {
   return mesh;
 }
 
-Trained by_coordinates(cook::Learnt learnt) {
+Trained by_coordinates(const SkinnedMesh& mesh, cook::Learnt learnt) {
   const auto kept = std::make_shared<const cook::Learnt>(std::move(learnt));
   Trained out;
   out.extend = [kept](Pose pose) {
@@ -50,6 +54,8 @@ Trained by_coordinates(cook::Learnt learnt) {
     std::vector<deform::Influence>& blend = out.blend.emplace_back();
     for (const deform::Coordinate& c : vertex) blend.push_back({c.joint, c.q.w});
   }
+  out.tangents =
+      deform::tangent_coordinates(kept->coordinates, mesh, deform::vertex_normals(mesh.positions, mesh.indices));
   return out;
 }
 
@@ -91,12 +97,27 @@ Contestant in_animation_space(const std::string& name, const LearnOptions& optio
   out.cooked = options;
   out.kernel = Contestant::Kernel::as;
   out.train = [options](const Study& study, const Round& round, const LearnOptions&) {
-    return by_coordinates(cook::learn(study.source, round.train, options));
+    return by_coordinates(study.source.mesh, cook::learn(study.source, round.train, options));
   };
   return out;
 }
 
 }  // namespace
+
+std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vector<glm::dvec3>& bind_normals,
+                                        const Pose& pose, bool blended) {
+  const Pose extended = trained.extend(pose);
+  if (!blended && !trained.tangents.empty()) return deform::surface_normals(trained.tangents, extended);
+  std::vector<glm::dvec3> out;
+  for (std::size_t v = 0; v < bind_normals.size(); ++v) {
+    glm::dmat3 blend(0);
+    for (const deform::Influence& i : trained.blend[v]) blend += deform::linear_of(extended[i.joint]) * i.weight;
+    const glm::dvec3 n = glm::inverseTranspose(blend) * bind_normals[v];
+    const double length = glm::length(n);
+    out.push_back(length > 0 && std::isfinite(length) ? n / length : glm::dvec3(0));
+  }
+  return out;
+}
 
 std::vector<Contestant> contestants(const LearnOptions& options) {
   const LearnOptions lift = with(options, AnimationSpace::lift, 0);

@@ -6,16 +6,24 @@
 #include <vector>
 
 #include "compare/study.h"
+#include "deform/tangents.h"
 
 namespace marrow::tools {
 
 // What a deformer has become by training. Poses are given without half-joints.
 struct Trained {
   deform::Deformer deform;
-  // What normals go through: for each vertex the weights of the joints' matrices, over poses as `extend` makes them.
+  // What normals go through: for each vertex the weights of the joints' matrices, or tangents where it has them. Over
+  // poses as `extend` makes them.
   std::vector<std::vector<deform::Influence>> blend;
+  deform::TangentCoordinates tangents;
   std::function<deform::Pose(const deform::Pose&)> extend;
 };
+
+// The normals that a deformer shades with, unit, 0 where they have no direction. blended: through the blended matrix
+// even where there are tangents. bind_normals: of the bind pose's triangles.
+std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vector<glm::dvec3>& bind_normals,
+                                        const deform::Pose& pose, bool blended);
 
 struct Contestant {
   std::string name;

@@ -61,16 +61,16 @@ std::string table(const DeformerComparison& c) {
       "<table><tr><th>deformer</th><th>RMS, learnt from, mm</th><th>RMS, held out, mm</th><th>of "
       "SSD's</th><th>largest, mm</th>"
       "<th>poses worse than SSD</th><th>volume of the truth's</th><th>sharpest crease</th><th>normals off by</th>"
-      "<th>bytes a vertex</th><th>ns a vertex</th><th>instructions a vertex</th></tr>\n";
+      "<th>if blended</th><th>bytes a vertex</th><th>ns a vertex</th><th>instructions a vertex</th></tr>\n";
   for (const DeformerRow& r : c.rows) {
     const auto or_none = [](double x) { return x > 0 ? fmt::format("{:.2f}", x) : std::string("–"); };
     out += fmt::format(
         "<tr><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.3f}</td><td>{:.1f} "
         "%</td><td>{:.3f}</td><td>{:.1f}°</td>"
-        "<td>{:.2f}°</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        "<td>{:.2f}°</td><td>{:.2f}°</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, ssd->held_rms > 0 ? r.held_rms / ssd->held_rms : 1.0,
-        1e3 * r.held_max, 100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, or_none(r.bytes_per_vertex),
-        or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
+        1e3 * r.held_max, 100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, r.blended_normal_deg,
+        or_none(r.bytes_per_vertex), or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
   }
   return out + "</table>\n";
 }
@@ -141,7 +141,8 @@ std::string comparison_page(const std::string& title, const std::string& truth, 
   out += "<h2>Figures</h2>\n" + table(c) +
          "<p class=\"note\">Poses held out are not learnt from. Crease: how sharply some edge is folded beyond the "
          "bind pose, mean over "
-         "poses. Normals: between those it shades with and those of the mesh it makes, where joints meet. Bytes: of "
+         "poses. Normals: between those it shades with and those of the mesh it makes, where joints meet; animation "
+         "space shades with its own tangents, the others through the blended matrix. Bytes: of "
          "all geometry, cooked. ns: positions, "
          "on the machine that made this page.</p>\n" +
          charts(study, c) + "</html>\n";

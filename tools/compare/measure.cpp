@@ -6,7 +6,6 @@
 #include <map>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "common/instructions.h"
@@ -72,23 +71,23 @@ double volume_of(Positions p, const std::vector<std::uint32_t>& indices) {
 struct PoseErrors {
   double squares = 0, largest = 0, ssd_squares = 0;
   double volume = 1, crease_rad = 0;
-  double normal_rad = 0;  // summed
+  double normal_rad = 0, blended_normal_rad = 0;  // summed
   std::size_t normals = 0;
 };
 
 void measure_normals(const Shape& shape, const Trained& trained, const Pose& pose, const Positions& p,
                      PoseErrors& out) {
   const std::vector<glm::dvec3> own = deform::vertex_normals(p, shape.mesh.indices);
-  const Pose extended = trained.extend(pose);
+  const std::vector<glm::dvec3> shaded = shading_normals(trained, shape.bind_normals, pose, false),
+                                blended = shading_normals(trained, shape.bind_normals, pose, true);
+  const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+  };
   for (std::size_t v = 0; v < p.size(); ++v) {
     if (shape.mesh.influences[v].size() < 2 || own[v] == glm::dvec3(0)) continue;
-    glm::dmat3 blend(0);
-    for (const deform::Influence& i : trained.blend[v]) blend += deform::linear_of(extended[i.joint]) * i.weight;
-    glm::dvec3 n = glm::inverseTranspose(blend) * shape.bind_normals[v];
-    const double length = glm::length(n);
-    if (!(length > 0) || !std::isfinite(length)) continue;
-    n /= length;
-    out.normal_rad += std::acos(std::clamp(glm::dot(n, own[v]), -1.0, 1.0));
+    if (shaded[v] == glm::dvec3(0) || blended[v] == glm::dvec3(0)) continue;
+    out.normal_rad += angle(shaded[v], own[v]);
+    out.blended_normal_rad += angle(blended[v], own[v]);
     ++out.normals;
   }
 }
@@ -118,7 +117,7 @@ PoseErrors pose_errors(const Shape& shape, const Trained& trained, const deform:
 
 // Sums over rounds.
 struct Totals {
-  double train_squares = 0, held_squares = 0, normal_rad = 0, volume = 0;
+  double train_squares = 0, held_squares = 0, normal_rad = 0, blended_normal_rad = 0, volume = 0;
   std::size_t trained = 0, held = 0, worse = 0, normals = 0;
 };
 
@@ -147,6 +146,7 @@ void measure_round(const Shape& shape, const Trained& trained, const deform::Def
     totals.worse += e.squares > e.ssd_squares * (1 + 1e-9);
     totals.volume += e.volume;
     totals.normal_rad += e.normal_rad;
+    totals.blended_normal_rad += e.blended_normal_rad;
     totals.normals += e.normals;
     row.held_max = std::max(row.held_max, e.largest);
     row.crease_deg += glm::degrees(e.crease_rad) / static_cast<double>(held.size() * rounds);
@@ -272,7 +272,9 @@ DeformerComparison compare_deformers(const Study& study, const cook::LearnOption
     row.held_rms = std::sqrt(totals.held_squares / vertices / static_cast<double>(totals.held));
     row.worse_share = static_cast<double>(totals.worse) / static_cast<double>(totals.held);
     row.volume = totals.volume / static_cast<double>(totals.held);
-    if (totals.normals > 0) row.normal_deg = glm::degrees(totals.normal_rad / static_cast<double>(totals.normals));
+    const auto normals = static_cast<double>(std::max<std::size_t>(1, totals.normals));
+    row.normal_deg = glm::degrees(totals.normal_rad / normals);
+    row.blended_normal_deg = glm::degrees(totals.blended_normal_rad / normals);
     measure_cost(study, contestant, row);
     out.trained = totals.trained;
     out.held = totals.held;

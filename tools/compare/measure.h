@@ -16,6 +16,7 @@ struct DeformerRow {
   double volume = 1;       // over the truth's, in held-out poses, on average
   double crease_deg = 0;   // how sharply some edge is folded beyond the bind pose; the mean over held-out poses
   double normal_deg = 0;   // between the normals it shades with and those of the mesh it makes, where joints meet
+  double blended_normal_deg = 0;  // the same if all went through the blended matrix, as is cheaper
   // Of the cooked file; 0: cannot be cooked, or is no better than SSD in its clips and not shipped.
   double bytes_per_vertex = 0;         // of geometry
   double ns_per_vertex = 0;            // of the runtime's kernel on this machine, positions

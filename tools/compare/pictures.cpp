@@ -35,8 +35,9 @@ class Stage {
     studio_.emplace(*gl_, kSide, kSide);
   }
 
-  std::vector<PosedMesh> posed(const deform::Positions& positions) const {
-    const std::vector<glm::dvec3> normals = deform::vertex_normals(positions, study_.source.mesh.indices);
+  // normals: empty for those of the triangles.
+  std::vector<PosedMesh> posed(const deform::Positions& positions, std::vector<glm::dvec3> normals) const {
+    if (normals.empty()) normals = deform::vertex_normals(positions, study_.source.mesh.indices);
     std::vector<PosedMesh> out(file_.mesh_count());
     for (std::uint32_t m = 0; m < file_.mesh_count(); ++m) {
       const Geometry g = file_.mesh(m).geometry;
@@ -112,6 +113,8 @@ std::vector<PictureRow> draw_worst_poses(const Study& study, const DeformerCompa
                                          std::size_t most) {
   Stage stage(study);
   const Round& round = study.rounds.front();
+  const deform::SkinnedMesh& mesh = study.source.mesh;
+  const std::vector<glm::dvec3> bind_normals = deform::vertex_normals(mesh.positions, mesh.indices);
   std::vector<PictureRow> out;
   for (const std::size_t i : worst_poses(round, comparison.rows[deformers.front()].error_of_pose, most)) {
     const HeldPose& held = round.held[i];
@@ -119,13 +122,14 @@ std::vector<PictureRow> draw_worst_poses(const Study& study, const DeformerCompa
     row.title = held.clip.empty() ? fmt::format("pose {}", i) : fmt::format("{} at {:.2f} s", held.clip, held.time_s);
     deform::Positions positions;
     truth(held.pose, positions);
-    const std::vector<PosedMesh> wanted = stage.posed(positions);
+    const std::vector<PosedMesh> wanted = stage.posed(positions, {});
     row.pictures.push_back(stage.shoot(wanted, wanted, "truth", nullptr));
     std::vector<std::vector<PosedMesh>> shapes;
     float scale = 0;
     for (const std::size_t d : deformers) {
-      comparison.trained_in_first_round[d].deform(held.pose, positions);
-      shapes.push_back(stage.posed(positions));
+      const Trained& trained = comparison.trained_in_first_round[d];
+      trained.deform(held.pose, positions);
+      shapes.push_back(stage.posed(positions, shading_normals(trained, bind_normals, held.pose, false)));
       scale = std::max(scale, largest_distance(shapes.back(), wanted));
       row.pictures.push_back(stage.shoot(shapes.back(), wanted, comparison.rows[d].deformer, nullptr));
     }

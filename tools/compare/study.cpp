@@ -10,6 +10,7 @@
 #include "cook/build.h"
 #include "cook/gltf/read.h"
 #include "deform/cylinder.h"
+#include "deform/surface.h"
 
 namespace marrow::tools {
 namespace {
@@ -171,8 +172,10 @@ RawScene cylinder_scene(const deform::SkinnedMesh& mesh) {
   RawPrimitive p;
   p.pointer = "/meshes/0/primitives/0";
   p.indices = mesh.indices;
+  const std::vector<glm::dvec3> normals = deform::vertex_normals(mesh.positions, mesh.indices);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     p.positions.emplace_back(mesh.positions[v]);
+    p.normals.emplace_back(normals[v]);
     std::vector<RawInfluence>& influences = p.influences.emplace_back();
     for (const deform::Influence& i : mesh.influences[v]) influences.push_back({i.joint, static_cast<float>(i.weight)});
   }

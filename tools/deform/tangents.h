@@ -1,31 +1,22 @@
-// How a surface's tangents follow from its vertices, whatever deforms them.
+// Tangents of a surface as animation-space vectors: the runtime's as_tangents() (marrow/skin.h) in double precision,
+// for vertices that are one where they coincide.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "deform/surface.h"
+#include "deform/animation_space.h"
 
 namespace marrow::deform {
 
-// For each vertex two tangents, as sums over its neighbours: t = Σ_k c_k (p_k - p). In the pose that they are made of,
-// they are perpendicular unit vectors with t₀ × t₁ the normal; in another the image of those under the linear map that
-// fits the neighbours best (least squares). So they are linear in the vertices, and their cross product is normal to
-// the surface.
-class TangentOperator {
- public:
-  TangentOperator(const Surface& surface, const Positions& rest, const std::vector<glm::dvec3>& normals);
+// Of each vertex two tangents t = Σ_j M_j τ_j, over the joints of its coordinates; Σ_j (τ_j)_w = 0.
+using TangentCoordinates = std::vector<std::array<std::vector<Coordinate>, 2>>;
 
-  // All zero where the neighbours lie on a line.
-  const std::array<double, 2>& coefficients(std::size_t vertex, std::size_t neighbour) const {
-    return coefficients_[first_[vertex] + neighbour];
-  }
-  std::array<glm::dvec3, 2> at(std::size_t vertex, const Positions& positions) const;
+// mesh: the bind pose. normals: of it, unit.
+TangentCoordinates tangent_coordinates(const Coordinates& coordinates, const SkinnedMesh& mesh,
+                                       const std::vector<glm::dvec3>& normals);
 
- private:
-  const Surface& surface_;
-  std::vector<std::size_t> first_;
-  std::vector<std::array<double, 2>> coefficients_;
-};
+// t₀ × t₁ in a pose, unit; 0 where that has no direction.
+std::vector<glm::dvec3> surface_normals(const TangentCoordinates& tangents, const Pose& pose);
 
 }  // namespace marrow::deform

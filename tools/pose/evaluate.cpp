@@ -30,6 +30,30 @@ std::optional<Deformer> parse_deformer(const std::string& name) {
   return std::nullopt;
 }
 
+std::optional<AsNormals> parse_as_normals(const std::string& name) {
+  if (name == "blended") return AsNormals::blended;
+  if (name == "tangents") return AsNormals::tangents;
+  return std::nullopt;
+}
+
+std::vector<std::vector<float>> tangents_of(const File& file) {
+  std::vector<Mesh> meshes;
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) meshes.push_back(file.mesh(i));
+  std::vector<std::vector<float>> coordinates(meshes.size()), out(meshes.size());
+  std::vector<AsPart> parts;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const Geometry& g = meshes[i].geometry;
+    if (g.normals == nullptr || !g.targets.empty()) continue;
+    coordinates[i].resize(as_coordinate_count(g));
+    out[i].resize(as_tangent_count(g));
+    check(as_coordinates(g, coordinates[i]));
+    parts.push_back({&meshes[i], coordinates[i], out[i]});
+  }
+  std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes(parts) / sizeof(std::uint32_t));
+  check(as_tangents(parts, {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * sizeof(std::uint32_t)}));
+  return out;
+}
+
 Play play_alone(const File& clips, const Clip& clip, std::uint32_t skeleton) {
   return {{{skeleton, clip, clips}}, clip.duration_s};
 }
@@ -47,7 +71,8 @@ Play play_together(const File& file, std::uint32_t clip) {
   return play;
 }
 
-Character::Character(const File& file) : file_(file) {
+Character::Character(const File& file, AsNormals normals) : file_(file), tangents_(file.mesh_count()) {
+  if (normals == AsNormals::tangents) tangents_ = tangents_of(file);
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     local_.emplace_back(file_.skeleton(i).soa_size());
     model_.emplace_back(file_.skeleton(i).joint_count);
@@ -118,7 +143,7 @@ void Character::skin(std::uint32_t mesh_index, Deformer deformer, PosedMesh& out
     case Deformer::ssd:
       return check(skin_ssd(mesh, palette, output));
     case Deformer::as:
-      return check(skin_as(mesh, coordinates_[mesh_index], palette, output));
+      return check(skin_as(mesh, coordinates_[mesh_index], palette, output, tangents_[mesh_index]));
   }
 }
 

@@ -16,6 +16,16 @@ enum class Deformer { rigid, ssd, as };
 // "rigid", "ssd" or "as"; nullopt for anything else.
 std::optional<Deformer> parse_deformer(const std::string& name);
 
+// What normals go through in animation space: the blended matrix, or tangents of the deformed surface. Meshes with
+// morph targets have the blend's either way.
+enum class AsNormals { blended, tangents };
+
+// "blended" or "tangents"; nullopt for anything else.
+std::optional<AsNormals> parse_as_normals(const std::string& name);
+
+// as_tangents() of every mesh of a file as one surface; empty for meshes without normals or with morph targets.
+std::vector<std::vector<float>> tangents_of(const File& file);
+
 struct PosedMesh {
   std::vector<float> positions;  // 3 a slot, scene space
   std::vector<float> normals;    // 3 a slot; empty if the mesh has none
@@ -41,7 +51,7 @@ Play play_together(const File& file, std::uint32_t clip);
 // Everything that the skeletons and meshes of a file need beside it, allocated once.
 class Character {
  public:
-  explicit Character(const File& file);
+  explicit Character(const File& file, AsNormals normals = AsNormals::blended);
   Character(const Character&) = delete;
   Character& operator=(const Character&) = delete;
 
@@ -63,6 +73,7 @@ class Character {
   std::vector<std::vector<Affine>> palettes_;     // a mesh
   // A mesh.
   std::vector<std::vector<float>> coordinates_;  // in animation space
+  std::vector<std::vector<float>> tangents_;     // likewise; empty: normals go through the blend
   std::vector<std::vector<float>> weights_;
   std::vector<std::vector<SoaTransform>> memory_;  // of morphed_; for its alignment
   std::vector<MorphedGeometry> morphed_;

@@ -54,15 +54,20 @@ void attribute(const Gl& gl, GLuint buffer, GLuint location, int size) {
 
 }  // namespace
 
-Figure::Figure(const Gl& gl, const File& file, const Textures* textures) : gl_(gl), file_(file), textures_(textures) {
+Figure::Figure(const Gl& gl, const File& file, const Textures* textures, AsNormals normals)
+    : gl_(gl), file_(file), textures_(textures) {
+  std::vector<std::vector<float>> tangents(file.mesh_count());
+  if (normals == AsNormals::tangents) tangents = tangents_of(file);
   std::uint32_t joints = 0;
   std::vector<std::byte> scratch;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
     const Mesh mesh = file.mesh(i);
     Part& part = parts_.emplace_back();
     part.bind.resize(mesh.joint_count);
-    scratch.resize(std::max(scratch.size(), gles3::prepare_scratch_bytes(mesh)));
-    const Status status = gles3::prepare(gl, gl.caps(), mesh, {}, scratch, part.bind, part.gpu);
+    gles3::PrepareOptions options;
+    options.as_tangents = tangents[i];
+    scratch.resize(std::max(scratch.size(), gles3::prepare_scratch_bytes(mesh, options)));
+    const Status status = gles3::prepare(gl, gl.caps(), mesh, options, scratch, part.bind, part.gpu);
     if (status == Status::unsupported) {
       if (!too_large_) too_large_ = i;
     } else {
@@ -127,7 +132,8 @@ std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deform
     d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;
     d.index_count = part.gpu.index_count;
     d.index_type = part.gpu.index_type;
-    const int features = part.gpu.features & (gles3::kNormals | gles3::kColours | gles3::kMorphs);
+    const int features =
+        part.gpu.features & (gles3::kNormals | gles3::kColours | gles3::kMorphs | gles3::kSurfaceNormals);
     d.program = {gpu_deformer(deformer), part.gpu.influences, static_cast<std::uint8_t>(features)};
     d.coordinate_scale = part.gpu.coordinate_scale;
     d.morph_weights.assign(character.weights(i).begin(), character.weights(i).end());

@@ -14,7 +14,8 @@ namespace marrow::tools {
 class Figure {
  public:
   // Throws Failure (internal) if the driver refuses. `gl`, `file` and `textures` (none: drawn without) outlive it.
-  Figure(const Gl& gl, const File& file, const Textures* textures = nullptr);
+  // normals: of animation space, by the vertex shader; blended in any case where it has no room for tangents.
+  Figure(const Gl& gl, const File& file, const Textures* textures = nullptr, AsNormals normals = AsNormals::blended);
   ~Figure();
   Figure(const Figure&) = delete;
   Figure& operator=(const Figure&) = delete;

@@ -12,6 +12,7 @@ struct RenderArguments {
   std::string images_from;  // empty: the file's folder
   std::string deformer = "ssd";
   std::string path = "ubo";
+  std::string normals = "tangents";
   std::string size = "960x720";
   Choice choice;
 };

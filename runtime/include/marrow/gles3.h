@@ -50,8 +50,11 @@ inline constexpr std::uint8_t kTangents = 2;
 inline constexpr std::uint8_t kUvs = 4;
 inline constexpr std::uint8_t kColours = 8;
 inline constexpr std::uint8_t kMorphs = 16;
+// In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
+inline constexpr std::uint8_t kSurfaceNormals = 32;
 
-// Attribute locations of the skinning text, fixed so that any program draws any mesh.
+// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
 inline constexpr std::uint32_t kPositionLocation = 0;  // animation space: 0 … 7 are the coordinates
 inline constexpr std::uint32_t kWeightsLocation = 1;   // and 2
 inline constexpr std::uint32_t kJointsLocation = 8;    // and 9
@@ -60,6 +63,7 @@ inline constexpr std::uint32_t kTangentLocation = 11;
 inline constexpr std::uint32_t kUvLocation = 12;
 inline constexpr std::uint32_t kColourLocation = 13;
 inline constexpr std::uint32_t kMorphRowLocation = 14;
+inline constexpr std::uint32_t kSurfaceLocations[8] = {4, 5, 6, 7, 9, 10, 11, 15};  // four vectors of each tangent
 
 // Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 inline constexpr std::uint32_t kMorphTargets = 64;
@@ -72,11 +76,13 @@ inline constexpr std::uint32_t kPaletteBlockBytes = kPaletteJoints * 48;
 //
 //   SSD       position snorm16×3 + pad · weights unorm16×4 or ×8, summing to 65535 · joints u8 (u16 above 256 entries)
 //   AS        coordinates snorm16×4 an influence, their w summing to 32767 (or less, see coordinate_scale) · joints
+//             kSurfaceNormals: and snorm16×4 an influence and tangent, their w summing to 0
 //   surface   normal octahedral snorm16×2 · tangent octahedral snorm16×2, sign in y · uv unorm16×2 or f32×2 · rgba8
 //   morphs    u32: which row of the texture, RGBA16I, holds the vertex's changes; 8 B an attribute, target and vertex
 //   that
 //             any target moves
-// 4 influences: SSD 20 B a vertex, AS 36 B; surface 4 B with normals alone. 8 influences: 32 B and 72 B.
+// 4 influences: SSD 20 B a vertex, AS 36 B, with kSurfaceNormals 100 B; surface 4 B with normals alone. 8 influences:
+// 32 B and 72 B.
 struct GpuMesh {
   std::uint32_t ssd_array = 0;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
   std::uint32_t as_array = 0;
@@ -104,6 +110,11 @@ struct GpuMesh {
 struct PrepareOptions {
   bool ssd = true;  // also what rigid draws from
   bool as = true;
+  // From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
+  // kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
+  // vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
+  // normals cannot.
+  Span<const float> as_tangents = {};
 };
 
 // Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
@@ -127,7 +138,8 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
 // Deletes the GL objects and clears the struct.
 void destroy(const Api& api, GpuMesh& mesh);
 
-// What a program is compiled for. With kMorphs it draws only meshes that have targets; set_morphs() before each.
+// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
+// that have targets; set_morphs() before each.
 struct ProgramKey {
   Deformer deformer = Deformer::ssd;
   std::uint8_t influences = 4;

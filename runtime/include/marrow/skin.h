@@ -60,6 +60,33 @@ std::size_t as_coordinate_count(const Geometry& geometry);
 // out: as_coordinate_count() floats. Done once a mesh, not a frame.
 Status as_coordinates(const Geometry& geometry, Span<float> out);
 
+// A mesh in animation space, for as_tangents().
+struct AsPart {
+  const Mesh* mesh = nullptr;
+  Span<const float> coordinates;  // from as_coordinates()
+  Span<float> tangents;           // as_tangent_count() floats, to be written
+};
+
+// How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
+std::size_t as_tangent_count(const Geometry& geometry);
+
+// Bytes of scratch memory that as_tangents() wants: about 32 a slot and 4 an index.
+std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts);
+
+// Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
+//   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
+//   Σ_j (τ_j)_w = 0
+// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
+// residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
+// has one. What the triangles do not explain of them goes through the blend: all, if they have no area. Of a
+// neighbour's joints those that a vertex lacks count as the one of its own which that neighbour follows most.
+//
+// parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
+// the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
+// scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
+// no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex.
+Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch);
+
 // Animation space.
 //   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
 //            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
@@ -68,7 +95,12 @@ Status as_coordinates(const Geometry& geometry, Span<float> out);
 // Cost: positions 41 / 32; with normals through the blended matrix 78 / 57, and tangents 93 / 62; through the inverse
 // transpose 100 / 68 and 116 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
 // more an influence but the last.
-Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out);
+//
+// tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
+// t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
+// run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
+Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out,
+               Span<const float> tangents = {});
 
 // Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
 // animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:

@@ -1,0 +1,223 @@
+// Tangents of a surface as animation-space vectors.
+#include <cmath>
+
+#include "core/check.h"
+#include "skin/as_surface.h"
+
+namespace marrow {
+namespace {
+
+// Copies of a vertex whose normals are farther apart, as a cosine, lie on two sides of a crease.
+constexpr float kSmooth = 0.9f;
+// Copies that are looked at, so that hostile meshes do not take for ever.
+constexpr std::uint32_t kMostCopies = 256;
+// Triangles that cancel out but for this share of their areas have no normal.
+constexpr float kFlat = 1e-3f;
+
+struct Vec3 {
+  float x, y, z;
+};
+
+Vec3 operator+(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Vec3 operator-(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Vec3 operator*(Vec3 a, float s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+float dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+Vec3 cross(Vec3 a, Vec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+float length(Vec3 a) {
+  return std::sqrt(dot(a, a));
+}
+Vec3 unit_or_zero(Vec3 a) {
+  const float l = length(a);
+  return l > 0 ? a * (1 / l) : Vec3{0, 0, 0};
+}
+
+Vec3 direction(const float* stream, std::uint32_t stride, std::uint32_t slot) {
+  return {AsSurface::lane(stream, stride, slot, 0), AsSurface::lane(stream, stride, slot, 1),
+          AsSurface::lane(stream, stride, slot, 2)};
+}
+
+// Calls visit(k, l) with the slots of each triangle (v, k, l) round the vertex at `slot`, this side of creases.
+template <class Visit>
+void for_each_triangle(const AsSurface& surface, std::uint32_t slot, Vec3 normal, const Visit& visit) {
+  std::uint32_t copy = slot;
+  for (std::uint32_t i = 0; i < kMostCopies; ++i) {
+    const Vec3 other = direction(surface.geometry(copy).normals, 3, surface.local(copy));
+    for (std::uint32_t corner = dot(normal, other) > kSmooth || copy == slot ? surface.first_corner(copy) : kNoNumber;
+         corner != kNoNumber; corner = surface.next_corner(corner)) {
+      std::uint32_t opposite[2];
+      surface.opposite(copy, corner, opposite);
+      visit(opposite[0], opposite[1]);
+    }
+    copy = surface.next_copy(copy);
+    if (copy == slot) return;
+  }
+}
+
+// Two perpendicular unit vectors with first × second the normal; the first along the texture's tangent, if there is
+// one.
+struct Frame {
+  Vec3 normal, axis[2];
+};
+
+Frame frame_of(const Geometry& g, std::uint32_t slot) {
+  Frame f;
+  f.normal = direction(g.normals, 3, slot);
+  Vec3 along{0, 0, 0};
+  if (g.tangents != nullptr) {
+    const Vec3 t = direction(g.tangents, 4, slot);
+    along = t - f.normal * dot(f.normal, t);
+  }
+  if (!(length(along) > 1e-3f)) {
+    const Vec3 n = f.normal;
+    const float x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+    along = cross(n, x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
+  }
+  f.axis[0] = unit_or_zero(along);
+  f.axis[1] = cross(f.normal, f.axis[0]);
+  return f;
+}
+
+// τ_aj of both tangents.
+using Tangents = float[2][kMaxInfluences][4];
+
+class Derivation {
+ public:
+  Derivation(const AsSurface& surface, std::uint32_t slot) : surface_(surface), slot_(slot) {
+    surface_.read(slot, vertex_);
+    for (std::uint32_t j = 1; j < vertex_.influences; ++j)
+      if (vertex_.q[j][3] > vertex_.q[heaviest_][3]) heaviest_ = j;
+  }
+
+  // Derivatives along the frame's axes on the bind pose's surface, triangles weighed by their areas. What they lack of
+  // the axes there, as an artist's normal is not the triangles' and a ring is not flat, goes through the blended
+  // matrix: so residuals tilt normals, and a vertex without area has the blend's.
+  void run(const Frame& frame, Tangents& out) {
+    for (auto& tangent : out)
+      for (auto& tau : tangent)
+        for (float& c : tau) c = 0;
+    const Vec3 v = position_of(slot_);
+    Vec3 normal{0, 0, 0};
+    float areas = 0;
+    for_each_triangle(surface_, slot_, frame.normal, [&](std::uint32_t k, std::uint32_t l) {
+      const Vec3 doubled = cross(position_of(k) - v, position_of(l) - v);
+      normal = normal + doubled;
+      areas += length(doubled);
+    });
+    Vec3 lacks[2] = {frame.axis[0], frame.axis[1]};
+    const float area = length(normal);
+    if (area > kFlat * areas) {
+      const Vec3 across[2] = {cross(normal * (1 / area), frame.axis[0]), cross(normal * (1 / area), frame.axis[1])};
+      for_each_triangle(surface_, slot_, frame.normal, [&](std::uint32_t k, std::uint32_t l) {
+        const Vec3 to_k = position_of(k) - v, to_l = position_of(l) - v;
+        const float of_k[2] = {dot(to_l, across[0]) / area, dot(to_l, across[1]) / area};
+        const float of_l[2] = {-dot(to_k, across[0]) / area, -dot(to_k, across[1]) / area};
+        for (int a = 0; a < 2; ++a) lacks[a] = lacks[a] - to_k * of_k[a] - to_l * of_l[a];
+        add(k, of_k, out);
+        add(l, of_l, out);
+      });
+    }
+    for (int a = 0; a < 2; ++a) add_blend(lacks[a], out[a]);
+  }
+
+ private:
+  Vec3 position_of(std::uint32_t slot) const {
+    const float* p = surface_.position(slot);
+    return {p[0], p[4], p[8]};
+  }
+
+  // A neighbour's difference from the vertex, times a factor a tangent. What it has of joints that the vertex lacks
+  // goes to that of the vertex's joints which the neighbour follows most.
+  void add(std::uint32_t neighbour, const float (&factors)[2], Tangents& out) const {
+    AsVertex n;
+    surface_.read(neighbour, n);
+    float q[kMaxInfluences][4];
+    for (std::uint32_t j = 0; j < vertex_.influences; ++j)
+      for (int c = 0; c < 4; ++c) q[j][c] = -vertex_.q[j][c];
+    float left[4] = {0, 0, 0, 0}, most = 0;
+    std::uint32_t heir = heaviest_;
+    for (std::uint32_t i = 0; i < n.influences; ++i) {
+      std::uint32_t j = 0;
+      while (j < vertex_.influences && !surface_.same_entry(slot_, vertex_.set[j], neighbour, n.set[i])) ++j;
+      float(&to)[4] = j < vertex_.influences ? q[j] : left;
+      for (int c = 0; c < 4; ++c) to[c] += n.q[i][c];
+      if (j == vertex_.influences || !(n.q[i][3] > most)) continue;
+      most = n.q[i][3];
+      heir = j;
+    }
+    for (int c = 0; c < 4; ++c) q[heir][c] += left[c];
+    for (std::uint32_t j = 0; j < vertex_.influences; ++j)
+      for (int c = 0; c < 4; ++c) {
+        out[0][j][c] += factors[0] * q[j][c];
+        out[1][j][c] += factors[1] * q[j][c];
+      }
+  }
+
+  // A direction through the blended matrix.
+  void add_blend(Vec3 direction, float (&tau)[kMaxInfluences][4]) const {
+    for (std::uint32_t j = 0; j < vertex_.influences; ++j) {
+      tau[j][0] += vertex_.q[j][3] * direction.x;
+      tau[j][1] += vertex_.q[j][3] * direction.y;
+      tau[j][2] += vertex_.q[j][3] * direction.z;
+    }
+  }
+
+  const AsSurface& surface_;
+  std::uint32_t slot_, heaviest_ = 0;
+  AsVertex vertex_;
+};
+
+// Of a block: Σ_j of both tangents, x[4] y[4] z[4] each, then x[4] y[4] z[4] w[4] of both for each influence but the
+// last.
+void write(const Tangents& tangents, std::uint32_t influences, float* to) {
+  for (int a = 0; a < 2; ++a, to += 12) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      float sum = 0;
+      for (std::uint32_t j = 0; j < influences; ++j) sum += tangents[a][j][c];
+      to[4 * c] = sum;
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < influences; ++j)
+    for (int a = 0; a < 2; ++a, to += 16)
+      for (std::size_t c = 0; c < 4; ++c) to[4 * c] = tangents[a][j][c];
+}
+
+}  // namespace
+
+std::size_t as_tangent_count(const Geometry& geometry) {
+  return 2 * as_coordinate_count(geometry);
+}
+
+std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts) {
+  return AsSurface::bytes(parts);
+}
+
+Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch) {
+  for (const AsPart& part : parts) {
+    MARROW_REQUIRE(part.mesh != nullptr && part.mesh->geometry.normals != nullptr);
+    MARROW_REQUIRE(part.coordinates.size >= as_coordinate_count(part.mesh->geometry));
+    MARROW_REQUIRE(part.tangents.size >= as_tangent_count(part.mesh->geometry));
+  }
+  MARROW_REQUIRE(scratch.size >= as_tangent_scratch_bytes(parts));
+  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(scratch.data) % alignof(std::uint32_t) == 0);
+  const AsSurface surface(parts, scratch);
+  for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+    const Frame frame = frame_of(surface.geometry(slot), surface.local(slot));
+    Tangents tangents;
+    Derivation(surface, slot).run(frame, tangents);
+    const AsSurface::Block& block = surface.block(slot);
+    write(tangents, block.influences, surface.part(slot).tangents.data + 2 * std::size_t{block.coordinates} + slot % 4);
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow
