@@ -16,9 +16,10 @@
 namespace marrow::deform {
 namespace {
 
-constexpr double kBorderWeight = 1;   // of planes through borders and seams, per length
-constexpr double kDrift = 1e-4;       // of distances from points, beside those from planes: where all is flat
-constexpr double kLeastCosine = 0.2;  // of a bind-pose normal before and after a collapse
+constexpr double kBorderWeight = 1;      // of planes through borders and seams, per length
+constexpr double kDrift = 1e-4;          // of distances from points, beside those from planes: where all is flat
+constexpr std::size_t kMostAround = 64;  // triangles at a point that an edge collapses to or from: bounds the time
+constexpr double kLeastCosine = 0.2;     // of a bind-pose normal before and after a collapse
 
 using Corners = std::array<std::uint32_t, 3>;
 
@@ -264,7 +265,8 @@ bool Simplifier::keeps_topology(std::uint32_t removed, std::uint32_t kept,
 }
 
 bool Simplifier::may_remove(std::uint32_t removed, std::uint32_t kept) const {
-  if (kind_[removed] == Kind::fixed) return false;
+  if (kind_[removed] == Kind::fixed || std::max(around_[removed].size(), around_[kept].size()) > kMostAround)
+    return false;
   const std::vector<std::uint32_t> both = shared(removed, kept);
   if (both.empty() || both.size() > 2 || (border_[removed] != 0 && both.size() != 1)) return false;
   if (both.size() == around_[removed].size() && both.size() == around_[kept].size()) return false;  // all there is

@@ -174,6 +174,21 @@ TEST(Simplify, TakesWhatIsNoManifold) {
   EXPECT_TRUE(simplify(plain(0, {}), {{{}}}, {1}, Placement::ends)[0].indices.empty());
 }
 
+// A fan of 20 000 triangles round one point, which would cost the cube of that.
+TEST(Simplify, ManyTrianglesAtAPointTakeNoTime) {
+  constexpr std::uint32_t kRim = 20000;
+  Positions at = {{0, 0, 0}};
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t i = 0; i < kRim; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kRim;
+    at.emplace_back(std::cos(angle), std::sin(angle), 0);
+    faces.insert(faces.end(), {0, i + 1, (i + 1) % kRim + 1});
+  }
+  const std::vector<SimplerSurface> out = simplify(plain(kRim + 1, faces), {{at}}, {100}, Placement::ends);
+  ASSERT_EQ(out[0].indices.size(), 100u * 3);
+  EXPECT_NEAR(area(placed(out[0], at), out[0].indices), std::numbers::pi, 0.01);
+}
+
 // The cylinder in its poses: what is measured, and that it is linear.
 class SimplifyCylinder : public testing::Test {
  protected:
