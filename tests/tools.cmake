@@ -4,7 +4,7 @@ set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/
   unit/cook/gltf_scene_test.cpp unit/cook/keep_test.cpp unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp unit/cook/bind_weights_test.cpp unit/cook/deformers_test.cpp
-  unit/cook/learn_test.cpp)
+  unit/cook/learn_test.cpp unit/cook/lod_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
 target_compile_options(marrow_cook_tests PRIVATE -O0)
 marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
@@ -13,6 +13,7 @@ marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
 marrow_embed(marrow_cook_tests pack_v1 golden/pack_v1.mrw)
 marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
 marrow_embed(marrow_cook_tests stride_v1 golden/stride_v1.mrw)
+marrow_embed(marrow_cook_tests lod_v1 golden/lod_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_deform marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
