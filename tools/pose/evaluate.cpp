@@ -47,13 +47,13 @@ Play play_together(const File& file, std::uint32_t clip) {
   return play;
 }
 
-Character::Character(const File& file) : file_(file) {
+Character::Character(const File& file, std::uint32_t level) : file_(file), level_(level) {
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     local_.emplace_back(file_.skeleton(i).soa_size());
     model_.emplace_back(file_.skeleton(i).joint_count);
   }
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     palettes_.emplace_back(mesh.palette_size());
     coordinates_.emplace_back(as_coordinate_count(mesh.geometry));
     check(as_coordinates(mesh.geometry, coordinates_.back()));
@@ -79,7 +79,7 @@ void Character::pose(const Play& play, float time_s) {
     check(local_to_model(skeleton, local_[i], model_[i]));
   }
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     check(build_palette(mesh, model_[mesh.skeleton], palettes_[i]));
   }
   morph_all(play, time_s);
@@ -87,7 +87,7 @@ void Character::pose(const Play& play, float time_s) {
 
 void Character::morph_all(const Play& play, float time_s) {
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     if (mesh.targets.empty()) continue;
     std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
     std::vector<float> values;
@@ -104,7 +104,7 @@ void Character::morph_all(const Play& play, float time_s) {
 }
 
 void Character::skin(std::uint32_t mesh_index, Deformer deformer, PosedMesh& out) const {
-  Mesh mesh = file_.mesh(mesh_index);
+  Mesh mesh = file_.mesh(mesh_index, level_);
   mesh.geometry = morphed_[mesh_index].geometry;
   const std::size_t slots = mesh.geometry.slot_count;
   out.positions.resize(slots * 3);

@@ -41,7 +41,8 @@ Play play_together(const File& file, std::uint32_t clip);
 // Everything that the skeletons and meshes of a file need beside it, allocated once.
 class Character {
  public:
-  explicit Character(const File& file);
+  // level: of detail, as in File::mesh.
+  explicit Character(const File& file, std::uint32_t level = 0);
   Character(const Character&) = delete;
   Character& operator=(const Character&) = delete;
 
@@ -58,6 +59,7 @@ class Character {
   void morph_all(const Play& play, float time_s);
 
   File file_;
+  std::uint32_t level_;
   std::vector<std::vector<SoaTransform>> local_;  // a skeleton
   std::vector<std::vector<Affine>> model_;        // a skeleton
   std::vector<std::vector<Affine>> palettes_;     // a mesh

@@ -14,7 +14,8 @@ namespace marrow::tools {
 class Figure {
  public:
   // Throws Failure (internal) if the driver refuses. `gl`, `file` and `textures` (none: drawn without) outlive it.
-  Figure(const Gl& gl, const File& file, const Textures* textures = nullptr);
+  // level: of detail, as in File::mesh.
+  Figure(const Gl& gl, const File& file, const Textures* textures = nullptr, std::uint32_t level = 0);
   ~Figure();
   Figure(const Figure&) = delete;
   Figure& operator=(const Figure&) = delete;
@@ -46,6 +47,7 @@ class Figure {
   const Gl& gl_;
   File file_;
   const Textures* textures_;
+  std::uint32_t level_;
   std::vector<Part> parts_;
   gles3::PaletteRing ring_;
   std::optional<std::uint32_t> too_large_;

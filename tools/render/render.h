@@ -13,6 +13,7 @@ struct RenderArguments {
   std::string deformer = "ssd";
   std::string path = "ubo";
   std::string size = "960x720";
+  std::uint32_t lod = 0;
   Choice choice;
 };
 
