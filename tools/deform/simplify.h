@@ -46,7 +46,8 @@ inline constexpr std::uint32_t kNoHome = 0xFFFFFFFF;
 // counts by the root of its triangle's area: where triangles are small, they are so for a reason. As shapes are linear
 // in the points' animation-space coordinates, a collapsed edge has the same shares of its ends in all of them. A point
 // on a border or a seam goes only along it, onto another; a point where more than two triangles share an edge, or
-// several parts of the surface meet, or another point lies in the same place, stays. Where a corner goes to a point
+// several parts of the surface meet, or another point lies in the same place, stays, and so does one with more than 64
+// triangles. Where a corner goes to a point
 // with several normals it takes the nearest. No triangle of the bind pose turns by more than 78° in a step, none of
 // another shape over; the surface's topology stays.
 //
