@@ -4,7 +4,7 @@ set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/
   unit/cook/gltf_scene_test.cpp unit/cook/keep_test.cpp unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp unit/cook/bind_weights_test.cpp unit/cook/deformers_test.cpp
-  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp)
+  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/lod_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
 target_compile_options(marrow_cook_tests PRIVATE -O0)
 marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
@@ -13,6 +13,7 @@ marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
 marrow_embed(marrow_cook_tests pack_v1 golden/pack_v1.mrw)
 marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
 marrow_embed(marrow_cook_tests stride_v1 golden/stride_v1.mrw)
+marrow_embed(marrow_cook_tests lod_v1 golden/lod_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_deform marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
@@ -28,7 +29,8 @@ target_link_libraries(marrow_bench_tests PRIVATE marrow_bench)
 # Offline deformers and fits, against the papers' own properties.
 marrow_test(marrow_deform_tests deform unit/deform/animation_space_test.cpp unit/deform/auto_weights_test.cpp
   unit/deform/deformers_test.cpp unit/deform/fit_test.cpp unit/deform/half_joints_test.cpp
-  unit/deform/multi_weight_test.cpp unit/deform/pose_space_test.cpp unit/deform/tangents_test.cpp)
+  unit/deform/multi_weight_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
+  unit/deform/simplify_test.cpp unit/deform/subdivide_test.cpp unit/deform/tangents_test.cpp)
 target_link_libraries(marrow_deform_tests PRIVATE marrow_deform)
 
 # The reference evaluator, written from the glTF specification; it shares nothing with the cooker.

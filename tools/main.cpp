@@ -168,6 +168,7 @@ void add_render(CLI::App& app) {
       ->check(CLI::IsMember({"tangents", "blended"}))
       ->capture_default_str();
   command->add_option("--size", a.size, "pixels")->type_name("WxH")->capture_default_str();
+  command->add_option("--lod", a.lod, "level of detail; 0: in full")->type_name("N")->capture_default_str();
   command->add_option("--heatmap", a.heatmap, "colour the distance between two deformers, as in ssd:as")
       ->type_name("A:B");
   command

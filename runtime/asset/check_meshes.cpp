@@ -150,6 +150,27 @@ bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std:
   return true;
 }
 
+std::uint32_t Checker::target_count(std::uint32_t of_geometry) const {
+  const File::Section& s = nth(format::kGeometries, of_geometry);
+  const auto* const geometry = at<format::GeometryHeader>(s, 0);
+  if ((geometry->flags & format::kHasMorphTargets) == 0) return 0;
+  return at<format::MorphHeader>(s, format::morph_start(layout(*geometry)))->target_count;
+}
+
+bool Checker::lods(Span<const MeshLod> lods, const format::MeshHeader& h) {
+  for (const MeshLod& lod : lods) {
+    if (lod.geometry >= counts_[format::kGeometries]) return fail(&lod, "no such geometry");
+    const auto* const geometry = at<format::GeometryHeader>(nth(format::kGeometries, lod.geometry), 0);
+    if (std::uint64_t{h.joint_count} + h.half_joint_count != geometry->joint_count)
+      return fail(&lod, "a level has the mesh's palette");
+    const std::uint32_t targets = target_count(lod.geometry);
+    if (targets != 0 && targets != h.target_count) return fail(&lod, "a level has the mesh's morph targets or none");
+    if (!finite(&lod.error_m, 4)) return false;
+    if (lod.error_m < 0) return fail(&lod.error_m, "an error is not below 0");
+  }
+  return true;
+}
+
 bool Checker::mesh(const File::Section& s) {
   const auto* h = header<format::MeshHeader>(s);
   if (h == nullptr) return false;
@@ -158,13 +179,10 @@ bool Checker::mesh(const File::Section& s) {
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
   if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
   const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
-  const File::Section& of_geometry = nth(format::kGeometries, h->geometry);
-  const auto* geometry = at<format::GeometryHeader>(of_geometry, 0);
-  if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->half_joint_count != geometry->joint_count)
+  if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->half_joint_count !=
+                                 at<format::GeometryHeader>(nth(format::kGeometries, h->geometry), 0)->joint_count)
     return fail(&h->joint_count, "as many palette entries as the geometry");
-  const std::uint64_t morphs = format::morph_start(layout(*geometry));
-  const bool has_targets = (geometry->flags & format::kHasMorphTargets) != 0;
-  if (h->target_count != (has_targets ? at<format::MorphHeader>(of_geometry, morphs)->target_count : 0u))
+  if (h->target_count != target_count(h->geometry))
     return fail(&h->target_count, "as many morph targets as the geometry");
   const format::MeshLayout l = layout(*h);
   for (const MeshTarget& t : Span<const MeshTarget>{at<MeshTarget>(s, l.targets), h->target_count})
@@ -173,6 +191,7 @@ bool Checker::mesh(const File::Section& s) {
     if (half.parent >= h->joint_count || half.joint >= h->joint_count || half.parent == half.joint ||
         !(half.share > 0 && half.share < 1))
       return fail(&half, "a half-joint stands between two joints of the mesh");
+  if (!lods({at<MeshLod>(s, l.lods), h->lod_count}, *h)) return false;
   return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
          finite(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&
          below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");

@@ -77,6 +77,8 @@ class Checker {
   template <class Index>
   bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
   bool source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots);
+  std::uint32_t target_count(std::uint32_t of_geometry) const;
+  bool lods(Span<const MeshLod> lods, const format::MeshHeader& h);
   bool mesh(const File::Section& s);
   bool material(const File::Section& s);
   bool texture(const Texture& t, std::uint32_t& roles);

@@ -137,7 +137,7 @@ Geometry File::geometry(std::uint32_t index) const {
   return g;
 }
 
-Mesh File::mesh(std::uint32_t index) const {
+Mesh File::mesh(std::uint32_t index, std::uint32_t level) const {
   const std::byte* const base = section(format::kMeshes, index);
   const auto& header = *at<format::MeshHeader>(base, 0);
   const format::MeshLayout l = layout(header);
@@ -146,15 +146,17 @@ Mesh File::mesh(std::uint32_t index) const {
   m.material = text(header.material);
   if (header.material_section != 0) m.material_index = header.material_section - 1;
   m.skeleton = header.skeleton;
-  m.geometry_index = header.geometry;
+  m.lods = {at<MeshLod>(base, l.lods), header.lod_count};
+  level = level < m.lods.size ? level : static_cast<std::uint32_t>(m.lods.size);
+  m.geometry_index = level > 0 ? m.lods[level - 1].geometry : header.geometry;
   m.joint_count = header.joint_count;
   m.joints = at<std::uint16_t>(base, l.joints);
   m.inverse_bind = at<Affine>(base, l.inverse_bind);
   std::memcpy(m.base_colour, header.base_colour, sizeof m.base_colour);
   m.double_sided = (header.flags & format::kDoubleSided) != 0;
   m.half_joints = {at<HalfJoint>(base, l.half_joints), header.half_joint_count};
-  m.targets = {at<MeshTarget>(base, l.targets), header.target_count};
-  m.geometry = geometry(header.geometry);
+  m.geometry = geometry(m.geometry_index);
+  m.targets = {at<MeshTarget>(base, l.targets), m.geometry.targets.size};
   return m;
 }
 

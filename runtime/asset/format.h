@@ -184,7 +184,8 @@ struct MeshHeader {
   std::uint32_t skeleton;
   std::uint32_t geometry;
   std::uint32_t joint_count;
-  std::uint16_t flags;
+  std::uint8_t flags;
+  std::uint8_t lod_count;
   std::uint16_t half_joint_count;
   float base_colour[4];
   std::uint32_t target_count;      // the geometry's
@@ -355,17 +356,18 @@ constexpr PoseSpaceLayout layout(const PoseSpaceHeader& h, const GeometryHeader&
 }
 
 struct MeshLayout {
-  std::uint64_t inverse_bind, targets, joints, half_joints, bytes;
+  std::uint64_t inverse_bind, targets, joints, half_joints, lods, bytes;
 };
 constexpr MeshLayout layout(const MeshHeader& h) {
   MeshLayout l{};
   l.inverse_bind = sizeof(MeshHeader);
   l.targets = l.inverse_bind + std::uint64_t{h.joint_count} * sizeof(Affine);
   l.joints = l.targets + std::uint64_t{h.target_count} * sizeof(MeshTarget);
-  l.bytes = l.half_joints = l.joints + std::uint64_t{h.joint_count} * 2;
-  if (h.half_joint_count == 0) return l;
-  l.half_joints = (l.half_joints + 3) & ~std::uint64_t{3};
-  l.bytes = l.half_joints + std::uint64_t{h.half_joint_count} * sizeof(HalfJoint);
+  l.bytes = l.half_joints = l.lods = l.joints + std::uint64_t{h.joint_count} * 2;
+  if (h.half_joint_count == 0 && h.lod_count == 0) return l;
+  l.half_joints = align4(l.half_joints);
+  l.lods = l.half_joints + std::uint64_t{h.half_joint_count} * sizeof(HalfJoint);
+  l.bytes = l.lods + std::uint64_t{h.lod_count} * sizeof(MeshLod);
   return l;
 }
 

@@ -40,7 +40,8 @@ enum PackedMeshFlags : std::uint32_t {
   kMeshHasPlace = 4,    // scene_from_mesh is not the identity
   kMeshGivesBinds = 8,  // not all inverse binds follow from the rest pose
   kMeshHasHalfJoints = 16,
-  kAllPackedMeshFlags = 31,
+  kMeshHasLods = 32,
+  kAllPackedMeshFlags = 63,
 };
 
 // Of a compact CLIP.

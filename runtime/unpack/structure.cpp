@@ -178,13 +178,16 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   h.target_count = reader.take_varint();
   const std::uint32_t half_joint_count = (flags & packed::kMeshHasHalfJoints) != 0 ? reader.take_varint() : 0;
   h.half_joint_count = static_cast<std::uint16_t>(half_joint_count);
+  const std::uint32_t lod_count = (flags & packed::kMeshHasLods) != 0 ? reader.take_varint() : 0;
+  h.lod_count = static_cast<std::uint8_t>(lod_count);
   for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
   const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? reader.take<Affine>() : kIdentity;
   if ((flags & ~std::uint32_t{packed::kAllPackedMeshFlags}) != 0) return "unknown mesh flags";
   const Skeleton skeleton = skeleton_at(skeletons, h.skeleton);
   if (skeleton.joint_count == 0) return "no such skeleton among the compact ones";
   const format::MeshLayout l = layout(h);
-  if (h.joint_count > kMaxJoints || half_joint_count > kMaxJoints || l.bytes > out.size) return "file_bytes too small";
+  if (h.joint_count > kMaxJoints || half_joint_count > kMaxJoints || lod_count > 255 || l.bytes > out.size)
+    return "file_bytes too small";
   Arena arena(scratch.data, scratch.size);
   Affine* const model = arena.take<Affine>(skeleton.joint_count);
   if (model == nullptr) return "memory_bytes too small";
@@ -220,6 +223,11 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
     half_joints[i].parent = static_cast<std::uint16_t>(reader.take_varint());
     half_joints[i].joint = static_cast<std::uint16_t>(reader.take_varint());
     half_joints[i].share = reader.take<float>();
+  }
+  auto* const lods = at<MeshLod>(out, l.lods);
+  for (std::uint32_t i = 0; i < h.lod_count; ++i) {
+    lods[i].geometry = reader.take_varint();
+    lods[i].error_m = reader.take<float>();
   }
   if (reader.failed() || reader.left() != 0) return "a mesh that is too short or too long";
   bytes = static_cast<std::uint32_t>(l.bytes);

@@ -46,6 +46,15 @@ TEST(GoldenCook, GivesTheGoldenBytesOfLooks) {
                 test::golden_looks_copy());
 }
 
+TEST(GoldenCook, GivesTheGoldenBytesOfLevels) {
+  cook::CookOptions options;
+  options.mesh_codec = cook::MeshCodec::none;
+  options.raw_clips = true;
+  options.lod = {{0.5, 8}, {0.25, 1}};
+  expect_golden(cook::cook_file(std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny.gltf", options),
+                test::golden_lod_copy());
+}
+
 TEST(GoldenCook, TwiceGivesTheSameBytes) {
   EXPECT_EQ(cook_file("dance.gltf", false).file, cook_file("dance.gltf", false).file);
 }

@@ -20,6 +20,8 @@ extern const unsigned char stride_v1[];
 extern const unsigned long long stride_v1_size;
 extern const unsigned char elbow_v1[];
 extern const unsigned long long elbow_v1_size;
+extern const unsigned char lod_v1[];
+extern const unsigned long long lod_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -56,6 +58,11 @@ inline AlignedBlock golden_half_joint_copy() {
 // A file with materials, embedded images and kept nodes.
 inline AlignedBlock golden_looks_copy() {
   return AlignedBlock(embedded::looks_v1, static_cast<std::size_t>(embedded::looks_v1_size));
+}
+
+// A file whose meshes have levels of detail.
+inline AlignedBlock golden_lod_copy() {
+  return AlignedBlock(embedded::lod_v1, static_cast<std::size_t>(embedded::lod_v1_size));
 }
 
 }  // namespace marrow::test

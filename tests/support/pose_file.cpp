@@ -210,6 +210,24 @@ std::uint64_t hash_family(std::uint64_t state, const Mesh& mesh) {
   return state;
 }
 
+// Every level of detail, on a palette that moves every entry a little.
+std::uint64_t hash_levels(std::uint64_t state, const File& file, std::uint32_t index) {
+  for (std::uint32_t level = 1; level <= file.mesh(index).lods.size; ++level) {
+    const Mesh mesh = file.mesh(index, level);
+    state = hash_family(hash_geometry(state, mesh.geometry), mesh);
+    std::vector<Affine> palette(mesh.palette_size(), Affine{{{1, 0, 0, 1}, {0, 1, 0, 0}, {0, 0, 1, 2}}});
+    for (std::size_t j = 0; j < palette.size(); ++j) palette[j].rows[1][3] = static_cast<float>(j % 7) / 8;
+    std::vector<float> positions(mesh.geometry.slot_count * 3), coordinates(as_coordinate_count(mesh.geometry));
+    require(as_coordinates(mesh.geometry, coordinates) == Status::ok);
+    require(skin_ssd(mesh, palette, {positions, {}, {}}) == Status::ok);
+    state = hash_all(state, positions);
+    require(skin_as(mesh, coordinates, palette, {positions, {}, {}}) == Status::ok);
+    state = hash_all(state, positions);
+    for (const MeshTarget& target : mesh.targets) state = hash_text(state, file.text(target.name));
+  }
+  return state;
+}
+
 std::uint64_t exercise(const File& file) {
   std::uint64_t state = kHashStart;
   for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
@@ -226,6 +244,7 @@ std::uint64_t exercise(const File& file) {
     const Mesh mesh = file.mesh(m);
     state = hash_text(hash_text(state, mesh.name), mesh.material);
     state = hash_family(hash_geometry(state, mesh.geometry), mesh);
+    state = hash_levels(state, file, m);
     for (const MeshTarget& target : mesh.targets)
       state = hash_text(hash_text(state, file.text(target.name)), file.text(target.channel));
     for (std::uint32_t c = 0; c <= file.clip_count(); ++c) {

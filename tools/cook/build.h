@@ -9,6 +9,7 @@
 
 #include "cook/built.h"
 #include "cook/learn.h"
+#include "cook/lod.h"
 #include "cook/raw.h"
 
 namespace marrow::deform {
@@ -68,6 +69,7 @@ struct CookOptions {
   bool position_error_is_share = false;
   MeshPrecision precision;
   LearnOptions learn;                            // animation space
+  std::vector<LodRule> lod;                      // levels of detail, ever coarser
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all

@@ -25,10 +25,12 @@ struct Palette {
 struct Bound {
   Palette palette;  // unused for one joint: each node has its own
   std::uint32_t task = 0;
-  int learnt = kNone;  // index into BuiltScene::learnt
+  int learnt = kNone;          // index into BuiltScene::learnt
+  std::vector<BuiltLod> lods;  // their geometries are tasks
 };
 using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
 using SkinBindings = std::map<std::pair<int, int>, SkinBinding>;             // mesh, skin
+using Levels = std::map<std::pair<int, int>, std::vector<MeshLevel>>;        // mesh, skin; without one kNone
 
 // The joints that vertices and their deformers use, and those that half-joints stand between; entries in the skin's
 // order.
@@ -57,12 +59,9 @@ Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std:
   return out;
 }
 
-Palette bind_vertices(const RawSkin& skin, const SkinBinding& binding, std::size_t primitive,
-                      const std::vector<int>& joint_of_node, std::vector<Binding>& bindings, DeformerData& deformers) {
-  const std::vector<BoundVertex>& vertices = binding.primitives[primitive];
-  std::vector<std::uint16_t> entry_of;
-  Palette out = make_palette(skin, binding, vertices, joint_of_node, entry_of);
-  deformers = deformer_data(binding, primitive, entry_of, out.joints.size() + out.half_joints.size());
+std::vector<Binding> bind_vertices(const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
+                                   const std::vector<std::uint16_t>& entry_of) {
+  std::vector<Binding> out;
   for (const BoundVertex& vertex : vertices) {
     Binding b;
     for (const BoundInfluence& i : vertex) {
@@ -70,7 +69,7 @@ Palette bind_vertices(const RawSkin& skin, const SkinBinding& binding, std::size
       b.weights.push_back(i.weight);
       if (binding.residual_step_m > 0) b.residual.push_back(i.residual);
     }
-    bindings.push_back(std::move(b));
+    out.push_back(std::move(b));
   }
   return out;
 }
@@ -105,26 +104,41 @@ MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
 
 // What build_geometry() is to make, each once.
 struct Task {
-  const RawPrimitive* primitive;
+  const RawPrimitive* primitive = nullptr;
   std::vector<Binding> bindings;
-  DeformerData deformers;
-  std::size_t joint_count;
+  DeformerData deformers;  // of the full mesh alone
+  std::size_t joint_count = 0;
   MeshGrid grid;
+  bool is_lod = false;
 };
 
-// skin, binding: null if the primitive hangs on a node.
+// Adds what is to be built of one primitive, in full and at each level. skin, binding: null if it hangs on a node.
 Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const RawSkin* skin, const SkinBinding* binding,
-                     const std::vector<int>& joint_of_node, Task& task) {
+                     const std::vector<MeshLevel>& levels, const std::vector<int>& joint_of_node, Task task,
+                     std::vector<Task>& tasks) {
   Bound bound;
+  std::vector<std::uint16_t> entry_of;
   if (skin != nullptr) {
-    bound.palette = bind_vertices(*skin, *binding, number, joint_of_node, task.bindings, task.deformers);
+    bound.palette = make_palette(*skin, *binding, binding->primitives[number], joint_of_node, entry_of);
+    task.deformers =
+        deformer_data(*binding, number, entry_of, bound.palette.joints.size() + bound.palette.half_joints.size());
     task.grid.residual_step = binding->residual_step_m;
     task.grid.residual_weight_step = binding->residual_weight_step;
-  } else {
-    task.bindings.assign(primitive.positions.size(), {{0}, {1.0}, {}});
   }
-  task.primitive = &primitive;
   task.joint_count = skin != nullptr ? bound.palette.joints.size() + bound.palette.half_joints.size() : 1;
+  const auto add = [&](const RawPrimitive& part, const std::vector<BoundVertex>* vertices) {
+    task.primitive = &part;
+    task.bindings = skin != nullptr ? bind_vertices(*binding, *vertices, entry_of)
+                                    : std::vector<Binding>(part.positions.size(), {{0}, {1.0}, {}});
+    tasks.push_back(task);
+    task.is_lod = true;
+    task.deformers = {};
+    return static_cast<std::uint32_t>(tasks.size() - 1);
+  };
+  bound.task = add(primitive, skin != nullptr ? &binding->primitives[number] : nullptr);
+  for (const MeshLevel& level : levels)
+    bound.lods.push_back({add(level.primitives[number], skin != nullptr ? &level.vertices[number] : nullptr),
+                          level.rms_error_m, level.max_error_m});
   return bound;
 }
 
@@ -143,6 +157,17 @@ const SkinBinding& bind_mesh(RawScene& scene, int mesh, int skin, const CookOpti
   return at->second;
 }
 
+// Once for all its primitives.
+const std::vector<MeshLevel>& levels_of(RawScene& scene, int mesh, int skin, const SkinBinding* binding,
+                                        const CookOptions& options, const BuiltScene& built, Levels& levels) {
+  const auto [at, is_new] = levels.try_emplace({mesh, skin});
+  if (is_new && !options.lod.empty())
+    at->second = make_levels(scene, scene.meshes[static_cast<std::size_t>(mesh)],
+                             skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)], binding, built,
+                             options.lod);
+  return at->second;
+}
+
 bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
   return a.section.size() == b.section.size() && std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
 }
@@ -154,7 +179,9 @@ std::vector<std::uint32_t> build_geometries(const std::string& source, const std
   tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
     const Task& task = tasks[i];
     try {
-      built[i] = build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, options, task.deformers);
+      CookOptions with = options;
+      with.keep_vertex_order = options.keep_vertex_order && !task.is_lod;
+      built[i] = build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, with, task.deformers);
     } catch (const tools::Failure& failure) {
       throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
     }
@@ -184,6 +211,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
   mesh.half_joints = palette.half_joints;
+  mesh.lods = bound.lods;
   mesh.targets = instance.weights;
   mesh.raw_material = primitive.material;
   if (primitive.material != kNone) {
@@ -200,6 +228,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
   BoundPrimitives bound;
   SkinBindings bindings;
+  Levels levels;
   std::vector<Task> tasks;
   for (const RawInstance& instance : scene.instances) {
     RawMesh& source = scene.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -214,12 +243,11 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
         task.grid = mesh_grid(source, options);
         const SkinBinding* const binding =
             skin == kNone ? nullptr : &bind_mesh(scene, instance.mesh, skin, options, bindings, out);
+        const std::vector<MeshLevel>& lods = levels_of(scene, instance.mesh, skin, binding, options, out, levels);
         Bound fresh =
             bind_primitive(primitive, i, skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)],
-                           binding, out.joint_of_node, task);
+                           binding, lods, out.joint_of_node, std::move(task), tasks);
         fresh.learnt = binding == nullptr ? kNone : binding->report;
-        fresh.task = static_cast<std::uint32_t>(tasks.size());
-        tasks.push_back(std::move(task));
         found = bound.emplace(key, std::move(fresh)).first;
       }
       out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skin, out));
@@ -228,6 +256,7 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
   const std::vector<std::uint32_t> geometries = build_geometries(scene.source, tasks, options, out);
   for (BuiltMesh& mesh : out.meshes) {
     mesh.geometry = geometries[mesh.geometry];
+    for (BuiltLod& lod : mesh.lods) lod.geometry = geometries[lod.geometry];
     mesh.targets.resize(out.geometries[mesh.geometry].target_count);
   }
 }

@@ -97,6 +97,12 @@ struct LearnReport {
   DeformerReport multi_weights, pose_space;
 };
 
+// A level of detail of a mesh.
+struct BuiltLod {
+  std::uint32_t geometry = 0;
+  double rms_error_m = 0, max_error_m = 0;  // see MeshLevel; of all primitives of the mesh
+};
+
 struct BuiltMesh {
   std::string name;
   std::string material;
@@ -109,6 +115,7 @@ struct BuiltMesh {
   Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
   std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
   std::vector<HalfJoint> half_joints;
+  std::vector<BuiltLod> lods;            // levels 1, 2, …
   int learnt = kNone;                    // index into BuiltScene::learnt
   std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};

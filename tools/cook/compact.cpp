@@ -209,12 +209,14 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
   const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
   std::vector<std::byte> out;
   add_varint(std::uint32_t{h.flags} | (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
-                 (gives ? packed::kMeshGivesBinds : 0u) | (halves ? packed::kMeshHasHalfJoints : 0u),
+                 (gives ? packed::kMeshGivesBinds : 0u) | (halves ? packed::kMeshHasHalfJoints : 0u) |
+                 (mesh.lods.empty() ? 0u : packed::kMeshHasLods),
              out);
   for (const std::uint32_t n :
        {h.name, h.material, h.material_section, h.skeleton, h.geometry, h.joint_count, h.target_count})
     add_varint(n, out);
   if (halves) add_varint(h.half_joint_count, out);
+  if (!mesh.lods.empty()) add_varint(h.lod_count, out);
   if (coloured) add_value(h.base_colour, out);
   if (placed) add_value(mesh.scene_from_mesh, out);
   std::uint32_t next = 0;
@@ -242,6 +244,10 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
     add_varint(half.parent, out);
     add_varint(half.joint, out);
     add_value(half.share, out);
+  }
+  for (const BuiltLod& lod : mesh.lods) {
+    add_varint(lod.geometry, out);
+    add_value(static_cast<float>(lod.max_error_m), out);
   }
   return out;
 }

@@ -17,6 +17,20 @@ ordered_json report_sections(const WrittenFile& written) {
   return out;
 }
 
+ordered_json report_lods(const BuiltScene& built, const BuiltMesh& mesh, const WrittenFile& written) {
+  ordered_json out = ordered_json::array();
+  for (const BuiltLod& lod : mesh.lods) {
+    const BuiltGeometry& geometry = built.geometries[lod.geometry];
+    out.push_back({{"vertices", geometry.header.vertex_count},
+                   {"triangles", geometry.header.index_count / 3},
+                   {"influences", geometry.influences},
+                   {"bytes", written.geometry_bytes[lod.geometry]},
+                   {"rms_error_m", lod.rms_error_m},
+                   {"max_error_m", lod.max_error_m}});
+  }
+  return out;
+}
+
 ordered_json report_learnt(const LearnReport& learnt) {
   return {{"kind", learnt.kind},
           {"truth", learnt.truth},
@@ -70,6 +84,7 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"max_uv_error", geometry.error.uv},
                    {"max_weight_error", geometry.error.weight},
                    {"max_target_error_m", geometry.error.target_m}});
+    if (!mesh.lods.empty()) out.back()["lods"] = report_lods(built, mesh, written);
     if (mesh.learnt != kNone)
       report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry, out.back());
   }

@@ -131,6 +131,32 @@ void set_additive(CookOptions& options, const Value& given) {
   options.additive.push_back(rule);
 }
 
+// "RATIO[:INFLUENCES]", ever coarser, between commas.
+void set_lod(CookOptions& options, const Value& given) {
+  options.lod.clear();
+  const char* at = given.text.data();
+  const char* const end = at + given.text.size();
+  for (bool good = true; good;) {
+    LodRule rule;
+    auto read = std::from_chars(at, end, rule.ratio);
+    good =
+        read.ec == std::errc() && rule.ratio > 0 && rule.ratio < (options.lod.empty() ? 1 : options.lod.back().ratio);
+    if (good && read.ptr != end && *read.ptr == ':') {
+      read = std::from_chars(read.ptr + 1, end, rule.influences);
+      good = read.ec == std::errc() && rule.influences >= 1 && rule.influences <= kMaxInfluences;
+    }
+    good = good && options.lod.size() < kMostLods;
+    if (good) options.lod.push_back(rule);
+    if (good && read.ptr == end) return;
+    good = good && *read.ptr == ',';
+    at = read.ptr + 1;
+  }
+  refuse(
+      given, "\"" + given.text + "\" are no levels of detail",
+      "give up to 15 shares of the triangles below 1, descending, each with an influence count from 1 to 8 or without, "
+      "as in 0.5,0.25:2");
+}
+
 void set_auto_weights(CookOptions& options, const Value& given) {
   using deform::WeightMethod;
   options.weights.make_origin = given.origin;
@@ -296,6 +322,13 @@ const std::vector<Option>& option_table() {
        "up to 32; 8 is a good start; 0: none",
        {},
        set_pose_space},
+      {"lod",
+       OptionKind::text,
+       "R[:N][,R[:N]...]",
+       "levels of detail with these shares of the triangles, descending, as 0.5,0.25; with :N at most so many "
+       "influences a vertex",
+       {},
+       set_lod},
       {"auto-weights",
        OptionKind::text,
        "TEXT",

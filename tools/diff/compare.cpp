@@ -238,6 +238,7 @@ class Comparison {
     number("vertices", a.geometry.vertex_count, b.geometry.vertex_count);
     number("triangles", a.geometry.index_count / 3, b.geometry.index_count / 3);
     number("joints", a.joint_count, b.joint_count);
+    number("levels of detail", static_cast<std::uint32_t>(a.lods.size), static_cast<std::uint32_t>(b.lods.size));
     if (std::strcmp(a.material, b.material) != 0)
       say("mesh-material", in, fmt::format("material \"{}\", now \"{}\"", a.material, b.material));
     if (std::memcmp(a.base_colour, b.base_colour, sizeof a.base_colour) != 0 || a.double_sided != b.double_sided)

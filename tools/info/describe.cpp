@@ -143,6 +143,13 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
     const std::uint32_t g = mesh.geometry_index;
     r["meshes"].push_back(describe_mesh(mesh, meshes[i].bytes, geometries[g], !counted[g]));
     counted[g] = true;
+    for (std::uint32_t level = 1; level <= mesh.lods.size; ++level) {
+      const Geometry less = file.mesh(i, level).geometry;
+      r["meshes"].back()["lods"].push_back({{"vertices", less.vertex_count},
+                                            {"triangles", less.index_count / 3},
+                                            {"bytes", geometries[mesh.lods[level - 1].geometry].bytes},
+                                            {"error_m", mesh.lods[level - 1].error_m}});
+    }
   }
   r["clips"] = ordered_json::array();
   for (std::uint32_t i = 0; i < file.clip_count(); ++i) {

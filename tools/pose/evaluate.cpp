@@ -36,9 +36,9 @@ std::optional<AsNormals> parse_as_normals(const std::string& name) {
   return std::nullopt;
 }
 
-std::vector<std::vector<float>> tangents_of(const File& file) {
+std::vector<std::vector<float>> tangents_of(const File& file, std::uint32_t level) {
   std::vector<Mesh> meshes;
-  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) meshes.push_back(file.mesh(i));
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) meshes.push_back(file.mesh(i, level));
   std::vector<std::vector<float>> coordinates(meshes.size()), out(meshes.size());
   std::vector<AsPart> parts;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -71,14 +71,15 @@ Play play_together(const File& file, std::uint32_t clip) {
   return play;
 }
 
-Character::Character(const File& file, AsNormals normals) : file_(file), tangents_(file.mesh_count()) {
-  if (normals == AsNormals::tangents) tangents_ = tangents_of(file);
+Character::Character(const File& file, AsNormals normals, std::uint32_t level)
+    : file_(file), level_(level), tangents_(file.mesh_count()) {
+  if (normals == AsNormals::tangents) tangents_ = tangents_of(file, level);
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     local_.emplace_back(file_.skeleton(i).soa_size());
     model_.emplace_back(file_.skeleton(i).joint_count);
   }
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     palettes_.emplace_back(mesh.palette_size());
     coordinates_.emplace_back(as_coordinate_count(mesh.geometry));
     check(as_coordinates(mesh.geometry, coordinates_.back()));
@@ -104,7 +105,7 @@ void Character::pose(const Play& play, float time_s) {
     check(local_to_model(skeleton, local_[i], model_[i]));
   }
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     check(build_palette(mesh, model_[mesh.skeleton], palettes_[i]));
   }
   morph_all(play, time_s);
@@ -112,7 +113,7 @@ void Character::pose(const Play& play, float time_s) {
 
 void Character::morph_all(const Play& play, float time_s) {
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     if (mesh.targets.empty()) continue;
     std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
     std::vector<float> values;
@@ -129,7 +130,7 @@ void Character::morph_all(const Play& play, float time_s) {
 }
 
 void Character::skin(std::uint32_t mesh_index, Deformer deformer, PosedMesh& out) const {
-  Mesh mesh = file_.mesh(mesh_index);
+  Mesh mesh = file_.mesh(mesh_index, level_);
   mesh.geometry = morphed_[mesh_index].geometry;
   const std::size_t slots = mesh.geometry.slot_count;
   out.positions.resize(slots * 3);

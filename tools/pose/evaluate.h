@@ -24,7 +24,7 @@ enum class AsNormals { blended, tangents };
 std::optional<AsNormals> parse_as_normals(const std::string& name);
 
 // as_tangents() of every mesh of a file as one surface; empty for meshes without normals or with morph targets.
-std::vector<std::vector<float>> tangents_of(const File& file);
+std::vector<std::vector<float>> tangents_of(const File& file, std::uint32_t level = 0);
 
 struct PosedMesh {
   std::vector<float> positions;  // 3 a slot, scene space
@@ -51,7 +51,8 @@ Play play_together(const File& file, std::uint32_t clip);
 // Everything that the skeletons and meshes of a file need beside it, allocated once.
 class Character {
  public:
-  explicit Character(const File& file, AsNormals normals = AsNormals::blended);
+  // level: of detail, as in File::mesh.
+  explicit Character(const File& file, AsNormals normals = AsNormals::blended, std::uint32_t level = 0);
   Character(const Character&) = delete;
   Character& operator=(const Character&) = delete;
 
@@ -68,6 +69,7 @@ class Character {
   void morph_all(const Play& play, float time_s);
 
   File file_;
+  std::uint32_t level_;
   std::vector<std::vector<SoaTransform>> local_;  // a skeleton
   std::vector<std::vector<Affine>> model_;        // a skeleton
   std::vector<std::vector<Affine>> palettes_;     // a mesh

@@ -54,14 +54,14 @@ void attribute(const Gl& gl, GLuint buffer, GLuint location, int size) {
 
 }  // namespace
 
-Figure::Figure(const Gl& gl, const File& file, const Textures* textures, AsNormals normals)
-    : gl_(gl), file_(file), textures_(textures) {
+Figure::Figure(const Gl& gl, const File& file, const Textures* textures, AsNormals normals, std::uint32_t level)
+    : gl_(gl), file_(file), textures_(textures), level_(level) {
   std::vector<std::vector<float>> tangents(file.mesh_count());
-  if (normals == AsNormals::tangents) tangents = tangents_of(file);
+  if (normals == AsNormals::tangents) tangents = tangents_of(file, level);
   std::uint32_t joints = 0;
   std::vector<std::byte> scratch;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
-    const Mesh mesh = file.mesh(i);
+    const Mesh mesh = file.mesh(i, level);
     Part& part = parts_.emplace_back();
     part.bind.resize(mesh.joint_count);
     gles3::PrepareOptions options;
@@ -121,7 +121,7 @@ std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deform
   std::vector<Affine> palette;
   gles3::begin_frame(gl_, ring_);
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     const Part& part = parts_[i];
     palette.resize(mesh.palette_size());
     const Span<const std::uint16_t> joints(mesh.joints, mesh.joint_count);
@@ -149,7 +149,7 @@ std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deform
 std::vector<Drawable> Figure::from_cpu(std::span<const PosedMesh> posed, std::span<const std::vector<float>> colours) {
   std::vector<Drawable> drawables;
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i);
+    const Mesh mesh = file_.mesh(i, level_);
     const Geometry& g = mesh.geometry;
     const Part& part = parts_[i];
     stream(gl_, part.positions, posed[i].positions);

@@ -15,7 +15,9 @@ class Figure {
  public:
   // Throws Failure (internal) if the driver refuses. `gl`, `file` and `textures` (none: drawn without) outlive it.
   // normals: of animation space, by the vertex shader; blended in any case where it has no room for tangents.
-  Figure(const Gl& gl, const File& file, const Textures* textures = nullptr, AsNormals normals = AsNormals::blended);
+  // level: of detail, as in File::mesh.
+  Figure(const Gl& gl, const File& file, const Textures* textures = nullptr, AsNormals normals = AsNormals::blended,
+         std::uint32_t level = 0);
   ~Figure();
   Figure(const Figure&) = delete;
   Figure& operator=(const Figure&) = delete;
@@ -47,6 +49,7 @@ class Figure {
   const Gl& gl_;
   File file_;
   const Textures* textures_;
+  std::uint32_t level_;
   std::vector<Part> parts_;
   gles3::PaletteRing ring_;
   std::optional<std::uint32_t> too_large_;

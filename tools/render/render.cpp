@@ -65,13 +65,13 @@ void run_render(const RenderArguments& arguments) {
   const Chosen chosen = choose(arguments.file, file, arguments.choice);
 
   const AsNormals normals = *parse_as_normals(arguments.normals);
-  Character character(file, normals);
+  Character character(file, normals, arguments.lod);
   const Performance performance(file, character, chosen.play);
   character.pose(chosen.play, arguments.choice.time_s);
   const Gl gl;
   const std::string beside = std::filesystem::path(arguments.file).parent_path().string();
   const Textures textures(gl, arguments.file, file, arguments.images_from.empty() ? beside : arguments.images_from);
-  Figure figure(gl, file, &textures, normals);
+  Figure figure(gl, file, &textures, normals, arguments.lod);
   Studio studio(gl, size.width, size.height);
   Shot shot = performance.shot(character, static_cast<float>(size.width) / static_cast<float>(size.height), kMargin);
   shot.palettes = &figure.palettes();

@@ -14,6 +14,7 @@ struct RenderArguments {
   std::string path = "ubo";
   std::string normals = "tangents";
   std::string size = "960x720";
+  std::uint32_t lod = 0;
   Choice choice;
 };
 

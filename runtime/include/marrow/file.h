@@ -254,6 +254,13 @@ struct HalfJoint {
 };
 static_assert(sizeof(HalfJoint) == 8);
 
+// A level of detail: another geometry over the same palette.
+struct MeshLod {
+  std::uint32_t geometry;  // which of the file
+  float error_m;           // the farthest that a vertex of the full mesh is from it, in the clips it was made with
+};
+static_assert(sizeof(MeshLod) == 8);
+
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 struct Mesh {
   const char* name = "";
@@ -268,7 +275,8 @@ struct Mesh {
   bool double_sided = false;
   Span<const HalfJoint> half_joints;  // palette entries behind those of the joints
   Span<const MeshTarget> targets;     // as many as the geometry's
-  Geometry geometry;
+  Span<const MeshLod> lods;           // levels 1, 2, …, ever coarser; level 0 is the mesh in full
+  Geometry geometry;                  // of the level asked for
 
   // How many matrices build_palette() writes.
   std::uint32_t palette_size() const { return joint_count + static_cast<std::uint32_t>(half_joints.size); }
@@ -289,7 +297,8 @@ class File {
   Skeleton skeleton(std::uint32_t index) const;
   SkeletonReference reference(std::uint32_t index) const;
   Clip clip(std::uint32_t index) const;
-  Mesh mesh(std::uint32_t index) const;
+  // level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+  Mesh mesh(std::uint32_t index, std::uint32_t level = 0) const;
   Material material(std::uint32_t index) const;
   Image image(std::uint32_t index) const;
   Node node(std::uint32_t index) const;

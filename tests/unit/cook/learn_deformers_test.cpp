@@ -89,8 +89,9 @@ struct Offline {
     build_skeletons(scene, built);
     build_clips(scene, options, built);
     source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene, scene.meshes[0]), built);
-    truth = make_truth(source.mesh, options.learn);
-    const std::vector<deform::TrainingPose> trained = trainees(source, built).poses;
+    truth = make_truth(source, options.learn);
+    const std::vector<deform::TrainingPose> trained =
+        trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained)).poses;
     weights = deform::fit_multi_weights(source.mesh, 0, trained, truth).weights;
     deform::PoseSpaceOptions six;
     six.most_examples = 6;

@@ -63,11 +63,13 @@ Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
   Bytes b;
   b.u8(flags).u8(6).u8(12).u8(0).u8(0).u8(0).u8(2).u8(0);
   if ((flags & packed::kMeshHasHalfJoints) != 0) b.u8(1);
+  if ((flags & packed::kMeshHasLods) != 0) b.u8(2);
   if ((flags & packed::kMeshHasColour) != 0) b.add(0.25f).add(0.5f).add(0.75f).add(1.0f);
   if ((flags & packed::kMeshHasPlace) != 0) b.add(Affine{{{2, 0, 0, 5}, {0, 2, 0, 0}, {0, 0, 2, 0}}});
   b.u8(2).u8(3);  // one on from 0; two back from 2
   if ((flags & packed::kMeshGivesBinds) != 0) b.u8(2).add(Affine{{{1, 0, 0, 7}, {0, 1, 0, 8}, {0, 0, 1, 9}}});
   if ((flags & packed::kMeshHasHalfJoints) != 0) b.u8(1).u8(0).add(0.5f);
+  if ((flags & packed::kMeshHasLods) != 0) b.u8(3).add(0.5f).u8(0xAC).u8(0x02).add(2.0f);
   return b;
 }
 
@@ -160,7 +162,7 @@ TEST(Rest, RotationsByHand) {
 TEST_F(Structure, MeshByHand) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
   ASSERT_STREQ(mesh(mesh_record().span()), nullptr);
-  const format::MeshHeader h{6, 12, 0, 0, 2, format::kDoubleSided, 0, {1, 1, 1, 1}, 0, 0};
+  const format::MeshHeader h{6, 12, 0, 0, 2, format::kDoubleSided, 0, 0, {1, 1, 1, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   const format::MeshLayout l = layout(h);
   EXPECT_EQ(bytes_, l.bytes);
@@ -175,10 +177,22 @@ TEST_F(Structure, MeshWithAHalfJoint) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
   const Bytes record = mesh_record(packed::kMeshHasHalfJoints);
   ASSERT_STREQ(mesh(record.span()), nullptr);
-  const format::MeshHeader h{6, 12, 0, 0, 2, 0, 1, {1, 1, 1, 1}, 0, 0};
+  const format::MeshHeader h{6, 12, 0, 0, 2, 0, 0, 1, {1, 1, 1, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   const HalfJoint want{1, 0, 0.5f};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).half_joints, &want, sizeof want), 0);
+  EXPECT_EQ(bytes_, layout(h).bytes);
+  ASSERT_STRNE(mesh({record.span().data, record.span().size - 1}), nullptr);
+}
+
+TEST_F(Structure, MeshWithLevels) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  const Bytes record = mesh_record(packed::kMeshHasLods);
+  ASSERT_STREQ(mesh(record.span()), nullptr);
+  const format::MeshHeader h{6, 12, 0, 0, 2, 0, 2, 0, {1, 1, 1, 1}, 0, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
+  const MeshLod want[] = {{3, 0.5f}, {300, 2}};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).lods, want, sizeof want), 0);
   EXPECT_EQ(bytes_, layout(h).bytes);
   ASSERT_STRNE(mesh({record.span().data, record.span().size - 1}), nullptr);
 }
@@ -187,7 +201,7 @@ TEST_F(Structure, MeshThatStandsElsewhere) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
   ASSERT_STREQ(mesh(mesh_record(packed::kMeshHasColour | packed::kMeshHasPlace | packed::kMeshGivesBinds).span()),
                nullptr);
-  const format::MeshHeader h{6, 12, 0, 0, 2, 0, 0, {0.25f, 0.5f, 0.75f, 1}, 0, 0};
+  const format::MeshHeader h{6, 12, 0, 0, 2, 0, 0, 0, {0.25f, 0.5f, 0.75f, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   // Twice as large and 5 along x, which the quarter turn back makes -y; the second is given.
   const float want[24] = {0, 2, 0, -2.5f, -2, 0, 0, -5, 0, 0, 2, 0.125f, 1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9};
