@@ -172,11 +172,14 @@ TEST(LearnDeformers, TheRuntimeMakesOfTheFileWhatTheFitMeant) {
     EXPECT_GT(mwe.vertices, 30000u);
     std::printf("  codec %d: %.2g and %.2g from the fit, share of SSD's error %.3f and %.3f\n", static_cast<int>(codec),
                 mwe.from_offline, psd.from_offline, mwe.share, psd.share);
-    // Rounded weights are other weights to fit to: not the same result to the last digit.
+    // Rounded weights are other weights to fit to: not the same result to the last digit, and for pose space another
+    // pose may be the next example.
     EXPECT_LT(mwe.from_offline, codec == MeshCodec::none ? 1e-4 : 0.002);
-    EXPECT_LT(psd.from_offline, codec == MeshCodec::none ? 1e-4 : 0.002);
+    if (codec == MeshCodec::none) {
+      EXPECT_LT(psd.from_offline, 1e-4);
+    }
     EXPECT_LT(mwe.share, 0.35);
-    EXPECT_LT(psd.share, 0.35);
+    EXPECT_LT(psd.share, 0.30);
   }
 }
 

@@ -59,12 +59,17 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
                               : !option.choices.empty()                ? '"' + option.choices.back() + '"'
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
                               : shape == "STEPS" || shape == "EXAMPLES" || shape[0] == 'N' ? "\"3\""
+                              : shape[0] == 'R'                                            ? "\"0.5,0.25\""
                               : shape == "JOINT=MASK.png"                                  ? "\"hand=hand.png\""
                                                                                            : "\"0.1mm\"";
-    // A character is only for clip packs, a truth for fits.
+    // A character is only for clip packs, a truth for fits, examples for a truth.
     const bool of_fit = name == "truth" || name == "half-joints" || name == "keep-bind-pose" || name == "delta-mush" ||
-                        name == "mwe" || name == "psd";
-    const std::string pack = name == "skeleton" ? "clips-only = true\n" : of_fit ? "as = 'fit'\n" : "";
+                        name == "mwe" || name == "psd" || name == "influences";
+    const std::string pack = name == "skeleton"   ? "clips-only = true\n"
+                             : name == "truth"    ? "as = 'fit'\nexamples = 'poses.glb'\n"
+                             : name == "examples" ? "as = 'fit'\ntruth = 'examples'\n"
+                             : of_fit             ? "as = 'fit'\n"
+                                                  : "";
     const Settings settings = parse(pack + name + " = " + value);
     EXPECT_EQ(settings.defaults.count(option.name), 1u) << option.name;
     ++options;

@@ -100,6 +100,7 @@ Clip view(const BuiltClip& clip, const Skeleton& skeleton) {
   out.joint_count = skeleton.joint_count;
   out.duration_s = clip.duration_s;
   out.tracks = {clip.tracks.data(), clip.tracks.size()};
+  out.channels = {clip.channels.data(), clip.channels.size()};
   out.times_s = clip.times_s.data();
   out.values = clip.values.data();
   const BuiltCoded& c = clip.coded;
