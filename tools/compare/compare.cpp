@@ -73,6 +73,21 @@ void print_table(const Study& study, const CompareArguments& a, const DeformerCo
         or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
 }
 
+// POSE-PICTURE-CAPTION.png, the caption up to what is measured.
+void write_pictures(const std::string& folder, const std::vector<PictureRow>& rows) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Failure(Exit::io, folder, "", error.message(), "give a folder that can be written");
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t i = 0; i < rows[r].pictures.size(); ++i) {
+      const Picture& picture = rows[r].pictures[i];
+      const std::size_t colon = picture.caption.find(':');
+      const std::string name = fmt::format("{}-{}-{}{}.png", r + 1, i + 1, picture.caption.substr(0, colon),
+                                           colon == std::string::npos ? "" : "-error");
+      write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png);
+    }
+}
+
 }  // namespace
 
 void run_compare(const CompareArguments& a) {
@@ -95,11 +110,13 @@ void run_compare(const CompareArguments& a) {
   } else {
     print_table(study, a, comparison);
   }
-  if (a.out.empty()) return;
+  if (a.out.empty() && a.pictures.empty()) return;
   std::vector<PictureRow> pictures;
 #ifdef MARROW_HAS_GLES
   pictures = draw_worst_poses(study, comparison, cook::make_truth(study.source, options), shown(comparison), 3);
 #endif
+  if (!a.pictures.empty()) write_pictures(a.pictures, pictures);
+  if (a.out.empty()) return;
   const std::string page = comparison_page(a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(),
                                            truth_of(a), study, comparison, pictures);
   write_file_atomically(a.out, std::as_bytes(std::span(page.data(), page.size())));

@@ -10,7 +10,8 @@ namespace marrow::tools {
 struct CompareArguments {
   std::string in, sample;
   std::string holdout = "frames";
-  std::string out;  // HTML; empty: none
+  std::string out;       // HTML; empty: none
+  std::string pictures;  // folder of the page's pictures; empty: none
   bool json = false;
   cook::Given given;  // --truth, --delta-mush, --keep-bind-pose, as for `cook`
 };

@@ -56,7 +56,9 @@ std::uint64_t source_bytes(const nlohmann::ordered_json& report) {
 
 // One input: cooks it, draws its sheet, measures it. `stem` names the outputs.
 Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input, const std::string& stem) {
-  const cook::CookOptions options;
+  cook::CookOptions options;
+  options.learn.animation_space = cook::AnimationSpace::fit;
+  options.learn.half_joints = 1;
   const cook::CookResult cooked = cook::cook_file(input, options);
   const std::string mrw = (std::filesystem::path(arguments.directory) / (stem + ".mrw")).string();
   write_file_atomically(mrw, cooked.file);

@@ -69,9 +69,9 @@ float largest_over(const File& file, Character& character, const Play& play) {
 }
 
 Rows shoot_rows(const Gl& gl, const File& file, const Play& play) {
-  Character character(file);
+  Character character(file, AsNormals::tangents);
   const Performance performance(file, character, play);
-  Figure figure(gl, file);
+  Figure figure(gl, file, nullptr, AsNormals::tangents);
   Studio studio(gl, kCellWidth, kCellHeight);
   Rows rows;
   rows.on_gpu = !figure.too_large();
