@@ -124,7 +124,7 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   study.rest = deform_pose(study.source, skeleton, skeleton.rest);
   if (learn.truth == Truth::examples) {
-    study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source});
+    study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source}, scene.reads);
     hold_out(study.source.shown, holdout, built, study);
     return study;
   }

@@ -173,14 +173,16 @@ std::string hash_of(const cook::Character& character) {
   return hasher.hex();
 }
 
-// Masks by where they are from the scene and by what they hold: their names in the options are from the working
-// directory, which may be another the next time.
-std::string masks_text(const Order& order) {
+// Masks and examples by where they are from the scene and by what they hold: their names in the options are from the
+// working directory, which may be another the next time.
+std::string named_files_text(const Order& order) {
   std::string out;
-  for (const cook::PaintRule& rule : order.options.weights.paint) {
-    const cook::RawRead mask = cook::read_of_mask(rule.file);
-    out += "\npaint " + relative_to_scene(order.job.in, mask.path) + ' ' + mask.hash;
-  }
+  const auto add = [&](const char* option, const std::string& file) {
+    const cook::RawRead read = cook::read_of_mask(file);
+    out += std::string("\n") + option + ' ' + relative_to_scene(order.job.in, read.path) + ' ' + read.hash;
+  };
+  for (const cook::PaintRule& rule : order.options.weights.paint) add("paint", rule.file);
+  if (!order.options.learn.examples_file.empty()) add("examples", order.options.learn.examples_file);
   return out;
 }
 
@@ -204,7 +206,7 @@ class Cook {
       options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
       options_text += "\nskeleton " + hash_of(*options.onto);
     }
-    if (cache_ && !options.clips_only) options_text += masks_text(order);
+    if (cache_ && !options.clips_only) options_text += named_files_text(order);
     if (cache_) result = cache_->find(order.job.in, options_text);
     out.outcome.from_cache = result.has_value();
     if (!result) {

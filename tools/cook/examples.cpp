@@ -203,8 +203,9 @@ const RawInstance* skinned_like(const Sheet& sheet, const RawMesh& wanted) {
 
 }  // namespace
 
-std::vector<ShownPose> read_examples(const std::string& path, const Shown& shown) {
+std::vector<ShownPose> read_examples(const std::string& path, const Shown& shown, std::vector<RawRead>& reads) {
   Sheet sheet{path, read_gltf(path), {}};
+  reads.insert(reads.end(), sheet.scene.reads.begin(), sheet.scene.reads.end());
   std::vector<ShownPose> out;
   const bool skinned = skinned_like(sheet, shown.mesh) != nullptr;
   if (skinned) {

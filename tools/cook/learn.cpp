@@ -75,11 +75,14 @@ deform::Deformer make_truth(const DeformSource& source, const LearnOptions& opti
   return as_shown(source.mesh, source.shown);
 }
 
-Trainees find_trainees(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
+Trainees find_trainees(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
                        const LearnOptions& options, DeformSource& source) {
   if (options.truth != Truth::examples)
     return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
-  source.shown = read_examples(options.examples_file, {scene, mesh, skin, built, source});
+  std::vector<RawRead> reads;
+  source.shown = read_examples(options.examples_file, {scene, mesh, skin, built, source}, reads);
+  // A scene in memory has none.
+  if (!scene.reads.empty()) scene.reads.insert(scene.reads.end(), reads.begin(), reads.end());
   return trainees(source, source.shown);
 }
 

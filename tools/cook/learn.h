@@ -29,7 +29,7 @@ const char* name_of(Truth truth);
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
 
 // The poses to learn from. Where examples are the truth they are read into `source`.
-Trainees find_trainees(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
+Trainees find_trainees(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
                        const LearnOptions& options, DeformSource& source);
 
 // Coordinates, and how good they are by cross-validation.

@@ -17,7 +17,7 @@ struct TrainingPose {
 struct FitOptions {
   bool keep_bind_pose = false;
   // Tried by cross-validation, beside keeping the prior; with one fold the first is taken.
-  std::vector<double> ridges = {1e-3, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2, 1e-1};
+  std::vector<double> ridges = {1e-3, 1e-5, 1e-4, 1e-2, 1e-1};
   // Where not null, a vertex follows only the `most_joints` of its candidates that matter most, those that it has in
   // `kept` among them and whatever their number.
   const SkinnedMesh* kept = nullptr;

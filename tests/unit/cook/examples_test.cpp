@@ -91,7 +91,11 @@ struct Character {
   }
   std::vector<ShownPose> read(const Json& document) const {
     const ExampleFile file(document);
-    return read_examples(file.path, {scene, scene.meshes[0], scene.skins[0], built, source});
+    std::vector<RawRead> reads;
+    const std::vector<ShownPose> out =
+        read_examples(file.path, {scene, scene.meshes[0], scene.skins[0], built, source}, reads);
+    EXPECT_EQ(reads.size(), 1u);
+    return out;
   }
   RawScene scene;
   BuiltScene built;
@@ -153,6 +157,9 @@ TEST(Examples, AreFollowed) {
   EXPECT_GT(learnt["poses"], 80);
   // The bulge grows as the elbow bends, so a linear model can follow it well.
   EXPECT_LT(learnt["held_out_share"], 0.6);
+  // A cache and a depfile must know of it.
+  ASSERT_EQ(cooked.reads.size(), 2u);
+  EXPECT_NE(cooked.reads[1].path.find("marrow_examples_test.gltf"), std::string::npos);
 }
 
 TEST(Examples, WhatIsWrongIsNamed) {
