@@ -1,5 +1,7 @@
 #include "unpack/geometry.h"
 
+#include <algorithm>
+
 #include "unpack/expand.h"
 
 namespace marrow {
@@ -154,9 +156,13 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
       other.target = j;
     }
   }
+  const std::uint32_t before = out.stream_count;
   if (has(format::kHasMwe)) sane = sane && read_multi_weights(reader, out);
+  const std::uint32_t behind = out.stream_count;
   if (out.influences > out.joint_count) return "more influences than joints";
   for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(reader, t, out);
+  // Multi-weights are coded behind targets.
+  std::rotate(out.streams + before, out.streams + behind, out.streams + out.stream_count);
   if (has_examples) sane = sane && read_pose_space(reader, arena, out);
   if (arena.failed()) return "memory_bytes too small";
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";

@@ -183,6 +183,20 @@ TEST(LearnDeformers, TheRuntimeMakesOfTheFileWhatTheFitMeant) {
   }
 }
 
+TEST(LearnDeformers, GoTogetherWithMorphTargets) {
+  RawScene scene = moving_cylinder();
+  scene.meshes[0].weights = scene.instances[0].weights = {{"bulge", "cylinder.bulge", 0}};
+  for (RawPrimitive& p : scene.meshes[0].primitives)
+    p.targets.push_back({std::vector<glm::vec3>(p.positions.size(), glm::vec3(0, 0, 0.1f)), {}, {}});
+  for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt}) {
+    const LoadedCook cooked(cook_scene(scene, options_for(codec)));
+    ASSERT_EQ(cooked.file.mesh_count(), 2u);
+    const Geometry g = cooked.file.mesh(0).geometry;
+    EXPECT_EQ(g.targets.size, 1u);
+    EXPECT_NE(g.mwe_residual, nullptr);
+  }
+}
+
 // The far end's palette has the root for multi-weights, the parent for pose space.
 TEST(LearnDeformers, EachAloneBringsTheJointsThatItNeeds) {
   const Offline offline(moving_cylinder());
