@@ -2,20 +2,19 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
+#include "support/damage.h"
 #include "support/golden.h"
-#include "support/pose_file.h"
 
 namespace marrow {
 namespace {
 
 class LoadHalfJoints : public ::testing::Test {
  protected:
-  LoadHalfJoints() : block_(test::golden_half_joint_copy()), bytes_(block_.data(), block_.data() + block_.size()) {
+  LoadHalfJoints() : block_(test::golden_half_joint_copy()) {
     File original;
     EXPECT_EQ(load(block_, original), Status::ok);
     for (const File::Section& s : original.sections())
@@ -25,28 +24,17 @@ class LoadHalfJoints : public ::testing::Test {
     first_ = mesh_.offset + layout(header).half_joints;
     EXPECT_EQ(first_ + sizeof(HalfJoint), std::size_t{mesh_.offset} + mesh_.bytes);
   }
-  // What load() says, with the checksum made to fit.
-  template <class T>
-  Status load_with(std::size_t offset, T value, DataError& error) {
-    std::memcpy(block_.data() + offset, &value, sizeof value);
-    test::forge_checksum(block_.data(), block_.size());
-    File out;
-    const Status status = load(block_, out, &error);
-    EXPECT_EQ(out.mesh_count(), status == Status::ok ? 1u : 0u);
-    std::memcpy(block_.data(), bytes_.data(), block_.size());
-    return status;
-  }
   template <class T>
   void refuse(std::size_t offset, T value, const char* what) {
-    DataError error;
-    EXPECT_EQ(load_with(offset, value, error), Status::bad_data) << what;
-    EXPECT_STREQ(error.rule, "a half-joint stands between two joints of the mesh") << what;
-    EXPECT_EQ(error.offset, first_) << what;
+    const test::DamageReport got = test::load_with(block_, offset, value);
+    EXPECT_EQ(got.status, Status::bad_data) << what;
+    EXPECT_EQ(got.mesh_count, 0u) << what;
+    EXPECT_STREQ(got.error.rule, "a half-joint stands between two joints of the mesh") << what;
+    EXPECT_EQ(got.error.offset, first_) << what;
     ++refused_;
   }
 
   test::AlignedBlock block_;
-  std::vector<std::byte> bytes_;
   File::Section mesh_{};
   std::size_t first_ = 0;
   int refused_ = 0;
@@ -67,18 +55,17 @@ TEST_F(LoadHalfJoints, StandBetweenTwoJoints) {
 }
 
 TEST_F(LoadHalfJoints, MayLieAnywhereBetween) {
-  DataError error;
   for (const float share : {std::numeric_limits<float>::denorm_min(), 0.25f, std::nextafter(1.0f, 0.0f)})
-    EXPECT_EQ(load_with(first_ + 4, share, error), Status::ok) << share;
+    EXPECT_EQ(test::load_with(block_, first_ + 4, share).status, Status::ok) << share;
 }
 
 TEST_F(LoadHalfJoints, AreAsManyAsThePaletteLeavesAndTheSectionHolds) {
   int refused = 0;
   for (const int count : {0, 2, 3, 0xFFFF}) {
-    DataError error;
-    EXPECT_EQ(load_with(mesh_.offset + 22, static_cast<std::uint16_t>(count), error), Status::bad_data) << count;
-    EXPECT_GE(error.offset, std::size_t{mesh_.offset}) << count;
-    EXPECT_LT(error.offset, first_) << count;
+    const test::DamageReport got = test::load_with(block_, mesh_.offset + 22, static_cast<std::uint16_t>(count));
+    EXPECT_EQ(got.status, Status::bad_data) << count;
+    EXPECT_GE(got.error.offset, std::size_t{mesh_.offset}) << count;
+    EXPECT_LT(got.error.offset, first_) << count;
     ++refused;
   }
   EXPECT_EQ(refused, 4);

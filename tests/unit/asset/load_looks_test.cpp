@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
+#include "support/damage.h"
 #include "support/golden.h"
-#include "support/pose_file.h"
 
 namespace marrow {
 namespace {
@@ -15,9 +15,7 @@ using test::AlignedBlock;
 // The golden file of looks with one thing changed at a time.
 class LoadLooks : public ::testing::Test {
  protected:
-  LoadLooks() : block_(test::golden_looks_copy()), old_(block_.data(), block_.size()) {
-    EXPECT_EQ(load(block_, original_), Status::ok);
-  }
+  LoadLooks() : block_(test::golden_looks_copy()) { EXPECT_EQ(load(block_, original_), Status::ok); }
   std::size_t at(format::Kind kind) const {
     for (const File::Section& s : original_.sections())
       if (s.type == format::kTypes[kind]) return s.offset;
@@ -27,26 +25,17 @@ class LoadLooks : public ::testing::Test {
   // Expects a refusal of the changed field itself.
   template <class T>
   void refuse(std::size_t offset, T value, const char* what) {
-    ASSERT_LE(offset + sizeof value, block_.size());
-    std::memcpy(block_.data() + offset, &value, sizeof value);
-    test::forge_checksum(block_.data(), block_.size());
-    File out;
-    DataError error;
-    EXPECT_EQ(load(block_, out, &error), Status::bad_data) << what;
-    EXPECT_LE(error.offset, offset) << what << ": " << error.rule;
-    EXPECT_GT(error.offset + 65, offset) << what << ": " << error.rule;
-    std::memcpy(block_.data(), old_.data(), block_.size());
+    const test::DamageReport got = test::load_with(block_, offset, value);
+    EXPECT_EQ(got.status, Status::bad_data) << what;
+    EXPECT_LE(got.error.offset, offset) << what << ": " << got.error.rule;
+    EXPECT_GT(got.error.offset + 65, offset) << what << ": " << got.error.rule;
     ++refused_;
   }
   void accept(std::size_t offset, std::uint8_t value) {
-    std::memcpy(block_.data() + offset, &value, 1);
-    test::forge_checksum(block_.data(), block_.size());
-    File out;
-    EXPECT_EQ(load(block_, out), Status::ok);
-    std::memcpy(block_.data(), old_.data(), block_.size());
+    EXPECT_EQ(test::load_with(block_, offset, value).status, Status::ok);
   }
 
-  AlignedBlock block_, old_;
+  AlignedBlock block_;
   File original_;
   int refused_ = 0;
 };
