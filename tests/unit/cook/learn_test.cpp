@@ -26,35 +26,6 @@ CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
   return options;
 }
 
-struct Skins {
-  std::vector<float> ssd, as;  // 3 a slot
-};
-
-Skins skins_at(const File& file, std::uint32_t clip, float time_s, const Mesh& mesh) {
-  const Skeleton skeleton = file.skeleton(mesh.skeleton);
-  std::vector<SoaTransform> local(skeleton.soa_size());
-  std::vector<Affine> model(skeleton.joint_count), palette(mesh.palette_size());
-  EXPECT_EQ(sample(skeleton, file.clip(clip), time_s, local), Status::ok);
-  EXPECT_EQ(local_to_model(skeleton, local, model), Status::ok);
-  EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
-  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
-  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
-  Skins out;
-  out.ssd.resize(std::size_t{3} * mesh.geometry.slot_count);
-  out.as = out.ssd;
-  SkinOutput to;
-  to.positions = out.ssd;
-  EXPECT_EQ(skin_ssd(mesh, palette, to), Status::ok);
-  to.positions = out.as;
-  EXPECT_EQ(skin_as(mesh, coordinates, palette, to), Status::ok);
-  return out;
-}
-
-glm::dvec3 slot_of(const std::vector<float>& positions, std::uint32_t slot) {
-  return {static_cast<double>(positions[3 * slot]), static_cast<double>(positions[3 * slot + 1]),
-          static_cast<double>(positions[3 * slot + 2])};
-}
-
 // Squared errors against dual quaternions, over all skinned vertices and a few moments of a clip.
 struct Errors {
   double ssd = 0, as = 0;
@@ -91,7 +62,7 @@ Errors errors_against_dual_quaternions(const File& file, std::uint32_t clip) {
           const std::uint32_t slot = cooked.geometry.source_slots[v];
           if (slot == kNoSlot) continue;
           const glm::dvec3& at = want[source.vertex_of[p][v]];
-          const glm::dvec3 ssd = slot_of(skins.ssd, slot) - at, as = slot_of(skins.as, slot) - at;
+          const glm::dvec3 ssd = glm::dvec3(skins.ssd[slot]) - at, as = glm::dvec3(skins.as[slot]) - at;
           out.ssd += glm::dot(ssd, ssd);
           out.as += glm::dot(as, as);
           ++out.vertices;
@@ -140,9 +111,7 @@ TEST(Learn, LeavesSsdAlone) {
     ASSERT_EQ(a.geometry.source_slots.size, b.geometry.source_slots.size);
     for (std::size_t v = 0; v < a.geometry.source_slots.size; ++v) {
       if (a.geometry.source_slots[v] == kNoSlot) continue;
-      EXPECT_LT(
-          glm::length(slot_of(one.ssd, a.geometry.source_slots[v]) - slot_of(other.ssd, b.geometry.source_slots[v])),
-          1e-6);
+      EXPECT_LT(glm::length(one.ssd[a.geometry.source_slots[v]] - other.ssd[b.geometry.source_slots[v]]), 1e-6f);
       ++compared;
     }
   }

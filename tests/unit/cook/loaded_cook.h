@@ -9,7 +9,7 @@
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"
 #include "cook/write.h"
-#include "marrow/file.h"
+#include "marrow/marrow.h"
 
 namespace marrow::cook {
 
@@ -29,5 +29,32 @@ struct LoadedCook {
   tools::AlignedBytes bytes;
   File file;
 };
+
+// The mesh at a moment of a clip, in model space: by skin_ssd and by skin_as.
+struct Skins {
+  std::vector<glm::vec3> ssd, as;  // a slot each
+};
+
+inline Skins skins_at(const File& file, std::uint32_t clip, float time_s, const Mesh& mesh) {
+  const Skeleton skeleton = file.skeleton(mesh.skeleton);
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<Affine> model(skeleton.joint_count), palette(mesh.palette_size());
+  EXPECT_EQ(sample(skeleton, file.clip(clip), time_s, local), Status::ok);
+  EXPECT_EQ(local_to_model(skeleton, local, model), Status::ok);
+  EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), at(std::size_t{3} * mesh.geometry.slot_count);
+  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  const auto places = [&at] {
+    std::vector<glm::vec3> out;
+    for (std::size_t i = 0; i < at.size(); i += 3) out.emplace_back(at[i], at[i + 1], at[i + 2]);
+    return out;
+  };
+  Skins out;
+  EXPECT_EQ(skin_ssd(mesh, palette, {at, {}, {}}), Status::ok);
+  out.ssd = places();
+  EXPECT_EQ(skin_as(mesh, coordinates, palette, {at, {}, {}}), Status::ok);
+  out.as = places();
+  return out;
+}
 
 }  // namespace marrow::cook

@@ -9,53 +9,21 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
-#include "common/unpack_mrw.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
 #include "cook/options.h"
-#include "marrow/marrow.h"
+#include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {
 namespace {
 
 const std::string kSources = MARROW_SOURCE_DIR;
 
-struct CookedLevels {
-  CookedLevels(const std::string& path, const CookOptions& options) : CookedLevels(read_gltf(path), options) {}
-  CookedLevels(RawScene scene, const CookOptions& options) {
-    const CookResult result = cook_scene(std::move(scene), options);
-    report = result.report;
-    std::uint32_t magic = 0;
-    std::memcpy(&magic, result.file.data(), sizeof magic);
-    bytes = magic == format::kPackedMagic ? tools::unpacked(result.file, "")
-                                          : tools::AlignedBytes{std::span<const std::byte>(result.file)};
-    EXPECT_EQ(load({bytes.data(), bytes.size()}, file), Status::ok);
-  }
-  nlohmann::ordered_json report;
-  tools::AlignedBytes bytes;
-  File file;
-};
-
 CookOptions levels(const std::string& lod, MeshCodec codec = MeshCodec::none) {
   CookOptions options = to_options({{"lod", {{lod, {"--lod", ""}}}}});
   options.mesh_codec = codec;
   options.raw_clips = true;
   return options;
-}
-
-std::vector<glm::vec3> posed(const File& file, const Mesh& mesh, std::uint32_t clip, float time_s) {
-  const Skeleton skeleton = file.skeleton(mesh.skeleton);
-  std::vector<SoaTransform> local(skeleton.soa_size());
-  std::vector<Affine> model(skeleton.joint_count), palette(mesh.palette_size());
-  EXPECT_EQ(sample(skeleton, file.clip(clip), time_s, local), Status::ok);
-  EXPECT_EQ(local_to_model(skeleton, local, model), Status::ok);
-  EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
-  std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), at(std::size_t{3} * mesh.geometry.slot_count);
-  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
-  EXPECT_EQ(skin_as(mesh, coordinates, palette, {at, {}, {}}), Status::ok);
-  std::vector<glm::vec3> out;
-  for (std::size_t i = 0; i < at.size(); i += 3) out.emplace_back(at[i], at[i + 1], at[i + 2]);
-  return out;
 }
 
 std::uint32_t corner(const Geometry& g, std::size_t i) {
@@ -79,7 +47,7 @@ double distance(const glm::vec3& p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
 class LodCodecs : public testing::TestWithParam<MeshCodec> {};
 
 TEST_P(LodCodecs, NewtHasTheLevelsAskedFor) {
-  const CookedLevels cooked(kSources + "/tools/sample/newt.glb", levels("0.5,0.25", GetParam()));
+  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.5,0.25", GetParam())));
   ASSERT_GT(cooked.file.mesh_count(), 0u);
   for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m) {
     const Mesh full = cooked.file.mesh(m);
@@ -108,14 +76,15 @@ INSTANTIATE_TEST_SUITE_P(Codecs, LodCodecs, testing::Values(MeshCodec::none, Mes
 
 // The error in the file is that of anchors that stay; the nearest point of the surface is nearer still.
 TEST(Lod, ErrorBoundsTheDistanceOfSurfaces) {
-  const CookedLevels cooked(kSources + "/tools/sample/newt.glb", levels("0.3"));
+  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.3")));
   double worst = 0, bound = 0;
   std::size_t checked = 0;
   for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m) {
     const Mesh full = cooked.file.mesh(m), less = cooked.file.mesh(m, 1);
     for (std::uint32_t clip = 0; clip < std::min(cooked.file.clip_count(), 2u); ++clip) {
       if (cooked.file.clip(clip).skeleton != full.skeleton) continue;
-      const std::vector<glm::vec3> a = posed(cooked.file, full, clip, 0), b = posed(cooked.file, less, clip, 0);
+      const std::vector<glm::vec3> a = skins_at(cooked.file, clip, 0, full).as,
+                                   b = skins_at(cooked.file, clip, 0, less).as;
       for (std::size_t v = 0; v < a.size(); v += 197) {
         double nearest = HUGE_VAL;
         for (std::size_t i = 0; i < less.geometry.index_count; i += 3)
@@ -133,7 +102,7 @@ TEST(Lod, ErrorBoundsTheDistanceOfSurfaces) {
 }
 
 TEST(Lod, FewerInfluencesAreThose) {
-  const CookedLevels cooked(kSources + "/tools/sample/newt.glb", levels("0.5,0.49:2,0.48:1"));
+  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.5,0.49:2,0.48:1")));
   std::uint32_t most[4] = {};
   for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m)
     for (std::uint32_t level = 0; level < 4; ++level)
@@ -153,7 +122,7 @@ TEST(Lod, AnimationSpaceHasLevels) {
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
   options.learn.half_joints = 1;
-  const CookedLevels cooked(kSources + "/tools/sample/newt.glb", options);
+  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", options));
   const Mesh full = cooked.file.mesh(0), less = cooked.file.mesh(0, 1);
   ASSERT_NE(full.geometry.as_residual, nullptr);
   ASSERT_NE(less.geometry.as_residual, nullptr);
@@ -163,7 +132,7 @@ TEST(Lod, AnimationSpaceHasLevels) {
 
 // Every vertex of a level is one of the full mesh, in place, normal and texture.
 TEST(Lod, VerticesAreTheMeshsOwn) {
-  const CookedLevels cooked(kSources + "/tools/sample/newt.glb", levels("0.2"));
+  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.2")));
   const Geometry full = cooked.file.mesh(0).geometry, less = cooked.file.mesh(0, 1).geometry;
   const auto lane = [](const float* blocks, std::uint32_t slot) {
     return glm::vec3(blocks[slot % 4], blocks[4 + slot % 4], blocks[8 + slot % 4]);
@@ -182,7 +151,7 @@ TEST(Lod, VerticesAreTheMeshsOwn) {
 
 // Meshes that hang on a node, with morph targets, of two triangles each: one of them is the least there can be.
 TEST(Lod, SaysWhatCannotBeReached) {
-  const CookedLevels cooked(kSources + "/tests/golden/face.gltf", levels("0.1", MeshCodec::draco));
+  const LoadedCook cooked(cook_file(kSources + "/tests/golden/face.gltf", levels("0.1", MeshCodec::draco)));
   std::size_t warned = 0;
   for (const auto& w : cooked.report["warnings"]) warned += w["rule"] == "lod-not-reached" ? 1u : 0u;
   EXPECT_EQ(warned, 2u);
@@ -198,7 +167,7 @@ TEST(Lod, SaysWhatCannotBeReached) {
 TEST(Lod, KeepsTheSourcesOrderOfTheFullMeshAlone) {
   CookOptions options = levels("0.5");
   options.keep_vertex_order = true;
-  const CookedLevels cooked(kSources + "/tests/golden/tiny.gltf", options);
+  const LoadedCook cooked(cook_file(kSources + "/tests/golden/tiny.gltf", options));
   EXPECT_GT(cooked.file.mesh(0).geometry.source_slots.size, 0u);
   EXPECT_EQ(cooked.file.mesh(0, 1).geometry.source_slots.size, 0u);
 }

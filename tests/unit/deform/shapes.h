@@ -14,6 +14,7 @@
 #include "deform/cylinder.h"
 #include "deform/deformers.h"
 #include "deform/fit.h"
+#include "deform/simplify.h"
 
 namespace marrow::deform {
 
@@ -103,6 +104,18 @@ inline double share_held_out(const SkinnedMesh& mesh, const Judge& judge) {
   }
   ::testing::Test::RecordProperty("share", std::to_string(share));
   return share;
+}
+
+// Points are vertices: no seams.
+inline SeamedSurface plain(std::size_t points, std::vector<std::uint32_t> indices) {
+  SeamedSurface out;
+  for (std::uint32_t p = 0; p < points; ++p) {
+    out.point_of.push_back(p);
+    out.chart_of.push_back(p);
+    out.normals.emplace_back(0, 0, 1);
+  }
+  out.indices = std::move(indices);
+  return out;
 }
 
 }  // namespace marrow::deform

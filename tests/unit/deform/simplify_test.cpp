@@ -14,18 +14,6 @@
 namespace marrow::deform {
 namespace {
 
-// Points are vertices: no seams.
-SeamedSurface plain(std::size_t points, std::vector<std::uint32_t> indices) {
-  SeamedSurface out;
-  for (std::uint32_t p = 0; p < points; ++p) {
-    out.point_of.push_back(p);
-    out.chart_of.push_back(p);
-    out.normals.emplace_back(0, 0, 1);
-  }
-  out.indices = std::move(indices);
-  return out;
-}
-
 // A flat n × n grid of squares, two triangles each.
 struct Grid {
   Positions positions;

@@ -8,16 +8,6 @@
 namespace marrow::deform {
 namespace {
 
-SeamedSurface plain(std::size_t points, std::vector<std::uint32_t> indices) {
-  SeamedSurface out;
-  for (std::uint32_t p = 0; p < points; ++p) {
-    out.point_of.push_back(p);
-    out.chart_of.push_back(p);
-  }
-  out.indices = std::move(indices);
-  return out;
-}
-
 Positions placed(const std::vector<Combination>& vertices, const Positions& source) {
   Positions out;
   for (const Combination& c : vertices) out.push_back(combined(c, source));
