@@ -1,7 +1,6 @@
 #include "compare/study.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -141,8 +140,7 @@ void drop_unusable_poses(const deform::Deformer& truth, Study& study) {
   const auto unusable = [&](const auto& p) {
     deform::Positions positions;
     truth(p.pose, positions);
-    return !std::ranges::all_of(
-        positions, [](const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); });
+    return !deform::is_finite(positions);
   };
   for (Round& round : study.rounds) {
     std::erase_if(round.train, unusable);

@@ -1,7 +1,6 @@
 #include "cook/examples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -51,9 +50,8 @@ void add_example(const Sheet& sheet, const std::string& where, const DeformSourc
   std::size_t at = 0;
   for (const std::vector<std::uint32_t>& vertex_of : source.vertex_of)
     for (const std::uint32_t v : vertex_of) example.positions[v] = places[at++];
-  for (const glm::dvec3& p : example.positions)
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      sheet.refuse(where, "not-finite", "the example has a position that is not finite; mend it");
+  if (!deform::is_finite(example.positions))
+    sheet.refuse(where, "not-finite", "the example has a position that is not finite; mend it");
   out.push_back(std::move(example));
 }
 
@@ -207,18 +205,18 @@ std::vector<ShownPose> read_examples(const std::string& path, const Shown& shown
   Sheet sheet{path, read_gltf(path), {}};
   reads.insert(reads.end(), sheet.scene.reads.begin(), sheet.scene.reads.end());
   std::vector<ShownPose> out;
-  const bool skinned = skinned_like(sheet, shown.mesh) != nullptr;
-  if (skinned) {
+  const RawInstance* const skinned = skinned_like(sheet, shown.mesh);
+  if (skinned != nullptr) {
     build_skeletons(sheet.scene, sheet.built);
     CookOptions options;
     options.raw_clips = true;
     build_clips(sheet.scene, options, sheet.built);
-    add_moments(sheet, *skinned_like(sheet, shown.mesh), shown, out);
+    add_moments(sheet, *skinned, shown, out);
   }
   for (const RawInstance& instance : sheet.scene.instances)
     if (instance.skin == kNone) add_posed_mesh(sheet, instance, shown, out);
   if (out.empty())
-    sheet.refuse(skinned ? "/animations" : "/nodes", "no-example",
+    sheet.refuse(skinned != nullptr ? "/animations" : "/nodes", "no-example",
                  "give clips that move the skin, or meshes whose nodes say which moment they show");
   std::ranges::stable_sort(out, {}, &ShownPose::clip);
   return out;

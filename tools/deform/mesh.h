@@ -40,6 +40,8 @@ inline glm::dvec3 transform(const Matrix& m, const glm::dvec3& v) {
   return m[0] * v.x + m[1] * v.y + m[2] * v.z + m[3];
 }
 
+bool is_finite(const Positions& positions);
+
 // Length of the diagonal of the bind pose's box.
 double diagonal(const SkinnedMesh& mesh);
 

@@ -39,6 +39,11 @@ Edges edges_of(const SkinnedMesh& mesh) {
 
 }  // namespace
 
+bool is_finite(const Positions& positions) {
+  return std::ranges::all_of(
+      positions, [](const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+}
+
 double diagonal(const SkinnedMesh& mesh) {
   if (mesh.positions.empty()) return 0;
   glm::dvec3 low = mesh.positions.front(), high = low;

@@ -22,19 +22,17 @@ std::vector<Example> make_examples(double diagonal_m, const std::vector<Training
     Positions now, start;
     truth(poses[i].pose, now);
     reference(poses[i].pose, start);
+    for (const glm::dvec3& p : now) e.centre += p / (diagonal_m * static_cast<double>(now.size()));
+    float size = 0;  // finite if all of the truth is
     for (std::size_t v = 0; v < now.size(); ++v) {
       const glm::dvec3 off = (now[v] - start[v]) / diagonal_m;
       e.reference_error += glm::dot(off, off);
-      e.truth.emplace_back(now[v] / diagonal_m);
+      e.truth.emplace_back(now[v] / diagonal_m - e.centre);
+      size += glm::dot(e.truth.back(), e.truth.back());
     }
+    e.is_usable = std::isfinite(size) && std::isfinite(e.reference_error);
   });
   return out;
-}
-
-bool is_finite(const Example& e) {
-  return std::isfinite(e.reference_error) && std::ranges::all_of(e.truth, [](const glm::vec3& p) {
-           return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-         });
 }
 
 VectorXd pose_weights(const std::vector<Example>& examples, const Strength& strength) {
@@ -57,7 +55,7 @@ Training prepare_training(double diagonal_m, std::vector<TrainingPose>& poses, c
   Training out;
   out.diagonal_m = diagonal_m;
   out.examples = make_examples(diagonal_m, poses, truth, reference);
-  std::erase_if(out.examples, [](const Example& e) { return !is_finite(e); });
+  std::erase_if(out.examples, [](const Example& e) { return !e.is_usable; });
   for (std::size_t i = 0; i < out.examples.size(); ++i) {
     if (i == 0 || out.examples[i].at->fold != out.examples[i - 1].at->fold) out.folds.push_back({i, 0});
     ++out.folds.back().count;
@@ -94,7 +92,8 @@ Equations::Equations(const Group& group, const Training& training)
   const double scale = 1 / training.diagonal_m;
   for (std::size_t e = 0; e < training.examples.size(); ++e) {
     const Eigen::Index row = 3 * index(e);
-    const Pose& pose = training.examples[e].at->pose;
+    const Example& of = training.examples[e];
+    const Pose& pose = of.at->pose;
     glm::dvec3 mean(0);
     for (const std::uint32_t j : group.joints) mean += transform(pose[j], group.origin);
     mean *= scale / static_cast<double>(group.joints.size());
@@ -104,7 +103,7 @@ Equations::Equations(const Group& group, const Training& training)
       for (int r = 0; r < 3; ++r) a.row(row + r).segment<4>(4 * index(j)) << m[0][r], m[1][r], m[2][r], at[r];
     }
     for (std::size_t i = 0; i < group.vertices.size(); ++i) {
-      const glm::dvec3 p = glm::dvec3(training.examples[e].truth[group.vertices[i]]) - mean;
+      const glm::dvec3 p = glm::dvec3(of.truth[group.vertices[i]]) + (of.centre - mean);
       truth.col(index(i)).segment<3>(row) << p.x, p.y, p.z;
     }
   }

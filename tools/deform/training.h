@@ -11,10 +11,13 @@ inline Eigen::Index index(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
 
-// What a truth makes of a pose, in diagonals; and how far the reference is off.
+// What a truth makes of a pose, in diagonals from `centre`, so that single precision does wherever the character
+// stands; and how far the reference is off.
 struct Example {
   const TrainingPose* at = nullptr;
+  glm::dvec3 centre{0};
   std::vector<glm::vec3> truth;
+  bool is_usable = false;
   double reference_error = 0;  // squares, summed
 };
 
