@@ -140,8 +140,10 @@ void add_compare(CLI::App& app) {
       "ns_per_vertex, instructions_per_vertex}]}, "
       "lengths in metres");
   command->add_option("-o,--output", a.out, "also a page with pictures and charts, in one file")->type_name("OUT.html");
+#ifdef MARROW_HAS_GLES
   command->add_option("--pictures", a.pictures, "also the page's pictures, each a PNG in this folder")
       ->type_name("FOLDER");
+#endif
   command->callback([&a] { run_compare(a); });
 }
 

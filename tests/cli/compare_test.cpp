@@ -1,4 +1,5 @@
 // `marrow compare`, and `marrow cook --as` as a user runs them.
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -81,6 +82,33 @@ TEST(Compare, WritesOnePage) {
 #endif
 }
 
+#ifdef MARROW_HAS_GLES
+TEST(Compare, WritesThePagesPicturesAlone) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: drivers leak, which the address sanitizer would report";
+#endif
+  const TemporaryFolder folder;
+  const std::string pictures = folder / "new";
+  const Ran ran = run_marrow({"compare", tiny_gltf(), "-o", folder / "page.html", "--pictures", pictures});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string page = read_text(folder / "page.html");
+  std::size_t shown = 0, written = 0, errors = 0;
+  for (std::size_t at = 0; (at = page.find("data:image/png;base64,", at)) != std::string::npos; ++at) ++shown;
+  for (const auto& entry : std::filesystem::directory_iterator(pictures)) {
+    EXPECT_EQ(entry.path().extension(), ".png");
+    EXPECT_EQ(read_text(entry.path().string()).substr(0, 8), "\x89PNG\r\n\x1a\n");
+    ++written;
+    errors += entry.path().stem().string().ends_with("-error");
+  }
+  EXPECT_EQ(written, shown);
+  EXPECT_GT(errors, 0u);
+  EXPECT_TRUE(std::filesystem::exists(pictures + "/1-1-truth.png"));
+  EXPECT_TRUE(std::filesystem::exists(pictures + "/1-2-ssd.png"));
+  write_text(folder / "file", "");
+  EXPECT_EQ(run_marrow({"compare", tiny_gltf(), "--pictures", folder / "file"}).code, 2);
+}
+#endif
+
 TEST(CookAs, ReportsWhatWasLearnt) {
   const TemporaryFolder folder;
   const std::string out = folder / "t.mrw";
@@ -136,6 +164,9 @@ TEST(CookAs, RefusesWhatMakesNoSense) {
   const std::string out = folder / "t.mrw";
   for (const std::vector<std::string>& extra : {std::vector<std::string>{"--truth", "dqs"},
                                                 {"--half-joints", "1"},
+                                                {"--influences", "4"},
+                                                {"--as", "fit", "--influences", "0"},
+                                                {"--as", "fit", "--influences", "9"},
                                                 {"--keep-bind-pose"},
                                                 {"--delta-mush", "10"},
                                                 {"--as", "lift", "--delta-mush", "10"},
