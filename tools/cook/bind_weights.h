@@ -15,8 +15,8 @@ namespace marrow::cook {
 // (RawInstance::skin):
 // - a mesh that the file gives a skin, that skin;
 // - any other that hangs on nothing that moves, the joints of the file's only skin, or of a file without skins the
-// nodes
-//   that clips move and that draw nothing themselves. It is bound where the nodes' rest poses put mesh and joints.
+//   nodes that clips move and that draw nothing themselves. It is bound where the nodes' rest poses put mesh and
+//   joints.
 // Meshes that have weights keep them. Smoothing and painting then go for all meshes that are drawn with a skin. Says in
 // scene.warnings what was done. Throws tools::Failure: usage if an option fits nothing, invalid for nothing to bind to
 // or a bad mask, unsupported for too many vertices.

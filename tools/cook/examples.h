@@ -21,8 +21,7 @@ struct Shown {
 
 // A glTF file's examples of the mesh, which must have the same primitives with the same vertices in the same order:
 // - of a mesh that is bound to a skin, moments of the file's clips: the file's own joints, found by their names, and
-// its
-//   morph targets as the clips drive them, before skinning as glTF 2.0 has it: corrective shapes;
+//   its morph targets as the clips drive them, before skinning as glTF 2.0 has it: corrective shapes;
 // - meshes without a skin whose nodes have `extras` with "marrow.clip" and "marrow.time", of the character's clips: the
 //   surface as it is there, in the scene's space.
 // Throws tools::Failure (invalid) at the place in the file: what does not read; no example; other vertices; a joint, a
