@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cook/gltf/read.h"
+#include "cook/trainees.h"
 #include "deform/animation_space.h"
 #include "marrow/marrow.h"
 #include "unit/cook/loaded_cook.h"
@@ -182,6 +183,35 @@ TEST(Learn, MakesPosesUpWithoutClips) {
       EXPECT_EQ(learnt["kind"], "fit");
       EXPECT_LT(learnt["held_out_share"], 0.5);
       ASSERT_NE(g.as_residual, nullptr);
+    }
+  }
+}
+
+RawChannel turning(int node) {
+  RawChannel out;
+  out.node = node;
+  out.path = RawPath::rotation;
+  out.times_s = {0, 1};
+  out.values = {{0, 0, 0, 1}, {0, 0, 0.7071068f, 0.7071068f}};
+  return out;
+}
+
+// What cross-validation leaves out together: clips, or where there are hardly any, quarters of them.
+TEST(Learn, ClipsAreFolds) {
+  for (std::uint32_t clips = 1; clips <= 10; ++clips) {
+    RawScene raw = two_joint_scene();
+    for (std::uint32_t c = 0; c < clips; ++c) raw.clips.push_back({"clip" + std::to_string(c), {turning(1)}, {}});
+    CookOptions plain;
+    plain.raw_clips = true;
+    const BuiltScene built = build_scene(raw, plain);
+    const DeformSource source = deform_source(raw.meshes[0], raw.skins[0], bind_to_skin(raw, raw.meshes[0]), built);
+    const std::vector<SampledPose> shipped = clip_poses(built, source.skeleton, 8, 1000);
+    ASSERT_EQ(shipped.size(), 9 * clips);
+    const Trainees got = trainees(source, built, shipped);
+    ASSERT_GT(got.poses.size(), shipped.size());
+    for (std::size_t i = 0; i < shipped.size(); ++i) {
+      const std::uint32_t c = shipped[i].clip, quarter = std::min(3u, static_cast<std::uint32_t>(i % 9) / 2);
+      EXPECT_EQ(got.poses[i].fold, clips > 2 ? c % 8 : 4 * c + quarter) << clips << " clips, pose " << i;
     }
   }
 }

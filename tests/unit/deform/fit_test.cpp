@@ -1,6 +1,8 @@
 // The fit against truths that are known, and against the figures of a study on a cylinder.
 #include "deform/fit.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
@@ -44,6 +46,25 @@ TEST(Fit, CanKeepTheBindPose) {
                                   dual_quaternions(mesh), ssd(mesh), options);
   EXPECT_LT(farthest(at(animation_space(fit.coordinates), cylinder_pose(0, 0)), mesh.positions), 1e-12);
   EXPECT_LT(fit.quality.share, 0.8);
+}
+
+TEST(Fit, LeavesOutPosesInWhichTheTruthIsNotFinite) {
+  const SkinnedMesh mesh = cylinder();
+  const std::vector<TrainingPose> good = training(random_cylinder_poses(20, 1), 4);
+  std::vector<TrainingPose> all = good;
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200}) {
+    TrainingPose& pose = all.emplace_back(good.front());
+    pose.pose[1][3][0] = bad;
+  }
+  const Deformer truth = centres_of_rotation(mesh);
+  const Fit wanted = fit_coordinates(lift(mesh), diagonal(mesh), good, truth, ssd(mesh), {});
+  const Fit got = fit_coordinates(lift(mesh), diagonal(mesh), all, truth, ssd(mesh), {});
+  EXPECT_LT(wanted.quality.share, 0.6);
+  EXPECT_EQ(got.quality.share, wanted.quality.share);
+  ASSERT_EQ(got.coordinates.size(), wanted.coordinates.size());
+  for (std::size_t v = 0; v < got.coordinates.size(); ++v)
+    for (std::size_t j = 0; j < got.coordinates[v].size(); ++j)
+      ASSERT_EQ(got.coordinates[v][j].q, wanted.coordinates[v][j].q) << v;
 }
 
 // Where the character stands and which way it looks is not learnt.
