@@ -6,79 +6,105 @@
 //   MARROW_NORMAL, _TANGENT, _UV, _COLOUR  0 or 1: which attributes the mesh has
 //   MARROW_MORPH_TARGETS   how many morph targets may count at a time; 0: none, the mesh has none
 //   MARROW_SURFACE_NORMALS 1: animation space has tangents as vectors, and normals are the deformed surface's own
+//   MARROW_PALETTES        0 in a uniform block, 1 in a texture
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
+//   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
 // (GpuMesh::bind). Rows of vec4, never mat4: some drivers pad or transpose arrays of matrices.
 precision highp float;
 precision highp int;
 
+// An attribute; in a compute shader a variable that main() fills in.
+#if MARROW_COMPUTE
+#define MARROW_IN(Location)
+#else
+#define MARROW_IN(Location) layout(location = Location) in
+#endif
+
 #if MARROW_DEFORMER == 3
-layout(location = 0) in vec4 in_coordinate0;  // q of each influence: (x, y, z, w), Σ w = 1 / marrow_coordinate_scale
-layout(location = 1) in vec4 in_coordinate1;
-layout(location = 2) in vec4 in_coordinate2;
-layout(location = 3) in vec4 in_coordinate3;
+MARROW_IN(0) vec4 in_coordinate0;  // q of each influence: (x, y, z, w), Σ w = 1 / marrow_coordinate_scale
+MARROW_IN(1) vec4 in_coordinate1;
+MARROW_IN(2) vec4 in_coordinate2;
+MARROW_IN(3) vec4 in_coordinate3;
 #if MARROW_INFLUENCES == 8
-layout(location = 4) in vec4 in_coordinate4;
-layout(location = 5) in vec4 in_coordinate5;
-layout(location = 6) in vec4 in_coordinate6;
-layout(location = 7) in vec4 in_coordinate7;
+MARROW_IN(4) vec4 in_coordinate4;
+MARROW_IN(5) vec4 in_coordinate5;
+MARROW_IN(6) vec4 in_coordinate6;
+MARROW_IN(7) vec4 in_coordinate7;
 #endif
 uniform float marrow_coordinate_scale;
 #if MARROW_SURFACE_NORMALS
 // τ of each influence: (x, y, z, w), Σ w = 0, in any unit. The last w is what the others leave.
-layout(location = 4) in vec4 in_first0;
-layout(location = 5) in vec4 in_first1;
-layout(location = 6) in vec4 in_first2;
-layout(location = 7) in vec4 in_first3;  // w: handedness of the texture's triad
-layout(location = 9) in vec4 in_second0;
-layout(location = 10) in vec4 in_second1;
-layout(location = 11) in vec4 in_second2;
-layout(location = 15) in vec4 in_second3;
+MARROW_IN(4) vec4 in_first0;
+MARROW_IN(5) vec4 in_first1;
+MARROW_IN(6) vec4 in_first2;
+MARROW_IN(7) vec4 in_first3;  // w: handedness of the texture's triad
+MARROW_IN(9) vec4 in_second0;
+MARROW_IN(10) vec4 in_second1;
+MARROW_IN(11) vec4 in_second2;
+MARROW_IN(15) vec4 in_second3;
 #endif
 #else
-layout(location = 0) in vec3 in_position;
+MARROW_IN(0) vec3 in_position;
 #if MARROW_DEFORMER == 2
-layout(location = 1) in vec4 in_weights0;
+MARROW_IN(1) vec4 in_weights0;
 #if MARROW_INFLUENCES == 8
-layout(location = 2) in vec4 in_weights1;
+MARROW_IN(2) vec4 in_weights1;
 #endif
 #endif
 #endif
 
 #if MARROW_DEFORMER != 0
-layout(location = 8) in uvec4 in_joints0;  // palette entries; the largest weight comes first
+MARROW_IN(8) uvec4 in_joints0;  // palette entries; the largest weight comes first
 #if MARROW_INFLUENCES == 8 && MARROW_DEFORMER != 1
-layout(location = 9) in uvec4 in_joints1;
+MARROW_IN(9) uvec4 in_joints1;
 #endif
+// Row r of matrix j of the palette is marrow_row(3 j + r).
+#if MARROW_PALETTES == 0
 layout(std140) uniform MarrowPalette {
   vec4 marrow_rows[3 * MARROW_PALETTE_JOINTS];
 };
+vec4 marrow_row(int i) {
+  return marrow_rows[i];
+}
+#else
+uniform highp sampler2D marrow_palettes;  // 2048 wide; a texel is a row
+uniform ivec2 marrow_first_row;           // of the first instance; from one instance to the next
+vec4 marrow_row(int i) {
+#if MARROW_COMPUTE
+  int row = marrow_first_row.x + i;
+#else
+  int row = marrow_first_row.x + gl_InstanceID * marrow_first_row.y + i;
+#endif
+  return texelFetch(marrow_palettes, ivec2(row & 2047, row >> 11), 0);
+}
+#endif
 #endif
 
 #if MARROW_NORMAL && !MARROW_SURFACE_NORMALS
 #if MARROW_DEFORMER == 0
-layout(location = 10) in vec3 in_normal;
+MARROW_IN(10) vec3 in_normal;
 #else
-layout(location = 10) in vec2 in_normal;  // octahedral
+MARROW_IN(10) vec2 in_normal;  // octahedral
 #endif
 #endif
 #if MARROW_TANGENT && !MARROW_SURFACE_NORMALS
 #if MARROW_DEFORMER == 0
-layout(location = 11) in vec4 in_tangent;
+MARROW_IN(11) vec4 in_tangent;
 #else
-layout(location = 11) in vec2 in_tangent;  // octahedral; y is squeezed into (0, 1] and carries the handedness as sign
+MARROW_IN(11) vec2 in_tangent;  // octahedral; y is squeezed into (0, 1] and carries the handedness as sign
 #endif
 #endif
 #if MARROW_UV
-layout(location = 12) in vec2 in_uv;
+MARROW_IN(12) vec2 in_uv;
 #endif
 #if MARROW_COLOUR
-layout(location = 13) in vec4 in_colour;
+MARROW_IN(13) vec4 in_colour;
 #endif
 
 #if MARROW_MORPH_TARGETS && MARROW_DEFORMER != 0
-layout(location = 14) in uint in_morph_row;  // 0: no target moves the vertex
+MARROW_IN(14) uint in_morph_row;  // 0: no target moves the vertex
 uniform highp isampler2D marrow_morph_changes;
 uniform vec4 marrow_morph_targets[MARROW_MORPH_TARGETS];  // first texel; weight · step of positions, normals, tangents
 uniform int marrow_morph_count;
@@ -148,9 +174,9 @@ void marrow_morph(inout vec3 position, inout vec3 normal, inout vec3 tangent) {
 // Adds one influence of animation space: M q to the position, w M to the matrix that normals and tangents go through.
 void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec3 y, inout vec3 z) {
   int row = 3 * int(joint);
-  vec4 mx = marrow_rows[row];
-  vec4 my = marrow_rows[row + 1];
-  vec4 mz = marrow_rows[row + 2];
+  vec4 mx = marrow_row(row);
+  vec4 my = marrow_row(row + 1);
+  vec4 mz = marrow_row(row + 2);
   position += vec3(dot(mx, q), dot(my, q), dot(mz, q));
 #if (MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS) && !MARROW_SURFACE_NORMALS
   x += q.w * mx.xyz;
@@ -162,7 +188,7 @@ void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec
 #if MARROW_SURFACE_NORMALS
 vec3 marrow_vector(vec4 v, uint joint) {
   int row = 3 * int(joint);
-  return vec3(dot(marrow_rows[row], v), dot(marrow_rows[row + 1], v), dot(marrow_rows[row + 2], v));
+  return vec3(dot(marrow_row(row), v), dot(marrow_row(row + 1), v), dot(marrow_row(row + 2), v));
 }
 
 // Σ M τ, unit.
@@ -176,9 +202,9 @@ vec3 marrow_surface_tangent(vec4 a, vec4 b, vec4 c, vec3 d) {
 // Adds one influence of SSD to the blended matrix.
 void marrow_add(float weight, uint joint, inout vec4 x, inout vec4 y, inout vec4 z) {
   int row = 3 * int(joint);
-  x += weight * marrow_rows[row];
-  y += weight * marrow_rows[row + 1];
-  z += weight * marrow_rows[row + 2];
+  x += weight * marrow_row(row);
+  y += weight * marrow_row(row + 1);
+  z += weight * marrow_row(row + 2);
 }
 #endif
 
@@ -257,8 +283,8 @@ MarrowVertex marrow_skin() {
   vec3 first = marrow_surface_tangent(in_first0, in_first1, in_first2, in_first3.xyz);
   vec3 second = marrow_surface_tangent(in_second0, in_second1, in_second2, in_second3.xyz);
   int row = 3 * int(in_joints0.x);
-  mirrored = dot(marrow_unit(marrow_rows[row].xyz),
-                 cross(marrow_unit(marrow_rows[row + 1].xyz), marrow_unit(marrow_rows[row + 2].xyz))) < 0.0 ? -1.0 : 1.0;
+  mirrored = dot(marrow_unit(marrow_row(row).xyz),
+                 cross(marrow_unit(marrow_row(row + 1).xyz), marrow_unit(marrow_row(row + 2).xyz))) < 0.0 ? -1.0 : 1.0;
   v.normal = mirrored * marrow_unit(cross(first, second));
 #endif
 #if MARROW_TANGENT

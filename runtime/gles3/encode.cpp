@@ -99,7 +99,7 @@ std::int16_t to_snorm16(float value) {
   return static_cast<std::int16_t>(i < -32767 ? -32767 : i > 32767 ? 32767 : i);
 }
 
-void put_joints(const Vertex& v, const Layout& layout, std::byte* to) {
+void put_joints(const Vertex& v, const VertexLayout& layout, std::byte* to) {
   for (std::uint32_t j = 0; j < layout.influences; ++j) {
     const std::uint16_t joint = v.joints[j < v.influences ? j : 0];
     if (layout.joint_bytes == 1) {
@@ -115,7 +115,7 @@ float unit_position(const Vertex& v, const Quantisation& q, std::uint32_t c) {
   return (v.position[c] - q.centre[c]) / q.half_extent;
 }
 
-void put_coordinates(const Vertex& v, const Layout& layout, const Quantisation& quantisation, std::byte* to) {
+void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisation& quantisation, std::byte* to) {
   float total_weight[kMaxInfluences];
   std::int32_t w[kMaxInfluences] = {};
   for (std::uint32_t j = 0; j < v.influences; ++j) total_weight[j] = v.weights[j] + v.residual[j][3];
@@ -206,9 +206,9 @@ void to_octahedron(const float unit[3], float out[2]) {
   out[1] = unit[2] >= 0 ? y : (1 - std::fabs(x)) * (y >= 0 ? 1.0f : -1.0f);
 }
 
-Layout make_layout(const Mesh& mesh, bool as_tangents) {
+VertexLayout make_layout(const Mesh& mesh, bool as_tangents) {
   const Geometry& g = mesh.geometry;
-  Layout layout;
+  VertexLayout layout;
   for (const Run& run : g.runs) {
     if (run.influences > 4) layout.influences = 8;
   }
@@ -266,7 +266,8 @@ Quantisation make_quantisation(const Geometry& g) {
   return q;
 }
 
-void encode_ssd(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, std::byte* out) {
+void encode_ssd(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation,
+                std::byte* out) {
   for_each_vertex(geometry, nullptr, [&](std::uint32_t slot, const Vertex& v) {
     std::byte* vertex = out + std::size_t{slot} * layout.ssd_stride;
     std::int16_t position[4] = {};
@@ -281,8 +282,8 @@ void encode_ssd(const Geometry& geometry, const Layout& layout, const Quantisati
   });
 }
 
-void encode_as(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, const float* tangents,
-               std::byte* out) {
+void encode_as(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation,
+               const float* tangents, std::byte* out) {
   if (!layout.surface_normals) tangents = nullptr;
   for_each_vertex(geometry, tangents, [&](std::uint32_t slot, const Vertex& v) {
     std::byte* vertex = out + std::size_t{slot} * layout.as_stride;
@@ -295,7 +296,7 @@ void encode_as(const Geometry& geometry, const Layout& layout, const Quantisatio
   });
 }
 
-void encode_surface(const Geometry& g, const Layout& layout, std::byte* out) {
+void encode_surface(const Geometry& g, const VertexLayout& layout, std::byte* out) {
   for (std::size_t slot = 0; slot < g.slot_count; ++slot) {
     std::byte* vertex = out + slot * layout.surface_stride;
     const std::size_t lane = slot % 4;

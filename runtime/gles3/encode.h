@@ -1,7 +1,7 @@
 // Bind vertices as floats → the compact attributes of GpuMesh. Pure arithmetic; prepare.cpp uploads what this writes.
 #pragma once
 
-#include "marrow/file.h"
+#include "marrow/gles3.h"
 
 namespace marrow::gles3 {
 
@@ -12,30 +12,19 @@ struct Quantisation {
   std::int32_t coordinate_one = 32767;  // integer that stands for 1 in animation-space coordinates
 };
 
-// Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
-struct Layout {
-  std::uint32_t influences = 4;   // 4 or 8
-  std::uint32_t joint_bytes = 1;  // 1 or 2
-  std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;
-  std::uint32_t as_stride = 0, as_tangents = 0, as_joints = 0;
-  bool surface_normals = false;  // there are tangents, and room for them
-  std::uint32_t surface_stride = 0, normal = 0, tangent = 0, uv = 0, colour = 0;
-  bool uv_unorm = false;  // unorm16×2, otherwise f32×2
-};
-
 // One pass over the uvs when the mesh has any. as_tangents: whether there are any.
-Layout make_layout(const Mesh& mesh, bool as_tangents);
+VertexLayout make_layout(const Mesh& mesh, bool as_tangents);
 
 // Box and room for residuals, see prepare(). One pass over the vertices when the mesh has residuals.
 Quantisation make_quantisation(const Geometry& geometry);
 
 // Each writes slot_count × stride bytes. Within a vertex the influence with the largest weight comes first; unused ones
 // have weight 0 and repeat its joint.
-void encode_ssd(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, std::byte* out);
+void encode_ssd(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation, std::byte* out);
 // tangents: from as_tangents(), where the layout has them.
-void encode_as(const Geometry& geometry, const Layout& layout, const Quantisation& quantisation, const float* tangents,
-               std::byte* out);
-void encode_surface(const Geometry& geometry, const Layout& layout, std::byte* out);
+void encode_as(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation,
+               const float* tangents, std::byte* out);
+void encode_surface(const Geometry& geometry, const VertexLayout& layout, std::byte* out);
 
 // Rounds values to integers (in units of 1/total) so that they sum to `total` exactly: floors, then one more for the
 // largest remainders. The values sum to 1 but for rounding. count ≤ kMaxInfluences.

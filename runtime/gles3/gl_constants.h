@@ -5,6 +5,8 @@ namespace marrow::gles3 {
 
 enum GlEnum : unsigned {
   kGlNoError = 0,
+  kGlPoints = 0x0000,
+  kGlVertexAttribArrayBarrier = 0x0001,
   kGlTriangles = 0x0004,
   kGlByte = 0x1400,
   kGlUnsignedByte = 0x1401,
@@ -17,6 +19,9 @@ enum GlEnum : unsigned {
   kGlTextureMagFilter = 0x2800,
   kGlTextureMinFilter = 0x2801,
   kGlTexture0 = 0x84C0,
+  kGlMaxTextureSize = 0x0D33,
+  kGlRgba = 0x1908,
+  kGlRgba32f = 0x8814,
   kGlRgba16i = 0x8D88,
   kGlRgbaInteger = 0x8D99,
   kGlVersion = 0x1F02,
@@ -35,6 +40,12 @@ enum GlEnum : unsigned {
   kGlCompileStatus = 0x8B81,
   kGlLinkStatus = 0x8B82,
   kGlInterleavedAttribs = 0x8C8C,
+  kGlSeparateAttribs = 0x8C8D,
+  kGlTransformFeedbackBuffer = 0x8C8E,
+  kGlRasterizerDiscard = 0x8C89,
+  kGlDynamicCopy = 0x88EA,
+  kGlShaderStorageBuffer = 0x90D2,
+  kGlComputeShader = 0x91B9,
 };
 
 }  // namespace marrow::gles3

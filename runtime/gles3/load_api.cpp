@@ -11,14 +11,19 @@ bool load_one(Function& function, void* (*load_proc)(const char*), const char* n
   return function != nullptr;
 }
 
-// Reads "OpenGL ES 3.1 …" → 3; 0 for anything else. GL_MAJOR_VERSION is no use here: GLES 2 does not know it.
-int es_major_version(const unsigned char* text) {
+bool is_digit(unsigned char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Reads "OpenGL ES 3.1 …" → 31; 0 for anything else. GL_MAJOR_VERSION is no use here: GLES 2 does not know it.
+int es_version(const unsigned char* text) {
   const char* prefix = "OpenGL ES ";
   if (text == nullptr) return 0;
   for (; *prefix != '\0'; ++prefix, ++text) {
     if (*text != static_cast<unsigned char>(*prefix)) return 0;
   }
-  return *text >= '0' && *text <= '9' ? *text - '0' : 0;
+  if (!is_digit(text[0]) || text[1] != '.' || !is_digit(text[2])) return 0;
+  return 10 * (text[0] - '0') + (text[2] - '0');
 }
 
 }  // namespace
@@ -33,21 +38,30 @@ Status load_api(Api& api, void* (*load_proc)(const char* name), const char** mis
   }
   MARROW_GLES3_FUNCTIONS(MARROW_LOAD)
 #undef MARROW_LOAD
+#define MARROW_LOAD(Result, Name, Parameters) load_one(loaded.Name, load_proc, "gl" #Name);
+  MARROW_GLES31_FUNCTIONS(MARROW_LOAD)
+#undef MARROW_LOAD
   api = loaded;
   return Status::ok;
 }
 
 Status query_caps(const Api& api, Caps& caps) {
-  if (es_major_version(api.GetString(kGlVersion)) < 3) return Status::unsupported;
+  const int version = es_version(api.GetString(kGlVersion));
+  if (version < 30) return Status::unsupported;
   int block = 0;
   int alignment = 0;
   int attributes = 0;
+  int texture = 0;
   api.GetIntegerv(kGlMaxUniformBlockSize, &block);
   api.GetIntegerv(kGlUniformBufferOffsetAlignment, &alignment);
   api.GetIntegerv(kGlMaxVertexAttribs, &attributes);
-  if (block <= 0 || alignment <= 0 || attributes <= 0) return Status::gl_error;
-  caps = {static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(alignment),
-          static_cast<std::uint32_t>(attributes)};
+  api.GetIntegerv(kGlMaxTextureSize, &texture);
+  if (block <= 0 || alignment <= 0 || attributes <= 0 || texture <= 0) return Status::gl_error;
+  caps.uniform_block_bytes = static_cast<std::uint32_t>(block);
+  caps.uniform_offset_alignment = static_cast<std::uint32_t>(alignment);
+  caps.vertex_attributes = static_cast<std::uint32_t>(attributes);
+  caps.texture_size = static_cast<std::uint32_t>(texture);
+  caps.compute = version >= 31 && api.DispatchCompute != nullptr && api.MemoryBarrier != nullptr;
   return Status::ok;
 }
 

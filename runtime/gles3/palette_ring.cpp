@@ -22,6 +22,7 @@ Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joint
                            PaletteRing& out) {
   if (joints == 0 || palettes == 0 || caps.uniform_offset_alignment == 0) return Status::bad_argument;
   if (joints > 0x02000000u || palettes > 0x00200000u) return Status::bad_argument;
+  if (caps.uniform_block_bytes < kPaletteBlockBytes) return Status::unsupported;
   PaletteRing ring;
   ring.alignment = caps.uniform_offset_alignment;
   ring.capacity = 48 * joints + ring.alignment * palettes;

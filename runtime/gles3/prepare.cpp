@@ -1,4 +1,5 @@
 // Once a mesh: compact attributes into vertex buffers, and the bind matrices that undo their quantisation.
+#include "gles3/attributes.h"
 #include "gles3/encode.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
@@ -17,12 +18,6 @@ const void* at(std::uint32_t offset) {
   return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset));
 }
 
-void attribute(const Api& api, std::uint32_t location, int size, GlEnum type, bool normalized, std::uint32_t stride,
-               std::uint32_t offset) {
-  api.EnableVertexAttribArray(location);
-  api.VertexAttribPointer(location, size, type, normalized ? 1 : 0, static_cast<int>(stride), at(offset));
-}
-
 std::uint32_t upload(const Api& api, GlEnum target, const void* data, std::size_t bytes) {
   std::uint32_t buffer = 0;
   api.GenBuffers(1, &buffer);
@@ -31,7 +26,7 @@ std::uint32_t upload(const Api& api, GlEnum target, const void* data, std::size_
   return buffer;
 }
 
-void describe_joints(const Api& api, const Layout& layout, std::uint32_t stride, std::uint32_t offset) {
+void describe_joints(const Api& api, const VertexLayout& layout, std::uint32_t stride, std::uint32_t offset) {
   for (std::uint32_t i = 0; i < layout.influences / 4; ++i) {
     api.EnableVertexAttribArray(kJointsLocation + i);
     api.VertexAttribIPointer(kJointsLocation + i, 4, layout.joint_bytes == 1 ? kGlUnsignedByte : kGlUnsignedShort,
@@ -40,7 +35,8 @@ void describe_joints(const Api& api, const Layout& layout, std::uint32_t stride,
 }
 
 // directions: normals and tangents too.
-void describe_surface(const Api& api, const Geometry& g, const Layout& layout, bool directions, const GpuMesh& mesh) {
+void describe_surface(const Api& api, const Geometry& g, const VertexLayout& layout, bool directions,
+                      const GpuMesh& mesh) {
   if (mesh.morph_buffer != 0) {
     api.BindBuffer(kGlArrayBuffer, mesh.morph_buffer);
     api.EnableVertexAttribArray(kMorphRowLocation);
@@ -51,10 +47,7 @@ void describe_surface(const Api& api, const Geometry& g, const Layout& layout, b
   const std::uint32_t stride = layout.surface_stride;
   if (directions && g.normals != nullptr) attribute(api, kNormalLocation, 2, kGlShort, true, stride, layout.normal);
   if (directions && g.tangents != nullptr) attribute(api, kTangentLocation, 2, kGlShort, true, stride, layout.tangent);
-  if (g.uvs != nullptr) {
-    attribute(api, kUvLocation, 2, layout.uv_unorm ? kGlUnsignedShort : kGlFloat, layout.uv_unorm, stride, layout.uv);
-  }
-  if (g.colours != nullptr) attribute(api, kColourLocation, 4, kGlUnsignedByte, true, stride, layout.colour);
+  describe_looks(api, layout, mesh.features);
 }
 
 std::uint32_t begin_array(const Api& api, const GpuMesh& mesh) {
@@ -65,8 +58,8 @@ std::uint32_t begin_array(const Api& api, const GpuMesh& mesh) {
   return array;
 }
 
-void make_ssd(const Api& api, const Geometry& g, const Layout& layout, const Quantisation& q, Span<std::byte> scratch,
-              GpuMesh& mesh) {
+void make_ssd(const Api& api, const Geometry& g, const VertexLayout& layout, const Quantisation& q,
+              Span<std::byte> scratch, GpuMesh& mesh) {
   encode_ssd(g, layout, q, scratch.data);
   mesh.ssd_array = begin_array(api, mesh);
   mesh.ssd_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.ssd_stride} * g.slot_count);
@@ -78,8 +71,8 @@ void make_ssd(const Api& api, const Geometry& g, const Layout& layout, const Qua
   describe_surface(api, g, layout, true, mesh);
 }
 
-void make_as(const Api& api, const Geometry& g, const Layout& layout, const Quantisation& q, Span<std::byte> scratch,
-             const float* tangents, GpuMesh& mesh) {
+void make_as(const Api& api, const Geometry& g, const VertexLayout& layout, const Quantisation& q,
+             Span<std::byte> scratch, const float* tangents, GpuMesh& mesh) {
   encode_as(g, layout, q, tangents, scratch.data);
   mesh.as_array = begin_array(api, mesh);
   mesh.as_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.as_stride} * g.slot_count);
@@ -104,7 +97,7 @@ Affine dequantising_bind(const Affine& bind, const Quantisation& q) {
   return out;
 }
 
-GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, const PrepareOptions& options) {
+GpuMesh describe(const Mesh& mesh, const VertexLayout& layout, const Quantisation& q, const PrepareOptions& options) {
   const Geometry& g = mesh.geometry;
   GpuMesh out;
   out.index_count = g.index_count;
@@ -118,6 +111,7 @@ GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, 
                                            (g.tangents != nullptr ? kTangents : 0) | (g.uvs != nullptr ? kUvs : 0) |
                                            (g.colours != nullptr ? kColours : 0) | (g.targets.empty() ? 0 : kMorphs) |
                                            (options.as && layout.surface_normals ? kSurfaceNormals : 0));
+  out.layout = layout;
   out.coordinate_scale = 32767.0f / static_cast<float>(q.coordinate_one);
   return out;
 }
@@ -125,7 +119,7 @@ GpuMesh describe(const Mesh& mesh, const Layout& layout, const Quantisation& q, 
 }  // namespace
 
 std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options) {
-  const Layout layout = make_layout(mesh, !options.as_tangents.empty());
+  const VertexLayout layout = make_layout(mesh, !options.as_tangents.empty());
   std::size_t stride = layout.surface_stride;
   if (options.ssd) stride = larger(stride, layout.ssd_stride);
   if (options.as) stride = larger(stride, layout.as_stride);
@@ -135,13 +129,10 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out) {
   const Geometry& g = mesh.geometry;
-  if (!options.ssd && !options.as) return Status::bad_argument;
   if (bind.size < mesh.joint_count || scratch.size < prepare_scratch_bytes(mesh, options)) return Status::bad_argument;
   const Span<const float> tangents = options.as_tangents;
   if (!tangents.empty() && tangents.size < as_tangent_count(g)) return Status::bad_argument;
-  const std::uint32_t fits = caps.uniform_block_bytes / 48;
-  if (mesh.palette_size() > (fits < kPaletteJoints ? fits : kPaletteJoints)) return Status::unsupported;
-  const Layout layout = make_layout(mesh, !tangents.empty());
+  const VertexLayout layout = make_layout(mesh, !tangents.empty());
   // Eight influences in animation space need locations up to the last.
   if (caps.vertex_attributes <= kSurfaceLocations[7]) return Status::unsupported;
 
@@ -179,14 +170,19 @@ void destroy(const Api& api, GpuMesh& mesh) {
   mesh = {};
 }
 
-Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program) {
+Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, std::uint32_t instances) {
   const std::uint32_t array = deformer == Deformer::as     ? mesh.as_array
                               : deformer == Deformer::none ? 0
                                                            : mesh.ssd_array;
   if (array == 0) return Status::bad_argument;
   if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
   api.BindVertexArray(array);
-  api.DrawElements(kGlTriangles, static_cast<int>(mesh.index_count), mesh.index_type, nullptr);
+  const auto count = static_cast<int>(mesh.index_count);
+  if (instances == 1) {
+    api.DrawElements(kGlTriangles, count, mesh.index_type, nullptr);
+  } else {
+    api.DrawElementsInstanced(kGlTriangles, count, mesh.index_type, nullptr, static_cast<int>(instances));
+  }
   api.BindVertexArray(0);
   return Status::ok;
 }

@@ -1,6 +1,5 @@
 // Once a context: the skinning text and a role's own text → a linked program.
-#include "gles3/gl_constants.h"
-#include "marrow/gles3.h"
+#include "gles3/compile.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_skin[];
@@ -11,7 +10,7 @@ namespace {
 
 // Text in a fixed buffer; what does not fit would be a programming error here, so it is cut.
 struct Text {
-  char chars[512];
+  char chars[640];
   std::size_t size = 0;
 
   Text() { chars[0] = '\0'; }
@@ -35,9 +34,10 @@ struct Text {
   }
 };
 
-Text preamble(const ProgramKey& key) {
+Text preamble(const ProgramKey& key, bool compute) {
   Text text;
-  text.add("#version 300 es\n");
+  text.add(compute ? "#version 310 es\n" : "#version 300 es\n");
+  text.define("MARROW_COMPUTE", compute ? 1 : 0);
   text.define("MARROW_DEFORMER", static_cast<std::uint32_t>(key.deformer));
   text.define("MARROW_INFLUENCES", key.influences);
   text.define("MARROW_NORMAL", (key.features & kNormals) != 0 ? 1 : 0);
@@ -47,6 +47,7 @@ Text preamble(const ProgramKey& key) {
   text.define("MARROW_MORPH_TARGETS", (key.features & kMorphs) != 0 ? kMorphTargets : 0);
   const bool can = key.deformer == Deformer::as && key.influences == 4 && (key.features & kMorphs) == 0;
   text.define("MARROW_SURFACE_NORMALS", can && (key.features & kSurfaceNormals) != 0 ? 1 : 0);
+  text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
   return text;
 }
@@ -76,18 +77,17 @@ std::uint32_t compile(const Api& api, GlEnum type, const char* const* texts, int
 }
 
 // 0 if the shaders do not link.
-std::uint32_t link(const Api& api, std::uint32_t vertex, std::uint32_t fragment, const ProgramSource& source,
+std::uint32_t link(const Api& api, const std::uint32_t* shaders, std::size_t count, const ShaderTexts& texts,
                    Span<char> log) {
   const std::uint32_t program = api.CreateProgram();
   if (program == 0) {
     put_log(log, "glCreateProgram failed");
     return 0;
   }
-  api.AttachShader(program, vertex);
-  api.AttachShader(program, fragment);
-  if (!source.feedback_varyings.empty()) {
-    api.TransformFeedbackVaryings(program, static_cast<int>(source.feedback_varyings.size),
-                                  source.feedback_varyings.data, kGlInterleavedAttribs);
+  for (std::size_t i = 0; i < count; ++i) api.AttachShader(program, shaders[i]);
+  if (!texts.feedback_varyings.empty()) {
+    api.TransformFeedbackVaryings(program, static_cast<int>(texts.feedback_varyings.size), texts.feedback_varyings.data,
+                                  texts.feedback_mode);
   }
   api.LinkProgram(program);
   int linked = 0;
@@ -100,36 +100,61 @@ std::uint32_t link(const Api& api, std::uint32_t vertex, std::uint32_t fragment,
 
 }  // namespace
 
-Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
-                     Program& out, Span<char> log) {
+void clear(Span<char> log) {
   put_log(log, "");
-  if (source.vertex == nullptr || source.fragment == nullptr) return Status::bad_argument;
-  if (key.influences != 4 && key.influences != 8) return Status::bad_argument;
-  const Text head = preamble(key);
-  const char* skin = reinterpret_cast<const char*>(embedded::shader_skin);
-  const char* vertex_texts[] = {head.chars, skin, source.vertex};
-  const char* fragment_texts[] = {head.chars, source.fragment};
+}
 
-  const std::uint32_t vertex = compile(api, kGlVertexShader, vertex_texts, 3, log);
-  if (vertex == 0) return Status::gl_error;
-  const std::uint32_t fragment = compile(api, kGlFragmentShader, fragment_texts, 2, log);
+Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts& texts, std::uint32_t palette_binding,
+                       Program& out, Span<char> log) {
+  const Text head = preamble(key, texts.compute != nullptr);
+  const char* const skin = reinterpret_cast<const char*>(embedded::shader_skin);
+  struct Stage {
+    GlEnum type;
+    const char* text;
+    bool skins;
+  };
+  const Stage stages[] = {{kGlVertexShader, texts.vertex, true},
+                          {kGlFragmentShader, texts.fragment, false},
+                          {kGlComputeShader, texts.compute, true}};
+  std::uint32_t shaders[3];
+  std::size_t count = 0;
+  bool compiled = true;
+  for (const Stage& stage : stages) {
+    if (stage.text == nullptr || !compiled) continue;
+    const char* const parts[] = {head.chars, stage.skins ? skin : "", stage.text};
+    shaders[count] = compile(api, stage.type, parts, 3, log);
+    compiled = shaders[count] != 0;
+    if (compiled) ++count;
+  }
   Program made;
-  if (fragment != 0) made.id = link(api, vertex, fragment, source, log);
+  if (compiled) made.id = link(api, shaders, count, texts, log);
   // The program keeps what it needs.
-  api.DeleteShader(vertex);
-  if (fragment != 0) api.DeleteShader(fragment);
+  for (std::size_t i = 0; i < count; ++i) api.DeleteShader(shaders[i]);
   if (made.id == 0) return Status::gl_error;
 
   const std::uint32_t block = api.GetUniformBlockIndex(made.id, "MarrowPalette");
   if (block != kGlInvalidIndex) api.UniformBlockBinding(made.id, block, palette_binding);
-  made.coordinate_scale = api.GetUniformLocation(made.id, "marrow_coordinate_scale");
-  made.morph_changes = api.GetUniformLocation(made.id, "marrow_morph_changes");
-  made.morph_targets = api.GetUniformLocation(made.id, "marrow_morph_targets");
-  made.morph_count = api.GetUniformLocation(made.id, "marrow_morph_count");
-  made.morph_shift = api.GetUniformLocation(made.id, "marrow_morph_shift");
-  made.morph_per_row = api.GetUniformLocation(made.id, "marrow_morph_per_row");
+  const auto find = [&](const char* name) { return api.GetUniformLocation(made.id, name); };
+  made.coordinate_scale = find("marrow_coordinate_scale");
+  made.palettes = find("marrow_palettes");
+  made.first_row = find("marrow_first_row");
+  made.vertex_layout = find("marrow_vertex_layout");
+  made.morph_changes = find("marrow_morph_changes");
+  made.morph_targets = find("marrow_morph_targets");
+  made.morph_count = find("marrow_morph_count");
+  made.morph_shift = find("marrow_morph_shift");
+  made.morph_per_row = find("marrow_morph_per_row");
   out = made;
   return Status::ok;
+}
+
+Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
+                     Program& out, Span<char> log) {
+  clear(log);
+  if (source.vertex == nullptr || source.fragment == nullptr) return Status::bad_argument;
+  if (key.influences != 4 && key.influences != 8) return Status::bad_argument;
+  return compile_program(api, key, {source.vertex, source.fragment, nullptr, source.feedback_varyings}, palette_binding,
+                         out, log);
 }
 
 void destroy(const Api& api, Program& program) {

@@ -36,12 +36,32 @@ TEST(Api, AMissingFunctionIsNamed) {
   EXPECT_EQ(gles3::load_api(api, nullptr), Status::bad_argument);
 }
 
+TEST(Api, WithoutComputeShadersThereIsTheRest) {
+  for (const char* const name : {"glDispatchCompute", "glMemoryBarrier"}) {
+    hidden_function = name;
+    gles3::Api api;
+    ASSERT_EQ(gles3::load_api(api, load_all_but_one), Status::ok);
+    gles3::Caps caps;
+    ASSERT_EQ(gles3::query_caps(api, caps), Status::ok);
+    EXPECT_FALSE(caps.compute) << name;
+    gles3::Program program;
+    EXPECT_EQ(gles3::build_preskin(api, caps, {}, gles3::Preskin::compute, 0, program), Status::unsupported);
+    EXPECT_EQ(program.id, 0u);
+  }
+  gles3::Api old = gl();
+  old.GetString = [](unsigned) { return reinterpret_cast<const unsigned char*>("OpenGL ES 3.0 Somebody"); };
+  gles3::Caps caps;
+  ASSERT_EQ(gles3::query_caps(old, caps), Status::ok);
+  EXPECT_FALSE(caps.compute);
+}
+
 TEST(Api, CapsAreAtLeastTheLeast) {
   gles3::Caps caps;
   ASSERT_EQ(gles3::query_caps(gl(), caps), Status::ok);
   EXPECT_GE(caps.uniform_block_bytes, 16384u);
   EXPECT_LE(caps.uniform_offset_alignment, 256u);
   EXPECT_GE(caps.vertex_attributes, 16u);
+  EXPECT_GE(caps.texture_size, 2048u);
 }
 
 TEST(Api, AnotherVersionIsRefused) {
@@ -62,14 +82,13 @@ TEST(Api, PrepareRefusesBadCalls) {
   std::vector<Affine> bind(mesh.joint_count);
   gles3::GpuMesh out;
   const gles3::Caps caps;
-  EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {false, false}, scratch, bind, out), Status::bad_argument);
   const std::vector<float> too_few(as_tangent_count(mesh.geometry) - 1);
   EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {true, true, too_few}, scratch, bind, out), Status::bad_argument);
   EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {}, {scratch.data(), scratch.size() - 1}, bind, out),
             Status::bad_argument);
   EXPECT_EQ(gles3::prepare(gl(), caps, mesh, {}, scratch, {bind.data(), bind.size() - 1}, out), Status::bad_argument);
   gles3::Caps small = caps;
-  small.uniform_block_bytes = 48 * (mesh.joint_count - 1);
+  small.vertex_attributes = 15;
   EXPECT_EQ(gles3::prepare(gl(), small, mesh, {}, scratch, bind, out), Status::unsupported);
   EXPECT_EQ(out.ssd_array, 0u);
   ASSERT_EQ(gles3::prepare(gl(), caps, mesh, {true, false}, scratch, bind, out), Status::ok);
@@ -116,6 +135,55 @@ TEST(Api, TheRingFillsUpAndEmpties) {
   gles3::begin_frame(gl(), ring);
   EXPECT_EQ(gles3::push_palette(gl(), ring, {palette.data(), 20}, first), Status::ok);
   gles3::destroy(gl(), ring);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+}
+
+TEST(Api, PalettesInATextureRefuseBadCalls) {
+  gles3::PaletteTexture texture;
+  gles3::Caps caps;
+  EXPECT_EQ(gles3::create_palette_texture(gl(), caps, 0, texture), Status::bad_argument);
+  // 2048² texels are 1 398 101 matrices and a texel.
+  EXPECT_EQ(gles3::create_palette_texture(gl(), caps, 1398102, texture), Status::unsupported);
+  caps.texture_size = 1024;
+  EXPECT_EQ(gles3::create_palette_texture(gl(), caps, 1, texture), Status::unsupported);
+  EXPECT_EQ(texture.textures[0], 0u);
+  ASSERT_EQ(gles3::create_palette_texture(gl(), {}, 10, texture), Status::ok);
+  const std::vector<Affine> palettes(11, Affine{});
+  EXPECT_EQ(gles3::upload_palettes(gl(), texture, {palettes.data(), 0}), Status::bad_argument);
+  EXPECT_EQ(gles3::upload_palettes(gl(), texture, palettes), Status::unsupported);
+  EXPECT_EQ(gles3::upload_palettes(gl(), texture, {palettes.data(), 10}), Status::ok);
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 0, 10, 0, {}), Status::bad_argument) << "a program of another kind";
+  gles3::destroy(gl(), texture);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+}
+
+TEST(Api, SkinnedMeshesRefuseBadCalls) {
+  const TestCharacter character = make_character(3, 10, 2, true);
+  const Mesh mesh = character.mesh.view();
+  std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh));
+  std::vector<Affine> bind(mesh.joint_count);
+  gles3::GpuMesh gpu;
+  ASSERT_EQ(gles3::prepare(gl(), {}, mesh, {false, false}, scratch, bind, gpu), Status::ok) << "for the CPU's vertices";
+  EXPECT_EQ(gpu.ssd_array, 0u);
+  EXPECT_EQ(gpu.as_array, 0u);
+  gles3::SkinnedMesh skinned;
+  ASSERT_EQ(gles3::create_skinned(gl(), gpu, skinned), Status::ok);
+  std::vector<float> three(std::size_t{3} * gpu.slot_count), four(std::size_t{4} * gpu.slot_count);
+  EXPECT_EQ(gles3::upload_skinned(gl(), skinned, {three, {}, {}}), Status::ok);
+  EXPECT_EQ(gles3::upload_skinned(gl(), skinned, {three, three, {}}),
+            (gpu.features & gles3::kNormals) != 0 ? Status::ok : Status::bad_argument);
+  EXPECT_EQ(gles3::upload_skinned(gl(), skinned, {{}, three, {}}), Status::bad_argument);
+  EXPECT_EQ(gles3::upload_skinned(gl(), skinned, {four, {}, {}}), Status::bad_argument);
+  EXPECT_EQ(gles3::preskin(gl(), gpu, gles3::Deformer::ssd, {}, skinned), Status::bad_argument) << "not prepared";
+  EXPECT_EQ(gles3::preskin(gl(), gpu, gles3::Deformer::none, {}, skinned), Status::bad_argument);
+  gles3::Program program;
+  EXPECT_EQ(gles3::build_preskin(gl(), {}, {gles3::Deformer::none, 4, 0}, gles3::Preskin::feedback, 0, program),
+            Status::bad_argument);
+  EXPECT_EQ(gles3::build_preskin(gl(), {}, {gles3::Deformer::ssd, 5, 0}, gles3::Preskin::feedback, 0, program),
+            Status::bad_argument);
+  gles3::destroy(gl(), skinned);
+  gles3::destroy(gl(), gpu);
+  EXPECT_EQ(skinned.buffer, 0u);
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -37,9 +38,6 @@ void main() { colour = vec4(1.0); }
 
 // Functions that only read-back needs.
 struct More {
-  void (*BeginTransformFeedback)(GLenum) = nullptr;
-  void (*EndTransformFeedback)() = nullptr;
-  void (*BindBufferBase)(GLenum, GLuint, GLuint) = nullptr;
   void* (*MapBufferRange)(GLenum, std::ptrdiff_t, std::ptrdiff_t, GLbitfield) = nullptr;
   GLboolean (*UnmapBuffer)(GLenum) = nullptr;
 };
@@ -47,9 +45,6 @@ struct More {
 const More& more() {
   static const More functions = [] {
     More m;
-    m.BeginTransformFeedback = reinterpret_cast<void (*)(GLenum)>(egl::load_proc("glBeginTransformFeedback"));
-    m.EndTransformFeedback = reinterpret_cast<void (*)()>(egl::load_proc("glEndTransformFeedback"));
-    m.BindBufferBase = reinterpret_cast<void (*)(GLenum, GLuint, GLuint)>(egl::load_proc("glBindBufferBase"));
     m.MapBufferRange = reinterpret_cast<void* (*)(GLenum, std::ptrdiff_t, std::ptrdiff_t, GLbitfield)>(
         egl::load_proc("glMapBufferRange"));
     m.UnmapBuffer = reinterpret_cast<GLboolean (*)(GLenum)>(egl::load_proc("glUnmapBuffer"));
@@ -58,20 +53,36 @@ const More& more() {
   return functions;
 }
 
-// One program a key for the whole binary: compiling is most of the time on a software driver.
-const gles3::Program& program(const gles3::ProgramKey& key) {
-  static std::map<std::uint32_t, gles3::Program> programs;
-  const std::uint32_t number =
-      static_cast<std::uint32_t>(key.deformer) << 16 | static_cast<std::uint32_t>(key.influences) << 8 | key.features;
-  const auto [at, added] = programs.try_emplace(number);
-  if (added) {
-    static const char* const varyings[] = {"out_position", "out_normal", "out_tangent"};
-    std::vector<char> log(4096);
-    gles3::ProgramSource source{kVertex, kFragment, {}};
-    source.feedback_varyings = Span<const char* const>(varyings, 3);
-    EXPECT_EQ(gles3::build_program(gl(), key, source, 0, at->second, log), Status::ok) << log.data();
+// One program a key and way for the whole binary: compiling is most of the time on a software driver.
+const gles3::Program& program(const gles3::ProgramKey& key, Way way) {
+  static std::map<std::tuple<gles3::Deformer, int, int, Way>, gles3::Program> programs;
+  const auto [at, added] = programs.try_emplace({key.deformer, key.influences, key.features, way});
+  if (!added) return at->second;
+  std::vector<char> log(4096);
+  if (way == Way::feedback || way == Way::compute) {
+    const gles3::Preskin method = way == Way::compute ? gles3::Preskin::compute : gles3::Preskin::feedback;
+    EXPECT_EQ(gles3::build_preskin(gl(), gl().caps(), key, method, 0, at->second, log), Status::ok) << log.data();
+    return at->second;
   }
+  static const char* const varyings[] = {"out_position", "out_normal", "out_tangent"};
+  gles3::ProgramSource source{kVertex, kFragment, {}};
+  source.feedback_varyings = Span<const char* const>(varyings, 3);
+  EXPECT_EQ(gles3::build_program(gl(), key, source, 0, at->second, log), Status::ok) << log.data();
   return at->second;
+}
+
+// What is in a transform feedback buffer.
+std::vector<float> read(GLuint buffer, std::size_t floats) {
+  gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer);
+  const auto bytes = static_cast<std::ptrdiff_t>(floats * sizeof(float));
+  const auto* const mapped =
+      static_cast<const float*>(more().MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT));
+  EXPECT_NE(mapped, nullptr);
+  std::vector<float> out(floats);
+  if (mapped != nullptr) out.assign(mapped, mapped + floats);
+  more().UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+  gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+  return out;
 }
 
 const tools::Gl* make_gl() {
@@ -92,6 +103,24 @@ const tools::Gl* make_gl() {
 
 }  // namespace
 
+const char* name_of(Way way) {
+  switch (way) {
+    case Way::block:
+      return "uniform block";
+    case Way::texture:
+      return "texture";
+    case Way::feedback:
+      return "feedback";
+    case Way::compute:
+      return "compute";
+  }
+  return "";
+}
+
+bool can(Way way) {
+  return way != Way::compute || gl().caps().compute;
+}
+
 const tools::Gl& gl() {
   // Lives as long as the process: programs and static objects still hold names in it.
   static const tools::Gl* const context = make_gl();
@@ -108,6 +137,8 @@ Feedback::Feedback(const Mesh& mesh, Span<const float> tangents) : mesh_(mesh), 
   prepared_ = gles3::prepare(gl(), caps, mesh, options, scratch, bind_, gpu_);
   if (!ok()) return;
   EXPECT_EQ(gles3::create_palette_ring(gl(), caps, 2 * mesh.palette_size(), 2, ring_), Status::ok);
+  EXPECT_EQ(gles3::create_palette_texture(gl(), caps, mesh.palette_size() + 3, texture_), Status::ok);
+  EXPECT_EQ(gles3::create_skinned(gl(), gpu_, skinned_), Status::ok);
   // A draw call wants a complete framebuffer even if nothing is rasterised.
   colour_ = tools::GlRenderbuffer(gl());
   target_ = tools::GlFramebuffer(gl());
@@ -124,50 +155,77 @@ Feedback::Feedback(const Mesh& mesh, Span<const float> tangents) : mesh_(mesh), 
 Feedback::~Feedback() {
   gles3::destroy(gl(), gpu_);
   gles3::destroy(gl(), ring_);
+  gles3::destroy(gl(), texture_);
+  gles3::destroy(gl(), skinned_);
 }
 
-Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights) {
+// Behind other matrices, so that its offset is not zero.
+void Feedback::bind(const gles3::Program& with, Span<const Affine> palette, Way way) {
+  if (way == Way::texture) {
+    two_palettes_.assign(3, palette[0]);
+    two_palettes_.insert(two_palettes_.end(), palette.begin(), palette.end());
+    EXPECT_EQ(gles3::upload_palettes(gl(), texture_, two_palettes_), Status::ok);
+    EXPECT_EQ(gles3::bind_palette(gl(), texture_, 3, mesh_.palette_size(), 3, with), Status::ok);
+    return;
+  }
+  std::uint32_t other = 0, offset = 0;
+  gles3::begin_frame(gl(), ring_);
+  EXPECT_EQ(gles3::push_palette(gl(), ring_, Span<const Affine>(palette.data, 1), other), Status::ok);
+  EXPECT_EQ(gles3::push_palette(gl(), ring_, palette, offset), Status::ok);
+  EXPECT_GT(offset, 0u);
+  gles3::bind_palette(gl(), ring_, offset, 0);
+}
+
+void Feedback::capture(gles3::Deformer deformer) {
+  gl().Enable(GL_RASTERIZER_DISCARD);
+  gl().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, capture_);
+  gl().BindVertexArray(deformer == gles3::Deformer::as ? gpu_.as_array : gpu_.ssd_array);
+  gl().BeginTransformFeedback(GL_POINTS);
+  gl().DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(mesh_.geometry.slot_count));
+  gl().EndTransformFeedback();
+  gl().BindVertexArray(0);
+  gl().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  gl().Disable(GL_RASTERIZER_DISCARD);
+}
+
+Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights,
+                       Way way) {
   const std::size_t slots = mesh_.geometry.slot_count;
   std::vector<Affine> palette(mesh_.palette_size());
   EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette, mesh_.half_joints),
             Status::ok);
-  std::uint32_t other = 0, offset = 0;
-  gles3::begin_frame(gl(), ring_);
-  // Behind another palette, so that its offset is not zero.
-  EXPECT_EQ(gles3::push_palette(gl(), ring_, Span<const Affine>(palette.data(), 1), other), Status::ok);
-  EXPECT_EQ(gles3::push_palette(gl(), ring_, palette, offset), Status::ok);
-  EXPECT_GT(offset, 0u);
-  gles3::bind_palette(gl(), ring_, offset, 0);
-
-  const gles3::Program& with = program({deformer, gpu_.influences, gpu_.features});
+  gles3::ProgramKey key{deformer, gpu_.influences, gpu_.features};
+  if (way == Way::texture) key.palettes = gles3::Palettes::texture;
+  const gles3::Program& with = program(key, way);
   gl().UseProgram(with.id);
+  bind(with, palette, way);
   if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
   if (!mesh_.geometry.targets.empty()) {
     EXPECT_EQ(gles3::set_morphs(gl(), mesh_, gpu_, weights, 2, with), Status::ok);
   }
   gl().BindFramebuffer(GL_FRAMEBUFFER, target_);
-  gl().Enable(GL_RASTERIZER_DISCARD);
-  more().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, capture_);
-  gl().BindVertexArray(deformer == gles3::Deformer::as ? gpu_.as_array : gpu_.ssd_array);
-  more().BeginTransformFeedback(GL_POINTS);
-  gl().DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(slots));
-  more().EndTransformFeedback();
-  gl().BindVertexArray(0);
-  gl().Disable(GL_RASTERIZER_DISCARD);
 
   Skinned out;
-  const std::size_t bytes = kFloats * sizeof(float) * slots;
-  const auto* const mapped = static_cast<const float*>(
-      more().MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<std::ptrdiff_t>(bytes), GL_MAP_READ_BIT));
-  EXPECT_NE(mapped, nullptr);
-  for (std::size_t slot = 0; mapped != nullptr && slot < slots; ++slot) {
-    const float* const v = mapped + kFloats * slot;
-    out.positions.insert(out.positions.end(), v, v + 3);
-    out.normals.insert(out.normals.end(), v + 3, v + 6);
-    out.tangents.insert(out.tangents.end(), v + 6, v + 10);
+  if (way == Way::feedback || way == Way::compute) {
+    EXPECT_EQ(gles3::preskin(gl(), gpu_, deformer, with, skinned_), Status::ok);
+    const bool normals = (gpu_.features & gles3::kNormals) != 0, tangents = (gpu_.features & gles3::kTangents) != 0;
+    const std::vector<float> got = read(skinned_.buffer, slots * (3u + (normals ? 3u : 0u) + (tangents ? 4u : 0u)));
+    const auto at = [&](std::size_t n) { return got.begin() + static_cast<std::ptrdiff_t>(n * slots); };
+    out.positions.assign(at(0), at(3));
+    out.normals.assign(3 * slots, 0);
+    out.tangents.assign(4 * slots, 0);
+    if (normals) out.normals.assign(at(3), at(6));
+    if (tangents) out.tangents.assign(at(normals ? 6 : 3), at(normals ? 10 : 7));
+  } else {
+    capture(deformer);
+    const std::vector<float> got = read(capture_, kFloats * slots);
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      const float* const v = got.data() + kFloats * slot;
+      out.positions.insert(out.positions.end(), v, v + 3);
+      out.normals.insert(out.normals.end(), v + 3, v + 6);
+      out.tangents.insert(out.tangents.end(), v + 6, v + 10);
+    }
   }
-  more().UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
-  more().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
   return out;
 }

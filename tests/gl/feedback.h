@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "marrow/gles3.h"
+#include "marrow/gles3_skinned.h"
 #include "render/gl.h"
 
 namespace marrow::test {
@@ -18,6 +18,13 @@ struct Skinned {
   std::vector<float> normals;    // 3 a slot; zero if the mesh has none
   std::vector<float> tangents;   // 4 a slot; zero if the mesh has none
 };
+
+// Ways of the GPU to a skinned vertex: palettes in a uniform block or a texture, or pre-skinning by two methods.
+enum class Way : std::uint8_t { block, texture, feedback, compute };
+inline constexpr Way kWays[] = {Way::block, Way::texture, Way::feedback, Way::compute};
+const char* name_of(Way way);
+// Compute shaders are not everywhere.
+bool can(Way way);
 
 // A mesh on the GPU with all that drawing it needs, to be skinned in any pose.
 class Feedback {
@@ -33,13 +40,19 @@ class Feedback {
   Status prepared() const { return prepared_; }
   const gles3::GpuMesh& gpu() const { return gpu_; }
   // weights: one a morph target of the mesh.
-  Skinned skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights = {});
+  Skinned skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights = {},
+               Way way = Way::block);
 
  private:
+  void bind(const gles3::Program& with, Span<const Affine> palette, Way way);
+  void capture(gles3::Deformer deformer);
+
   Mesh mesh_;
   gles3::GpuMesh gpu_;
   gles3::PaletteRing ring_;
-  std::vector<Affine> bind_;
+  gles3::PaletteTexture texture_;
+  gles3::SkinnedMesh skinned_;
+  std::vector<Affine> bind_, two_palettes_;
   tools::GlBuffer capture_;
   tools::GlRenderbuffer colour_;
   tools::GlFramebuffer target_;

@@ -52,16 +52,44 @@ TEST(Program, CompilesInEveryCombination) {
   int count = 0;
   for (int deformer = 0; deformer < 4; ++deformer) {
     for (const int influences : {4, 8}) {
-      for (int features = 0; features < 16; ++features) {
-        const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
-                                    static_cast<std::uint8_t>(features)};
-        std::string log;
-        EXPECT_EQ(build(key, kAllVertex, kAllFragment, log), Status::ok) << deformer << influences << features << log;
-        ++count;
+      for (int features = 0; features < 64; ++features) {
+        for (const gles3::Palettes palettes : {gles3::Palettes::uniform_block, gles3::Palettes::texture}) {
+          const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
+                                      static_cast<std::uint8_t>(features), palettes};
+          std::string log;
+          EXPECT_EQ(build(key, kAllVertex, kAllFragment, log), Status::ok) << deformer << influences << features << log;
+          ++count;
+        }
       }
     }
   }
-  EXPECT_EQ(count, 128);
+  EXPECT_EQ(count, 1024);
+}
+
+TEST(Program, PreSkinningCompilesInEveryCombination) {
+  int count = 0;
+  for (int deformer = 1; deformer < 4; ++deformer) {
+    for (const int influences : {4, 8}) {
+      for (int features = 0; features < 64; ++features) {
+        if ((features & (gles3::kUvs | gles3::kColours)) != 0) continue;  // read by no pre-skinning
+        for (const gles3::Palettes palettes : {gles3::Palettes::uniform_block, gles3::Palettes::texture}) {
+          for (const gles3::Preskin method : {gles3::Preskin::feedback, gles3::Preskin::compute}) {
+            const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
+                                        static_cast<std::uint8_t>(features), palettes};
+            std::string log(4096, '\0');
+            gles3::Program program;
+            const bool can = method == gles3::Preskin::feedback || gl().caps().compute;
+            EXPECT_EQ(gles3::build_preskin(gl(), gl().caps(), key, method, 0, program, log),
+                      can ? Status::ok : Status::unsupported)
+                << deformer << influences << features << log.c_str();
+            gles3::destroy(gl(), program);
+            ++count;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(count, 384);
 }
 
 TEST(Program, TheStudioCompiles) {

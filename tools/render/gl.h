@@ -26,10 +26,7 @@
   X(void, DeleteRenderbuffers, (GLsizei count, const GLuint* renderbuffers))                                      \
   X(void, DeleteSamplers, (GLsizei count, const GLuint* samplers))                                                \
   X(void, DepthMask, (GLboolean on))                                                                              \
-  X(void, Disable, (GLenum capability))                                                                           \
-  X(void, DrawArrays, (GLenum mode, GLint first, GLsizei count))                                                  \
   X(void, DrawBuffers, (GLsizei count, const GLenum* buffers))                                                    \
-  X(void, Enable, (GLenum capability))                                                                            \
   X(void, FramebufferRenderbuffer, (GLenum target, GLenum attachment, GLenum kind, GLuint renderbuffer))          \
   X(void, FramebufferTexture2D, (GLenum target, GLenum attachment, GLenum kind, GLuint texture, GLint level))     \
   X(void, GenFramebuffers, (GLsizei count, GLuint * framebuffers))                                                \
@@ -47,7 +44,6 @@
   X(void, Uniform2fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, Uniform3fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, UniformMatrix4fv, (GLint location, GLsizei count, GLboolean transpose, const GLfloat* values))          \
-  X(void, UseProgram, (GLuint program))                                                                           \
   X(void, Viewport, (GLint x, GLint y, GLsizei width, GLsizei height))
 
 namespace marrow::tools {

@@ -19,12 +19,13 @@ namespace marrow::gles3 {
 struct Api {
 #define MARROW_MEMBER(Result, Name, Parameters) Result(*Name) Parameters = nullptr;
   MARROW_GLES3_FUNCTIONS(MARROW_MEMBER)
+  MARROW_GLES31_FUNCTIONS(MARROW_MEMBER)
 #undef MARROW_MEMBER
 };
 
 // Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
-// Errors: bad_argument without a loader; unsupported if it returns null for a function, whose name is put in `missing`
-// (static string). `api` is written only on success.
+// Errors: bad_argument without a loader; unsupported if it returns null for a function of OpenGL ES 3.0, whose name is
+// put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
 Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
 
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
@@ -32,6 +33,8 @@ struct Caps {
   std::uint32_t uniform_block_bytes = 16384;
   std::uint32_t uniform_offset_alignment = 256;  // power of two
   std::uint32_t vertex_attributes = 16;
+  std::uint32_t texture_size = 2048;
+  bool compute = false;  // OpenGL ES 3.1 or newer, and its functions
 };
 
 // Errors: unsupported below OpenGL ES 3.0; gl_error.
@@ -72,6 +75,17 @@ inline constexpr std::uint32_t kMorphTargets = 64;
 inline constexpr std::uint32_t kPaletteJoints = 341;
 inline constexpr std::uint32_t kPaletteBlockBytes = kPaletteJoints * 48;
 
+// Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
+struct VertexLayout {
+  std::uint32_t influences = 4;   // 4 or 8
+  std::uint32_t joint_bytes = 1;  // 1 or 2
+  std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;
+  std::uint32_t as_stride = 0, as_tangents = 0, as_joints = 0;
+  bool surface_normals = false;  // there are tangents, and room for them
+  std::uint32_t surface_stride = 0, normal = 0, tangent = 0, uv = 0, colour = 0;
+  bool uv_unorm = false;  // unorm16×2, otherwise f32×2
+};
+
 // A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
 //
 //   SSD       position snorm16×3 + pad · weights unorm16×4 or ×8, summing to 65535 · joints u8 (u16 above 256 entries)
@@ -105,11 +119,12 @@ struct GpuMesh {
   float morph_unit = 1;            // 1 / half-extent, see prepare()
   // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   float coordinate_scale = 1;
+  VertexLayout layout;
 };
 
 struct PrepareOptions {
   bool ssd = true;  // also what rigid draws from
-  bool as = true;
+  bool as = true;   // neither: for vertices skinned on the CPU
   // From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
   // kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
   // vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
@@ -127,8 +142,8 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 // influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
 //
 // bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
-// free again afterwards. Errors: bad_argument (a span too short, nothing asked for); unsupported (more palette entries
-// than the uniform block holds: min(kPaletteJoints, caps); more morph targets than a texture of 2048 × 2048 does);
+// free again afterwards. Errors: bad_argument (a span too short); unsupported (more morph targets than a texture of
+// 2048 × 2048 holds);
 // gl_error (out of memory: nothing is left allocated). `out` and `bind` are written only on success. Leaves
 // GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active unit's 2D texture at 0. Error of the
 // formats: docs/architecture.md. Cost: a few passes over the vertices; once a mesh.
@@ -138,12 +153,19 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
 // Deletes the GL objects and clears the struct.
 void destroy(const Api& api, GpuMesh& mesh);
 
+// Where a program finds its palettes.
+enum class Palettes : std::uint8_t {
+  uniform_block,  // PaletteRing: one palette a draw call
+  texture,        // PaletteTexture: of any size; one draw call may draw many characters
+};
+
 // What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
 // that have targets; set_morphs() before each.
 struct ProgramKey {
   Deformer deformer = Deformer::ssd;
   std::uint8_t influences = 4;
   std::uint8_t features = kNormals;
+  Palettes palettes = Palettes::uniform_block;
 };
 
 // The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
@@ -158,6 +180,8 @@ struct Program {
   std::uint32_t id = 0;
   // Locations of uniforms.
   std::int32_t coordinate_scale = -1;
+  std::int32_t palettes = -1, first_row = -1;
+  std::int32_t vertex_layout = -1;  // of pre-skinning by compute shaders
   std::int32_t morph_changes = -1, morph_targets = -1, morph_count = -1, morph_shift = -1, morph_per_row = -1;
 };
 
@@ -179,7 +203,7 @@ struct PaletteRing {
 };
 
 // Room for palettes of `joints` matrices altogether in `palettes` pieces.
-// Errors: bad_argument (zero); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
 Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes,
                            PaletteRing& out);
 void destroy(const Api& api, PaletteRing& ring);
@@ -194,6 +218,34 @@ Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palett
 // Ties the palette at `offset` to uniform buffer binding `binding`.
 void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding);
 
+// Texels a row of the texture: what GLES 3.0 promises.
+inline constexpr std::uint32_t kPaletteTextureWidth = 2048;
+
+// All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Of three, each is written every third
+// frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
+struct PaletteTexture {
+  std::uint32_t textures[3] = {};
+  std::uint32_t current = 0;   // which was written last
+  std::uint32_t capacity = 0;  // matrices
+};
+
+// Room for `joints` matrices: 48 B each, three times.
+// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
+// gl_error. Leaves the active unit's 2D texture at 0.
+Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out);
+void destroy(const Api& api, PaletteTexture& texture);
+
+// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
+// may write right there. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty); unsupported (more
+// than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes);
+
+// `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
+// `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
+// the texture bound to it. Errors: bad_argument (a program of another kind).
+Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
+                    std::uint32_t texture_unit, const Program& program);
+
 // Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
 // animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
 // move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
@@ -201,8 +253,10 @@ void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset,
 Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                   std::uint32_t texture_unit, const Program& program);
 
-// Draws all triangles. `program` must be in use, its palette bound. Leaves the vertex array at 0.
+// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
+// `program` must be in use, its palette bound. Leaves the vertex array at 0.
 // Errors: bad_argument if the mesh was not prepared for this deformer.
-Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program);
+Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program,
+            std::uint32_t instances = 1);
 
 }  // namespace marrow::gles3

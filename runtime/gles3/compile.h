@@ -1,0 +1,26 @@
+// Texts → programs: what drawing and pre-skinning share.
+#pragma once
+
+#include "gles3/gl_constants.h"
+#include "marrow/gles3.h"
+
+namespace marrow::gles3 {
+
+// The end of the texts of a stage: of the skinning text or the role's, zero-terminated; null: no such stage.
+struct ShaderTexts {
+  const char* vertex = nullptr;
+  const char* fragment = nullptr;
+  const char* compute = nullptr;
+  Span<const char* const> feedback_varyings;
+  GlEnum feedback_mode = kGlInterleavedAttribs;
+};
+
+// #version and defines, then the skinning text (not before the fragment text), then each text; compiled, linked and
+// its uniforms looked up. Errors: gl_error, with the driver's words in `log`. `out` is written only on success.
+Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts& texts, std::uint32_t palette_binding,
+                       Program& out, Span<char> log);
+
+// Empties it, where there is any.
+void clear(Span<char> log);
+
+}  // namespace marrow::gles3

@@ -1,0 +1,72 @@
+// Every frame: all palettes into one texture, for meshes of any number of joints and for instanced drawing.
+#include "gles3/errors.h"
+#include "gles3/gl_constants.h"
+#include "marrow/gles3.h"
+
+namespace marrow::gles3 {
+namespace {
+
+constexpr std::uint32_t kWidth = kPaletteTextureWidth;
+
+void upload(const Api& api, std::uint32_t y, std::uint32_t width, std::uint32_t height, const float* texels) {
+  if (width == 0 || height == 0) return;
+  api.TexSubImage2D(kGlTexture2d, 0, 0, static_cast<int>(y), static_cast<int>(width), static_cast<int>(height), kGlRgba,
+                    kGlFloat, texels);
+}
+
+}  // namespace
+
+Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out) {
+  if (joints == 0) return Status::bad_argument;
+  const std::uint64_t height = (std::uint64_t{3} * joints + kWidth - 1) / kWidth;
+  if (caps.texture_size < kWidth || height > caps.texture_size) return Status::unsupported;
+  PaletteTexture made;
+  made.capacity = joints;
+  forget_errors(api);
+  api.GenTextures(3, made.textures);
+  for (const std::uint32_t texture : made.textures) {
+    api.BindTexture(kGlTexture2d, texture);
+    api.TexParameteri(kGlTexture2d, kGlTextureMinFilter, kGlNearest);
+    api.TexParameteri(kGlTexture2d, kGlTextureMagFilter, kGlNearest);
+    api.TexImage2D(kGlTexture2d, 0, kGlRgba32f, static_cast<int>(kWidth), static_cast<int>(height), 0, kGlRgba,
+                   kGlFloat, nullptr);
+  }
+  api.BindTexture(kGlTexture2d, 0);
+  if (api.GetError() != kGlNoError) {
+    destroy(api, made);
+    return Status::gl_error;
+  }
+  out = made;
+  return Status::ok;
+}
+
+void destroy(const Api& api, PaletteTexture& texture) {
+  api.DeleteTextures(3, texture.textures);
+  texture = {};
+}
+
+Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes) {
+  if (palettes.empty()) return Status::bad_argument;
+  if (palettes.size > texture.capacity) return Status::unsupported;
+  texture.current = (texture.current + 1) % 3;
+  const std::uint32_t rows = 3 * static_cast<std::uint32_t>(palettes.size);
+  const std::uint32_t whole = rows / kWidth;
+  const float* const texels = palettes.data[0].rows[0];
+  api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
+  upload(api, 0, kWidth, whole, texels);
+  upload(api, whole, rows % kWidth, 1, texels + std::size_t{4} * kWidth * whole);
+  api.BindTexture(kGlTexture2d, 0);
+  return Status::ok;
+}
+
+Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
+                    std::uint32_t texture_unit, const Program& program) {
+  if (program.palettes < 0 || first >= texture.capacity) return Status::bad_argument;
+  api.ActiveTexture(kGlTexture0 + texture_unit);
+  api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
+  api.Uniform1i(program.palettes, static_cast<int>(texture_unit));
+  api.Uniform2i(program.first_row, static_cast<int>(3 * first), static_cast<int>(3 * joints));
+  return Status::ok;
+}
+
+}  // namespace marrow::gles3

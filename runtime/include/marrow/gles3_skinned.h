@@ -1,0 +1,58 @@
+// Stage 5 on the GPU, before drawing: vertices that are skinned once and drawn several times, for shadows, depth and
+// colour, or that the CPU has skinned.
+//
+//   once a mesh      prepare, create_skinned
+//   once a context   build_preskin for GPU skinning; build_program with Deformer::none for drawing
+//   every frame      upload_skinned (the CPU's), or: use the program, bind its palette, set_morphs, preskin
+//   every pass       draw
+//
+// The conventions are those of gles3.h.
+#pragma once
+
+#include "marrow/gles3.h"
+#include "marrow/skin.h"
+
+namespace marrow::gles3 {
+
+// Scene-space vertices in float, in one buffer, block after block so that passes of depth alone read positions alone:
+// positions 12 B a slot, then normals 12 B, then tangents 16 B where the mesh has them. Texture coordinates, colours
+// and indices are the mesh's, which must be there as long.
+struct SkinnedMesh {
+  std::uint32_t array = 0;
+  std::uint32_t buffer = 0;
+  std::uint32_t slot_count = 0;
+  std::uint8_t features = 0;  // kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
+};
+
+// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
+// array at 0.
+Status create_skinned(const Api& api, const GpuMesh& mesh, SkinnedMesh& out);
+void destroy(const Api& api, SkinnedMesh& mesh);
+
+// What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
+// Errors: bad_argument (a span of another size than the mesh has; normals or tangents may be empty, then they are
+// undefined). Leaves GL_ARRAY_BUFFER at 0.
+Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices);
+
+enum class Preskin : std::uint8_t {
+  feedback,  // transform feedback, OpenGL ES 3.0
+  compute,   // compute shader, 3.1
+};
+
+// A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
+// kSurfaceNormals. Those must be the mesh's.
+// Errors: bad_argument (a key of Deformer::none, or with influences neither 4 nor 8); unsupported (compute, without
+// caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
+                     std::uint32_t palette_binding, Program& out, Span<char> log = {});
+
+// Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it
+// leaves the vertex array, the default transform feedback object's bindings 0 … 2 and GL_TRANSFORM_FEEDBACK_BUFFER at
+// 0, and GL_RASTERIZER_DISCARD off; by compute shader GL_SHADER_STORAGE_BUFFER and its bindings 0 … 3 at 0.
+// Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
+Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, const SkinnedMesh& to);
+
+// Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
+void draw(const Api& api, const GpuMesh& mesh, const SkinnedMesh& skinned);
+
+}  // namespace marrow::gles3

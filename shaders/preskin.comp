@@ -1,0 +1,115 @@
+// Skinning ahead of drawing, by compute shader: reads the vertex buffers as words, an invocation a vertex.
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer MarrowSkinWords {
+  uint marrow_skin_words[];
+};
+layout(std430, binding = 1) readonly buffer MarrowSurfaceWords {
+  uint marrow_surface_words[];
+};
+layout(std430, binding = 2) readonly buffer MarrowMorphRows {
+  uint marrow_morph_rows[];
+};
+layout(std430, binding = 3) writeonly buffer MarrowSkinned {
+  float marrow_skinned[];
+};
+
+// In words: vertices; a vertex's stride; where its weights, tangent vectors and joints are; bytes of a joint; and of
+// the surface: a vertex's stride; where its normal and tangent are.
+uniform int marrow_vertex_layout[9];
+
+vec4 marrow_snorm(int at) {
+  return vec4(unpackSnorm2x16(marrow_skin_words[at]), unpackSnorm2x16(marrow_skin_words[at + 1]));
+}
+
+vec4 marrow_unorm(int at) {
+  return vec4(unpackUnorm2x16(marrow_skin_words[at]), unpackUnorm2x16(marrow_skin_words[at + 1]));
+}
+
+uvec4 marrow_joints(int at, int group) {
+  if (marrow_vertex_layout[5] == 1) {
+    uint four = marrow_skin_words[at + group];
+    return uvec4(four, four >> 8, four >> 16, four >> 24) & 255u;
+  }
+  uint two = marrow_skin_words[at + 2 * group];
+  uint more = marrow_skin_words[at + 2 * group + 1];
+  return uvec4(two, two >> 16, more, more >> 16) & 65535u;
+}
+
+// Fills in what are attributes elsewhere.
+void marrow_load(int vertex) {
+  int at = vertex * marrow_vertex_layout[1];
+#if MARROW_DEFORMER == 3
+  in_coordinate0 = marrow_snorm(at);
+  in_coordinate1 = marrow_snorm(at + 2);
+  in_coordinate2 = marrow_snorm(at + 4);
+  in_coordinate3 = marrow_snorm(at + 6);
+#if MARROW_INFLUENCES == 8
+  in_coordinate4 = marrow_snorm(at + 8);
+  in_coordinate5 = marrow_snorm(at + 10);
+  in_coordinate6 = marrow_snorm(at + 12);
+  in_coordinate7 = marrow_snorm(at + 14);
+#endif
+#if MARROW_SURFACE_NORMALS
+  int tangents = at + marrow_vertex_layout[3];
+  in_first0 = marrow_snorm(tangents);
+  in_first1 = marrow_snorm(tangents + 2);
+  in_first2 = marrow_snorm(tangents + 4);
+  in_first3 = marrow_snorm(tangents + 6);
+  in_second0 = marrow_snorm(tangents + 8);
+  in_second1 = marrow_snorm(tangents + 10);
+  in_second2 = marrow_snorm(tangents + 12);
+  in_second3 = marrow_snorm(tangents + 14);
+#endif
+#else
+  in_position = marrow_snorm(at).xyz;
+#if MARROW_DEFORMER == 2
+  in_weights0 = marrow_unorm(at + marrow_vertex_layout[2]);
+#if MARROW_INFLUENCES == 8
+  in_weights1 = marrow_unorm(at + marrow_vertex_layout[2] + 2);
+#endif
+#endif
+#endif
+  in_joints0 = marrow_joints(at + marrow_vertex_layout[4], 0);
+#if MARROW_INFLUENCES == 8 && MARROW_DEFORMER != 1
+  in_joints1 = marrow_joints(at + marrow_vertex_layout[4], 1);
+#endif
+#if !MARROW_SURFACE_NORMALS
+  int surface = vertex * marrow_vertex_layout[6];
+#if MARROW_NORMAL
+  in_normal = unpackSnorm2x16(marrow_surface_words[surface + marrow_vertex_layout[7]]);
+#endif
+#if MARROW_TANGENT
+  in_tangent = unpackSnorm2x16(marrow_surface_words[surface + marrow_vertex_layout[8]]);
+#endif
+#endif
+#if MARROW_MORPH_TARGETS
+  in_morph_row = marrow_morph_rows[vertex];
+#endif
+}
+
+void main() {
+  int vertex = int(gl_GlobalInvocationID.x);
+  int count = marrow_vertex_layout[0];
+  if (vertex >= count) return;
+  marrow_load(vertex);
+  MarrowVertex v = marrow_skin();
+  int at = 3 * vertex;
+  marrow_skinned[at] = v.position.x;
+  marrow_skinned[at + 1] = v.position.y;
+  marrow_skinned[at + 2] = v.position.z;
+  int block = 3 * count;
+#if MARROW_NORMAL
+  at = block + 3 * vertex;
+  marrow_skinned[at] = v.normal.x;
+  marrow_skinned[at + 1] = v.normal.y;
+  marrow_skinned[at + 2] = v.normal.z;
+  block += 3 * count;
+#endif
+#if MARROW_TANGENT
+  at = block + 4 * vertex;
+  marrow_skinned[at] = v.tangent.x;
+  marrow_skinned[at + 1] = v.tangent.y;
+  marrow_skinned[at + 2] = v.tangent.z;
+  marrow_skinned[at + 3] = v.tangent.w;
+#endif
+}
