@@ -1,0 +1,99 @@
+// Every text that goes to a driver, through Khronos' reference compiler as well: stricter than drivers are.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "marrow/gles3_skinned.h"
+
+namespace marrow::embedded {
+extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],
+    shader_backdrop_vert[], shader_backdrop_frag[], shader_studio[];
+}
+
+namespace marrow::test {
+namespace {
+
+// A driver that notes what it is told to compile.
+std::map<std::string, const char*>* noted = nullptr;  // text → the compiler's name of the stage
+unsigned stage = 0;
+
+gles3::Api noting_api() {
+  gles3::Api api;
+  api.CreateShader = [](unsigned type) { return stage = type; };
+  api.ShaderSource = [](unsigned, int count, const char* const* texts, const int*) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += texts[i];
+    (*noted)[all] = stage == 0x8B31u ? "vert" : stage == 0x8B30u ? "frag" : "comp";
+  };
+  api.CompileShader = [](unsigned) {};
+  api.GetShaderiv = [](unsigned, unsigned, int* value) { *value = 1; };
+  api.DeleteShader = [](unsigned) {};
+  api.CreateProgram = [] { return 1u; };
+  api.AttachShader = [](unsigned, unsigned) {};
+  api.TransformFeedbackVaryings = [](unsigned, int, const char* const*, unsigned) {};
+  api.LinkProgram = [](unsigned) {};
+  api.GetProgramiv = [](unsigned, unsigned, int* value) { *value = 1; };
+  api.GetUniformBlockIndex = [](unsigned, const char*) { return 0xFFFFFFFFu; };
+  api.GetUniformLocation = [](unsigned, const char*) { return -1; };
+  return api;
+}
+
+std::string text(const unsigned char* embedded) {
+  return reinterpret_cast<const char*>(embedded);
+}
+
+void note_all() {
+  const gles3::Api api = noting_api();
+  gles3::Caps caps;
+  caps.compute = true;
+  const std::string surface = text(embedded::shader_studio) + text(embedded::shader_surface_frag);
+  const std::string backdrop = text(embedded::shader_studio) + text(embedded::shader_backdrop_frag);
+  const std::string pairs[][2] = {{text(embedded::shader_surface_vert), surface},
+                                  {text(embedded::shader_depth_vert), text(embedded::shader_depth_frag)},
+                                  {text(embedded::shader_backdrop_vert), backdrop}};
+  gles3::Program out;
+  for (int deformer = 0; deformer < 4; ++deformer)
+    for (const int influences : {4, 8})
+      for (int features = 0; features < 64; ++features)
+        for (const gles3::Palettes palettes : {gles3::Palettes::uniform_block, gles3::Palettes::texture}) {
+          const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
+                                      static_cast<std::uint8_t>(features), palettes};
+          for (const auto& [vertex, fragment] : pairs)
+            EXPECT_EQ(gles3::build_program(api, key, {vertex.c_str(), fragment.c_str(), {}}, 0, out), Status::ok);
+          for (const gles3::Preskin method : {gles3::Preskin::feedback, gles3::Preskin::compute})
+            EXPECT_EQ(gles3::build_preskin(api, caps, key, method, 0, out),
+                      deformer == 0 ? Status::bad_argument : Status::ok);
+        }
+}
+
+TEST(ShaderText, PassesTheReferenceCompiler) {
+  if (std::system("command -v glslangValidator >/dev/null 2>&1") != 0) {
+    std::fprintf(stderr, "SKIPPED: glslangValidator is missing (Debian: glslang-tools)\n");
+    GTEST_SKIP() << "glslangValidator is missing";
+  }
+  std::map<std::string, const char*> texts;
+  noted = &texts;
+  note_all();
+  EXPECT_GT(texts.size(), 1000u);
+  std::string folder = (std::filesystem::temp_directory_path() / "marrow_shaders_XXXXXX").string();
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  std::size_t number = 0;
+  for (const auto& [shader, suffix] : texts)
+    std::ofstream(folder + "/" + std::to_string(number++) + "." + suffix) << shader;
+  const std::string command = "cd '" + folder +
+                              "' && ls *.vert *.frag *.comp | xargs -n 100 -P 2 glslangValidator > log || "
+                              "{ grep -m 20 ERROR log; false; }";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  std::filesystem::remove_all(folder);
+  std::printf("%zu texts\n", texts.size());
+}
+
+}  // namespace
+}  // namespace marrow::test
