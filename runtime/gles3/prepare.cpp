@@ -99,6 +99,7 @@ Affine dequantising_bind(const Affine& bind, const Quantisation& q) {
 
 GpuMesh describe(const Mesh& mesh, const VertexLayout& layout, const Quantisation& q, const PrepareOptions& options) {
   const Geometry& g = mesh.geometry;
+  const bool on_gpu = options.ssd || options.as;
   GpuMesh out;
   out.index_count = g.index_count;
   out.index_type = g.index_bytes == 2 ? kGlUnsignedShort : kGlUnsignedInt;
@@ -107,10 +108,10 @@ GpuMesh describe(const Mesh& mesh, const VertexLayout& layout, const Quantisatio
   out.vertex_bytes = g.slot_count * ((options.ssd ? layout.ssd_stride : 0) + (options.as ? layout.as_stride : 0) +
                                      layout.surface_stride);
   out.influences = static_cast<std::uint8_t>(layout.influences);
-  out.features = static_cast<std::uint8_t>((g.normals != nullptr ? kNormals : 0) |
-                                           (g.tangents != nullptr ? kTangents : 0) | (g.uvs != nullptr ? kUvs : 0) |
-                                           (g.colours != nullptr ? kColours : 0) | (g.targets.empty() ? 0 : kMorphs) |
-                                           (options.as && layout.surface_normals ? kSurfaceNormals : 0));
+  out.features = static_cast<std::uint8_t>(
+      (g.normals != nullptr ? kNormals : 0) | (g.tangents != nullptr ? kTangents : 0) | (g.uvs != nullptr ? kUvs : 0) |
+      (g.colours != nullptr ? kColours : 0) | (g.targets.empty() || !on_gpu ? 0 : kMorphs) |
+      (options.as && layout.surface_normals ? kSurfaceNormals : 0));
   out.layout = layout;
   out.coordinate_scale = 32767.0f / static_cast<float>(q.coordinate_one);
   return out;
@@ -140,8 +141,10 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
   GpuMesh made = describe(mesh, layout, quantisation, options);
   forget_errors(api);
   api.BindVertexArray(0);
-  const Status morphs = make_morphs(api, g, quantisation.half_extent, scratch, made);
-  if (morphs != Status::ok) return morphs;
+  if ((made.features & kMorphs) != 0) {
+    const Status morphs = make_morphs(api, g, quantisation.half_extent, scratch, made);
+    if (morphs != Status::ok) return morphs;
+  }
   made.index_buffer = upload(api, kGlArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
   if (layout.surface_stride != 0) {
     encode_surface(g, layout, scratch.data);

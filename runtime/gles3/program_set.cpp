@@ -1,0 +1,58 @@
+// Once a kind of mesh: its programs, compiled when first asked for and again after a loss of the context.
+#include "gles3/program_set.h"
+
+namespace marrow::gles3 {
+namespace {
+
+bool same(const ProgramKey& a, const ProgramKey& b) {
+  return a.deformer == b.deformer && a.influences == b.influences && a.features == b.features &&
+         a.palettes == b.palettes;
+}
+
+Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSet::Entry& entry) {
+  if (entry.role < kMostRoles)
+    return build_program(api, entry.key, set.roles[entry.role], set.palette_binding, entry.program, set.log);
+  const auto method = static_cast<Preskin>(entry.role - kMostRoles);
+  return build_preskin(api, caps, entry.key, method, set.palette_binding, entry.program, set.log);
+}
+
+}  // namespace
+
+const Program* find_program(const ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
+  for (std::uint32_t i = 0; i < programs.count; ++i) {
+    const ProgramSet::Entry& entry = programs.entries[i];
+    if (entry.role == role && same(entry.key, key)) return &entry.program;
+  }
+  return nullptr;
+}
+
+Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
+  if (find_program(programs, key, role) != nullptr) return Status::ok;
+  if (programs.count == kMostPrograms) return Status::unsupported;
+  ProgramSet::Entry& entry = programs.entries[programs.count];
+  entry = {key, role, {}};
+  const Status status = build(api, caps, programs, entry);
+  if (status == Status::ok) ++programs.count;
+  return status;
+}
+
+void destroy(const Api& api, ProgramSet& programs) {
+  for (std::uint32_t i = 0; i < programs.count; ++i) destroy(api, programs.entries[i].program);
+  programs.count = 0;
+}
+
+void on_context_lost(ProgramSet& programs) {
+  for (std::uint32_t i = 0; i < programs.count; ++i) programs.entries[i].program = {};
+}
+
+Status on_context_restored(const Api& api, const Caps& caps, ProgramSet& programs) {
+  for (std::uint32_t i = 0; i < programs.count; ++i) {
+    ProgramSet::Entry& entry = programs.entries[i];
+    if (entry.program.id != 0) continue;  // from an attempt before
+    const Status status = build(api, caps, programs, entry);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow::gles3

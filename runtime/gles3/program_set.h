@@ -1,0 +1,18 @@
+// The programs that skinners share.
+#pragma once
+
+#include "marrow/gles3_skinner.h"
+
+namespace marrow::gles3 {
+
+inline constexpr std::uint32_t pre_skinning(Preskin method) {
+  return kMostRoles + static_cast<std::uint32_t>(method);
+}
+
+// Null if there is none.
+const Program* find_program(const ProgramSet& programs, const ProgramKey& key, std::uint32_t role);
+
+// Compiles it unless it is there. Errors: unsupported (the set is full, no compute shaders); bad_argument; gl_error.
+Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, const ProgramKey& key, std::uint32_t role);
+
+}  // namespace marrow::gles3

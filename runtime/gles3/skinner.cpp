@@ -1,0 +1,293 @@
+// A mesh as many characters, by any path: the calls of gles3.h in their order.
+#include "marrow/gles3_skinner.h"
+
+#include <cstring>
+
+#include "gles3/gl_constants.h"
+#include "gles3/program_set.h"
+#include "marrow/morph.h"
+#include "marrow/palette.h"
+#include "marrow/skin.h"
+
+namespace marrow::gles3 {
+namespace {
+
+bool skins_once(Path path) {
+  return path != Path::ubo && path != Path::texture;
+}
+
+// Memory handed out piece by piece; without any it only counts.
+struct Memory {
+  std::byte* first = nullptr;
+  std::size_t used = 0;
+
+  template <class T>
+  Span<T> take(std::size_t count) {
+    used = (used + 15) / 16 * 16;
+    T* const at = first != nullptr ? reinterpret_cast<T*>(first + used) : nullptr;
+    used += count * sizeof(T);
+    return {at, first != nullptr ? count : 0};
+  }
+};
+
+PrepareOptions prepare_options(const SkinnerOptions& options) {
+  const bool on_gpu = options.path != Path::cpu, as = options.deformer == Deformer::as;
+  return {on_gpu && !as, on_gpu && as, as && on_gpu ? options.as_tangents : Span<const float>()};
+}
+
+void lay_out(Memory& memory, Skinner& s, Span<std::byte>& morphed) {
+  const Geometry& g = s.mesh.geometry;
+  const std::size_t count = s.options.instances;
+  s.palettes = memory.take<Affine>(count * s.mesh.palette_size());
+  s.bind = memory.take<Affine>(s.mesh.joint_count);
+  s.weights = memory.take<float>(count * g.targets.size);
+  s.offsets = memory.take<std::uint32_t>(count);
+  s.scratch = memory.take<std::byte>(prepare_scratch_bytes(s.mesh, prepare_options(s.options)));
+  if (skins_once(s.options.path)) s.skinned = memory.take<SkinnedMesh>(count);
+  if (s.options.path != Path::cpu) return;
+  const std::size_t slots = g.slot_count;
+  s.positions = memory.take<float>(3 * slots);
+  if (g.normals != nullptr) s.normals = memory.take<float>(3 * slots);
+  if (g.normals != nullptr && g.tangents != nullptr) s.tangents = memory.take<float>(4 * slots);
+  if (s.options.deformer == Deformer::as) s.coordinates = memory.take<float>(as_coordinate_count(g));
+  morphed = memory.take<std::byte>(morphed_bytes(g));
+}
+
+ProgramKey skinning_key(const Skinner& s) {
+  int features = s.gpu.features & s.options.features;
+  // What the mesh needs is no choice.
+  features |= s.gpu.features & (kMorphs | kSurfaceNormals);
+  if (s.options.deformer != Deformer::as) features &= ~kSurfaceNormals;
+  const Palettes palettes = s.options.path == Path::texture ? Palettes::texture : Palettes::uniform_block;
+  return {s.options.deformer, s.gpu.influences, static_cast<std::uint8_t>(features), palettes};
+}
+
+ProgramKey drawing_key(const Skinner& s) {
+  if (!skins_once(s.options.path)) return skinning_key(s);
+  const int features = s.gpu.features & s.options.features & (kNormals | kTangents | kUvs | kColours);
+  return {Deformer::none, 4, static_cast<std::uint8_t>(features), Palettes::uniform_block};
+}
+
+// Pre-skinning fills all blocks that a SkinnedMesh has.
+ProgramKey preskin_key(const Skinner& s) {
+  ProgramKey key = skinning_key(s);
+  key.features |= s.gpu.features & (kNormals | kTangents);
+  return key;
+}
+
+std::uint32_t preskin_role(Path path) {
+  return pre_skinning(path == Path::compute ? Preskin::compute : Preskin::feedback);
+}
+
+Status build_programs(const Api& api, const Caps& caps, const Skinner& s, ProgramSet& programs) {
+  for (std::uint32_t role = 0; role < programs.role_count; ++role) {
+    const Status status = need_program(api, caps, programs, drawing_key(s), role);
+    if (status != Status::ok) return status;
+  }
+  if (s.options.path != Path::feedback && s.options.path != Path::compute) return Status::ok;
+  return need_program(api, caps, programs, preskin_key(s), preskin_role(s.options.path));
+}
+
+// All GL objects but programs.
+Status make_objects(const Api& api, const Caps& caps, Skinner& s) {
+  const SkinnerOptions& o = s.options;
+  Status status = prepare(api, caps, s.mesh, prepare_options(o), s.scratch, s.bind, s.gpu);
+  const std::uint32_t joints = o.instances * s.mesh.palette_size();
+  if (status == Status::ok && o.path == Path::texture) status = create_palette_texture(api, caps, joints, s.texture);
+  if (status == Status::ok && (o.path == Path::ubo || o.path == Path::feedback || o.path == Path::compute))
+    status = create_palette_ring(api, caps, joints, o.instances, s.ring);
+  for (std::size_t i = 0; i < s.skinned.size && status == Status::ok; ++i)
+    status = create_skinned(api, s.gpu, s.skinned[i]);
+  return status;
+}
+
+Status check_options(const Caps& caps, const Mesh& mesh, const SkinnerOptions& o, const ProgramSet& programs) {
+  if (o.instances == 0 || o.deformer == Deformer::none) return Status::bad_argument;
+  if (programs.role_count == 0 || programs.role_count > kMostRoles) return Status::bad_argument;
+  if (o.path == Path::compute && !caps.compute) return Status::unsupported;
+  const bool in_block = o.path != Path::cpu && o.path != Path::texture;
+  return in_block && mesh.palette_size() > kPaletteJoints ? Status::unsupported : Status::ok;
+}
+
+Span<Affine> palette_of(const Skinner& s, std::uint32_t instance) {
+  const std::size_t size = s.mesh.palette_size();
+  return {s.palettes.data + instance * size, size};
+}
+
+Span<const float> weights_of(const Skinner& s, std::uint32_t instance) {
+  const std::size_t size = s.mesh.geometry.targets.size;
+  return {s.weights.data + instance * size, size};
+}
+
+Status skin_on_cpu(const Api& api, Skinner& s, std::uint32_t instance) {
+  Mesh mesh = s.mesh;
+  if (!s.weights.empty()) {
+    const Status moved = morph(weights_of(s, instance), s.morphed);
+    if (moved != Status::ok) return moved;
+    if (!s.coordinates.empty() && morph_coordinates(s.morphed, s.coordinates) != Status::ok)
+      return Status::bad_argument;
+    mesh.geometry = s.morphed.geometry;
+  }
+  const SkinOutput to{s.positions, s.normals, s.tangents};
+  const Span<const Affine> palette = palette_of(s, instance);
+  const Status status = s.options.deformer == Deformer::as
+                            ? skin_as(mesh, s.coordinates, palette, to, s.options.as_tangents)
+                        : s.options.deformer == Deformer::ssd ? skin_ssd(mesh, palette, to)
+                                                              : skin_rigid(mesh, palette, to);
+  return status == Status::ok ? upload_skinned(api, s.skinned[instance], to) : status;
+}
+
+Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint32_t binding, std::uint32_t instance) {
+  bind_palette(api, s.ring, s.offsets[instance], binding);
+  if (!s.weights.empty()) {
+    const Status status = set_morphs(api, s.mesh, s.gpu, weights_of(s, instance), s.options.texture_unit + 1, program);
+    if (status != Status::ok) return status;
+  }
+  return preskin(api, s.gpu, s.options.deformer, program, s.skinned[instance]);
+}
+
+}  // namespace
+
+const char* to_string(Path path) {
+  const char* const names[] = {"ubo", "texture", "feedback", "compute", "cpu"};
+  return names[static_cast<std::size_t>(path)];
+}
+
+std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options) {
+  Skinner counted;
+  counted.mesh = mesh;
+  counted.options = options;
+  Memory memory;
+  Span<std::byte> morphed;
+  lay_out(memory, counted, morphed);
+  return memory.used;
+}
+
+Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
+                      ProgramSet& programs, Span<std::byte> memory, Skinner& out) {
+  const Status good = check_options(caps, mesh, options, programs);
+  if (good != Status::ok) return good;
+  if (memory.size < skinner_bytes(mesh, options) || reinterpret_cast<std::uintptr_t>(memory.data) % 16 != 0)
+    return Status::bad_argument;
+  Skinner made;
+  made.mesh = mesh;
+  made.options = options;
+  Memory pieces{memory.data};
+  Span<std::byte> morphed;
+  lay_out(pieces, made, morphed);
+  std::memset(memory.data, 0, pieces.used);
+  Status status = Status::ok;
+  if (!made.coordinates.empty()) status = as_coordinates(mesh.geometry, made.coordinates);
+  if (status == Status::ok && options.path == Path::cpu) status = make_morphed(mesh.geometry, morphed, made.morphed);
+  if (status == Status::ok) status = make_objects(api, caps, made);
+  if (status == Status::ok) status = build_programs(api, caps, made, programs);
+  if (status != Status::ok) {
+    destroy(api, made);
+    return status;
+  }
+  out = made;
+  return Status::ok;
+}
+
+void destroy(const Api& api, Skinner& s) {
+  if (!s.lost) {
+    for (SkinnedMesh& skinned : s.skinned) destroy(api, skinned);
+    destroy(api, s.texture);
+    destroy(api, s.ring);
+    destroy(api, s.gpu);
+  }
+  s = {};
+}
+
+Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_joint, Span<const float> weights) {
+  if (instance >= s.options.instances || weights.size < s.mesh.geometry.targets.size) return Status::bad_argument;
+  const Span<const Affine> bind = s.options.path == Path::cpu
+                                      ? Span<const Affine>(s.mesh.inverse_bind, s.mesh.joint_count)
+                                      : Span<const Affine>(s.bind);
+  for (std::size_t t = 0; t < s.mesh.geometry.targets.size; ++t)
+    s.weights[instance * s.mesh.geometry.targets.size + t] = weights[t];
+  return build_palette({s.mesh.joints, s.mesh.joint_count}, bind, scene_from_joint, palette_of(s, instance),
+                       s.mesh.half_joints);
+}
+
+Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint32_t count) {
+  if (s.lost) return Status::gl_error;
+  if (count > s.options.instances) return Status::bad_argument;
+  s.updated = 0;
+  Status status = Status::ok;
+  if (s.options.path == Path::texture && count > 0) {
+    api.ActiveTexture(kGlTexture0 + s.options.texture_unit);
+    status = upload_palettes(api, s.texture, {s.palettes.data, std::size_t{count} * s.mesh.palette_size()});
+  }
+  const Program* const before = !skins_once(s.options.path) || s.options.path == Path::cpu
+                                    ? nullptr
+                                    : find_program(programs, preskin_key(s), preskin_role(s.options.path));
+  if (s.ring.buffer != 0) begin_frame(api, s.ring);
+  for (std::uint32_t i = 0; i < count && s.ring.buffer != 0 && status == Status::ok; ++i)
+    status = push_palette(api, s.ring, palette_of(s, i), s.offsets[i]);
+  if (before != nullptr) api.UseProgram(before->id);
+  for (std::uint32_t i = 0; i < count && skins_once(s.options.path) && status == Status::ok; ++i)
+    status = before != nullptr ? skin_on_gpu(api, s, *before, programs.palette_binding, i) : skin_on_cpu(api, s, i);
+  if (status == Status::ok) s.updated = count;
+  return status;
+}
+
+const Program& program_of(const Skinner& s, const ProgramSet& programs, std::uint32_t role) {
+  static constexpr Program kNone;
+  const Program* const found = find_program(programs, drawing_key(s), role);
+  return found != nullptr ? *found : kNone;
+}
+
+Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program, std::uint32_t first,
+            std::uint32_t count) {
+  if (s.lost) return Status::gl_error;
+  if (first > s.updated || count > s.updated - first) return Status::bad_argument;
+  const std::uint32_t joints = s.mesh.palette_size(), unit = s.options.texture_unit;
+  const bool together = s.options.path == Path::texture && s.weights.empty();
+  if (together && count > 0) {
+    const Status status = bind_palette(api, s.texture, first * joints, joints, unit, program);
+    return status == Status::ok ? draw(api, s.gpu, s.options.deformer, program, count) : status;
+  }
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    if (skins_once(s.options.path)) {
+      draw(api, s.gpu, s.skinned[i]);
+      continue;
+    }
+    Status status = Status::ok;
+    if (s.options.path == Path::texture) {
+      status = bind_palette(api, s.texture, i * joints, joints, unit, program);
+    } else {
+      bind_palette(api, s.ring, s.offsets[i], programs.palette_binding);
+    }
+    if (status == Status::ok && !s.weights.empty())
+      status = set_morphs(api, s.mesh, s.gpu, weights_of(s, i), unit + 1, program);
+    if (status == Status::ok) status = draw(api, s.gpu, s.options.deformer, program);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+void on_context_lost(Skinner& s) {
+  s.gpu = {};
+  s.ring = {};
+  s.texture = {};
+  for (SkinnedMesh& skinned : s.skinned) skinned = {};
+  s.updated = 0;
+  s.lost = true;
+}
+
+Status on_context_restored(const Api& api, const Caps& caps, Skinner& s) {
+  const Status good = s.options.path == Path::compute && !caps.compute ? Status::unsupported : Status::ok;
+  Status status = good == Status::ok ? make_objects(api, caps, s) : good;
+  if (status == Status::ok) {
+    s.lost = false;
+    return status;
+  }
+  for (SkinnedMesh& skinned : s.skinned) destroy(api, skinned);
+  destroy(api, s.texture);
+  destroy(api, s.ring);
+  destroy(api, s.gpu);
+  return status;
+}
+
+}  // namespace marrow::gles3

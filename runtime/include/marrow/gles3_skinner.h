@@ -1,0 +1,125 @@
+// Stage 5 on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
+//
+//   once a context   load_api, query_caps; a ProgramSet with the game's own texts, one a role (colour, shadow, …)
+//   once a mesh      create_skinner
+//   every frame      pose each character; update; for each role: use(program), its uniforms, draw
+//   context lost     on_context_lost; with the new context load_api, query_caps, then on_context_restored
+//
+// No allocation but the driver's: memory is the caller's, sizes are asked for first. The conventions are those of
+// gles3.h; what a call leaves changed is what the calls that it is made of do.
+#pragma once
+
+#include "marrow/gles3_skinned.h"
+#include "marrow/morph.h"
+
+namespace marrow::gles3 {
+
+// Where vertices are skinned.
+enum class Path : std::uint8_t {
+  ubo,       // vertex shader, every pass; palettes in a uniform block, a draw call a character
+  texture,   // vertex shader, every pass; palettes in a texture, one draw call for all characters
+  feedback,  // once a frame, by transform feedback
+  compute,   // once a frame, by compute shader; OpenGL ES 3.1
+  cpu,       // once a frame, by the CPU
+};
+inline constexpr std::uint32_t kPathCount = 5;
+// "ubo", …
+const char* to_string(Path path);
+
+inline constexpr std::uint32_t kMostRoles = 4;
+inline constexpr std::uint32_t kMostPrograms = 192;
+
+// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first four members.
+struct ProgramSet {
+  ProgramSource roles[kMostRoles];  // texts that live as long as the set
+  std::uint32_t role_count = 1;
+  std::uint32_t palette_binding = 0;  // uniform buffer binding of the palettes
+  Span<char> log = {};                // what the driver says of a text that does not compile
+
+  struct Entry {
+    ProgramKey key;
+    std::uint32_t role = 0;  // kMostRoles + Preskin: pre-skinning
+    Program program;
+  };
+  Entry entries[kMostPrograms];
+  std::uint32_t count = 0;
+};
+
+// Deletes all programs. Skinners that use the set must go first.
+void destroy(const Api& api, ProgramSet& programs);
+
+struct SkinnerOptions {
+  Path path = Path::ubo;
+  Deformer deformer = Deformer::ssd;  // rigid, ssd or as
+  std::uint32_t instances = 1;        // characters, at most
+  std::uint32_t texture_unit = 0;     // palettes in a texture; morph targets take the next one
+  std::uint8_t features = 255;        // what programs are to read of what the mesh has
+  // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
+  Span<const float> as_tangents = {};
+};
+
+struct Skinner {
+  Mesh mesh;
+  SkinnerOptions options;
+  GpuMesh gpu;
+  PaletteRing ring;
+  PaletteTexture texture;
+  std::uint32_t updated = 0;  // characters that the last update() brought up
+  bool lost = false;
+
+  // In the caller's memory.
+  Span<Affine> bind;                                      // what palettes are built with
+  Span<Affine> palettes;                                  // characters after each other
+  Span<float> weights;                                    // of morph targets, characters after each other
+  Span<std::uint32_t> offsets;                            // in the ring, a character each
+  Span<SkinnedMesh> skinned;                              // a character each, of paths that skin once a frame
+  Span<float> positions, normals, tangents, coordinates;  // path cpu: one character's
+  MorphedGeometry morphed;
+  Span<std::byte> scratch;  // of prepare(), kept for the next context
+};
+
+// Bytes of memory that create_skinner() wants.
+std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options);
+
+// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
+// before the first update(). Compiles what `programs` lacks for it.
+//
+// mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
+// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
+// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
+// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
+// written only on success.
+Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
+                      ProgramSet& programs, Span<std::byte> memory, Skinner& out);
+void destroy(const Api& api, Skinner& skinner);
+
+// Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
+// another thread than the context's, different instances on different threads.
+// Errors: bad_argument (no such instance, a span too short).
+Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> scene_from_joint,
+            Span<const float> weights = {});
+
+// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
+// and nothing else; on path cpu the vertices.
+// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+Status update(const Api& api, Skinner& skinner, const ProgramSet& programs, std::uint32_t count);
+
+// The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
+const Program& program_of(const Skinner& skinner, const ProgramSet& programs, std::uint32_t role);
+
+// Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
+// Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+Status draw(const Api& api, const Skinner& skinner, const ProgramSet& programs, const Program& program,
+            std::uint32_t first, std::uint32_t count);
+
+// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+// on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+void on_context_lost(ProgramSet& programs);
+void on_context_lost(Skinner& skinner);
+
+// Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
+// create_skinner(); then it may be tried again.
+Status on_context_restored(const Api& api, const Caps& caps, ProgramSet& programs);
+Status on_context_restored(const Api& api, const Caps& caps, Skinner& skinner);
+
+}  // namespace marrow::gles3

@@ -1,0 +1,354 @@
+// A mesh as several characters by every path: the same picture, whatever happens to the context and to memory.
+#include <cstring>
+#include <functional>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "gl/faulty_driver.h"
+#include "gl/feedback.h"
+#include "gl/models.h"
+#include "marrow/gles3_skinner.h"
+#include "marrow/marrow.h"
+
+namespace marrow::test {
+namespace {
+
+using gles3::Path;
+
+constexpr int kSide = 128;
+constexpr std::uint32_t kCharacters = 3;
+constexpr Path kPaths[] = {Path::ubo, Path::texture, Path::feedback, Path::compute, Path::cpu};
+static_assert(std::size(kPaths) == gles3::kPathCount);
+
+// Colours by normal, so that pictures tell more than outlines. The camera looks along -z at a box of its own.
+constexpr const char* kVertex = R"(
+uniform vec4 from_scene;  // shift, then scale
+out vec3 colour_of_normal;
+void main() {
+  MarrowVertex v = marrow_skin();
+  colour_of_normal = 0.5 + 0.5 * v.normal;
+  gl_Position = vec4((v.position + from_scene.xyz) * from_scene.w, 1.0);
+}
+)";
+constexpr const char* kFragment = R"(
+precision highp float;
+in vec3 colour_of_normal;
+out vec4 colour;
+void main() { colour = vec4(colour_of_normal, 1.0); }
+)";
+
+// A context of its own, and a small picture to draw in. Current on the thread that made it.
+class Stage {
+ public:
+  Stage() {
+    EXPECT_EQ(context_.create(), Status::ok) << context_.error();
+    EXPECT_EQ(gles3::load_api(real_, egl::load_proc), Status::ok);
+    EXPECT_EQ(gles3::query_caps(real_, caps_), Status::ok);
+#define MARROW_LOAD(Result, Name, Parameters) \
+  gl_.Name = reinterpret_cast<Result(*) Parameters>(egl::load_proc("gl" #Name));
+    MARROW_TOOL_GL_FUNCTIONS(MARROW_LOAD)
+#undef MARROW_LOAD
+    GLuint buffers[2] = {}, framebuffer = 0;
+    gl_.GenRenderbuffers(2, buffers);
+    gl_.GenFramebuffers(1, &framebuffer);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    const GLenum formats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24}, places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+    for (std::size_t i = 0; i < 2; ++i) {
+      gl_.BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+      gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, formats[i], kSide, kSide);
+      gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, buffers[i]);
+    }
+    gl_.Viewport(0, 0, kSide, kSide);
+    real_.Enable(GL_DEPTH_TEST);
+  }
+  const gles3::Api& real() const {
+    return real_;
+  }
+  const gles3::Caps& caps() const {
+    return caps_;
+  }
+  void clear() const {
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  std::vector<std::uint8_t> picture() const {
+    std::vector<std::uint8_t> out(std::size_t{4} * kSide * kSide);
+    gl_.ReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
+    return out;
+  }
+  unsigned error() const {
+    return real_.GetError();
+  }
+
+ private:
+  egl::HeadlessContext context_;
+  tools::GlFunctions gl_;
+  gles3::Api real_;
+  gles3::Caps caps_;
+};
+
+// Contexts are current on one thread: these tests do not disturb that of the others.
+void on_a_thread(const std::function<void()>& test) {
+  std::thread(test).join();
+}
+
+// One mesh of a model, and what its characters do.
+struct Scene {
+  explicit Scene(const std::string& path) : model(cook_model(path)) {
+    EXPECT_TRUE(model.has_value());
+    for (std::uint32_t m = 0; m < model->file.mesh_count(); ++m)
+      if (model->file.mesh(m).geometry.slot_count > mesh.geometry.slot_count) mesh = model->file.mesh(m);
+    weights.assign(mesh.targets.size, 0.5f);
+  }
+  std::vector<Affine> joints(std::uint32_t character) const {
+    const Skeleton skeleton = model->file.skeleton(mesh.skeleton);
+    std::vector<SoaTransform> local(skeleton.soa_size());
+    std::vector<Affine> out(skeleton.joint_count);
+    std::copy_n(skeleton.rest, skeleton.soa_size(), local.begin());
+    if (model->file.clip_count() > 0 && model->file.clip(0).skeleton == mesh.skeleton) {
+      EXPECT_EQ(sample(skeleton, model->file.clip(0), 0.3f * static_cast<float>(character), local), Status::ok);
+    }
+    EXPECT_EQ(local_to_model(skeleton, local, out), Status::ok);
+    const float size = mesh.geometry.box_max[0] - mesh.geometry.box_min[0];
+    for (Affine& joint : out) joint.rows[0][3] += (static_cast<float>(character) - 1) * size;
+    return out;
+  }
+
+  std::optional<Model> model;
+  Mesh mesh;
+  std::vector<float> weights;
+};
+
+struct Player {
+  Player(const gles3::Api& api, const gles3::Caps& caps, const Scene& of, const gles3::SkinnerOptions& o)
+      : scene(of), options(o) {
+    programs.roles[0] = {kVertex, kFragment, {}};
+    programs.log = log;
+    options.instances = kCharacters;
+    memory.resize(gles3::skinner_bytes(scene.mesh, options) / sizeof(SoaTransform) + 1);
+    status = create(api, caps);
+  }
+  Status create(const gles3::Api& api, const gles3::Caps& caps) {
+    return gles3::create_skinner(api, caps, scene.mesh, options, programs,
+                                 {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)},
+                                 skinner);
+  }
+  void pose_all() {
+    for (std::uint32_t i = 0; i < kCharacters; ++i)
+      EXPECT_EQ(gles3::pose(skinner, i, scene.joints(i), scene.weights), Status::ok);
+  }
+  // A frame: what a game does every time.
+  Status frame(const gles3::Api& api) {
+    const Status updated = gles3::update(api, skinner, programs, kCharacters);
+    if (updated != Status::ok) return updated;
+    const gles3::Program& program = gles3::program_of(skinner, programs, 0);
+    api.UseProgram(program.id);
+    const Geometry& g = scene.mesh.geometry;
+    const float width = 4 * (g.box_max[0] - g.box_min[0]);
+    const float values[4] = {-0.5f * (g.box_min[0] + g.box_max[0]), -0.5f * (g.box_min[1] + g.box_max[1]),
+                             -0.5f * (g.box_min[2] + g.box_max[2]), 2 / width};
+    api.Uniform4fv(api.GetUniformLocation(program.id, "from_scene"), 1, values);
+    return gles3::draw(api, skinner, programs, program, 0, kCharacters);
+  }
+
+  const Scene& scene;
+  gles3::SkinnerOptions options;
+  gles3::ProgramSet programs;
+  std::vector<char> log = std::vector<char>(2048);
+  std::vector<SoaTransform> memory;
+  gles3::Skinner skinner;
+  Status status = Status::bad_argument;
+};
+
+std::size_t covered(const std::vector<std::uint8_t>& picture) {
+  std::size_t out = 0;
+  for (std::size_t i = 3; i < picture.size(); i += 4) out += picture[i] != 0;
+  return out;
+}
+
+// Pixels that differ by more than 8 levels.
+std::size_t different(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < a.size(); i += 4) {
+    int most = 0;
+    for (std::size_t c = 0; c < 4; ++c) most = std::max(most, std::abs(int{a[i + c]} - int{b[i + c]}));
+    out += most > 8;
+  }
+  return out;
+}
+
+const std::string kFace = MARROW_GOLDEN "/face.gltf";
+
+TEST(Skinner, EveryPathDrawsTheSame) {
+  on_a_thread([] {
+    const Stage stage;
+    int pictures = 0;
+    for (const std::string& path : {model_paths().front(), kFace}) {
+      const Scene scene(path);
+      for (const gles3::Deformer deformer : {gles3::Deformer::rigid, gles3::Deformer::ssd, gles3::Deformer::as}) {
+        std::vector<std::uint8_t> first;
+        for (const Path way : kPaths) {
+          if (way == Path::compute && !stage.caps().compute) continue;
+          Player player(stage.real(), stage.caps(), scene, {way, deformer});
+          ASSERT_EQ(player.status, Status::ok) << to_string(way) << player.log.data();
+          player.pose_all();
+          stage.clear();
+          EXPECT_EQ(player.frame(stage.real()), Status::ok) << to_string(way);
+          const std::vector<std::uint8_t> picture = stage.picture();
+          EXPECT_GT(covered(picture), 500u) << to_string(way);
+          if (first.empty()) first = picture;
+          EXPECT_LE(different(first, picture), std::size_t{kSide} * kSide / 1000) << to_string(way);
+          gles3::destroy(stage.real(), player.skinner);
+          gles3::destroy(stage.real(), player.programs);
+          EXPECT_EQ(stage.error(), 0u);
+          ++pictures;
+        }
+      }
+    }
+    EXPECT_EQ(pictures, stage.caps().compute ? 30 : 24);
+  });
+}
+
+// 48 bytes a joint go up, no object is made, nothing compiled or asked.
+TEST(Skinner, AFrameUploadsPalettesAlone) {
+  on_a_thread([] {
+    const Stage stage;
+    const Scene scene(model_paths().front());
+    int paths = 0;
+    for (const Path way : kPaths) {
+      if (way == Path::compute && !stage.caps().compute) continue;
+      const gles3::Api api = faulty_api(stage.real());
+      Player player(api, stage.caps(), scene, {way});
+      ASSERT_EQ(player.status, Status::ok);
+      player.pose_all();
+      EXPECT_EQ(player.frame(api), Status::ok);
+      driver().count.clear();
+      driver().uploaded_bytes = 0;
+      EXPECT_EQ(player.frame(api), Status::ok);
+      const std::int64_t slots = scene.mesh.geometry.slot_count;
+      EXPECT_EQ(driver().uploaded_bytes,
+                kCharacters * (way == Path::cpu ? slots * (scene.mesh.geometry.tangents != nullptr ? 40 : 24)
+                                                : std::int64_t{48} * scene.mesh.palette_size()));
+      for (const char* const name : {"Gen", "Delete", "CreateShader", "CreateProgram", "CompileShader", "LinkProgram",
+                                     "GetIntegerv", "GetProgramiv", "GetShaderiv", "GetString"})
+        EXPECT_EQ(driver().count[name], 0) << name << " on " << to_string(way);
+      gles3::destroy(api, player.skinner);
+      gles3::destroy(api, player.programs);
+      EXPECT_EQ(driver().live, 0) << to_string(way);
+      ++paths;
+    }
+    EXPECT_GE(paths, 4);
+  });
+}
+
+// The context goes at some call of a frame; the game notices afterwards, and has the same picture in the next context.
+TEST(Skinner, SurvivesTheLossOfTheContextAnywhere) {
+  on_a_thread([] {
+    const Scene scene(model_paths().front());
+    int losses = 0;
+    for (const Path way : kPaths) {
+      auto stage = std::make_unique<Stage>();
+      if (way == Path::compute && !stage->caps().compute) continue;
+      gles3::Api api = faulty_api(stage->real());
+      Player player(api, stage->caps(), scene, {way, gles3::Deformer::as});
+      ASSERT_EQ(player.status, Status::ok);
+      player.pose_all();
+      stage->clear();
+      const std::int64_t before = driver().calls;
+      EXPECT_EQ(player.frame(api), Status::ok);
+      const std::int64_t calls = driver().calls - before;
+      EXPECT_GT(calls, 8);
+      const std::vector<std::uint8_t> wanted = stage->picture();
+      // Some twenty places on each path.
+      for (std::int64_t at = 0; at <= calls; at += std::max<std::int64_t>(1, calls / 19)) {
+        driver().lost_after = driver().calls + at;
+        (void)player.frame(api);
+        gles3::on_context_lost(player.skinner);
+        gles3::on_context_lost(player.programs);
+        EXPECT_EQ(gles3::update(api, player.skinner, player.programs, 1), Status::gl_error);
+        stage.reset();
+        stage = std::make_unique<Stage>();
+        api = faulty_api(stage->real());
+        ASSERT_EQ(gles3::on_context_restored(api, stage->caps(), player.programs), Status::ok);
+        ASSERT_EQ(gles3::on_context_restored(api, stage->caps(), player.skinner), Status::ok);
+        stage->clear();
+        EXPECT_EQ(player.frame(api), Status::ok);
+        EXPECT_EQ(stage->picture(), wanted) << to_string(way) << ", call " << at;
+        EXPECT_EQ(stage->error(), 0u);
+        ++losses;
+      }
+      gles3::destroy(api, player.skinner);
+      gles3::destroy(api, player.programs);
+      EXPECT_EQ(driver().live, 0) << to_string(way);
+    }
+    EXPECT_GE(losses, 80);
+    std::printf("%d losses\n", losses);
+  });
+}
+
+TEST(Skinner, RunsOutOfMemoryAnywhere) {
+  on_a_thread([] {
+    const Stage stage;
+    const Scene scene(kFace);
+    int failures = 0;
+    for (const Path way : kPaths) {
+      if (way == Path::compute && !stage.caps().compute) continue;
+      for (std::int64_t room = 0;; ++room) {
+        const gles3::Api api = faulty_api(stage.real());
+        driver().full_after = room;
+        Player player(api, stage.caps(), scene, {way});
+        gles3::destroy(api, player.skinner);
+        gles3::destroy(api, player.programs);
+        EXPECT_EQ(driver().live, 0) << to_string(way) << ", allocation " << room;
+        if (player.status == Status::ok) break;
+        EXPECT_EQ(player.status, Status::gl_error);
+        ASSERT_LT(room, 50);
+        ++failures;
+      }
+    }
+    EXPECT_GE(failures, 16);
+    EXPECT_EQ(stage.error(), 0u);
+  });
+}
+
+TEST(Skinner, RefusesBadCalls) {
+  on_a_thread([] {
+    const Stage stage;
+    const Scene scene(kFace);
+    const gles3::Api& api = stage.real();
+    gles3::Caps caps = stage.caps();
+    caps.compute = false;
+    EXPECT_EQ(Player(api, caps, scene, {Path::compute}).status, Status::unsupported);
+    EXPECT_EQ(Player(api, caps, scene, {Path::ubo, gles3::Deformer::none}).status, Status::bad_argument);
+    Player player(api, caps, scene, {Path::ubo});
+    ASSERT_EQ(player.status, Status::ok);
+    gles3::Skinner other;
+    const auto make = [&](std::uint32_t instances, std::size_t bytes, std::size_t shift) {
+      gles3::SkinnerOptions options = player.options;
+      options.instances = instances;
+      std::vector<SoaTransform> memory(bytes / sizeof(SoaTransform) + 2);
+      return gles3::create_skinner(api, caps, scene.mesh, options, player.programs,
+                                   {reinterpret_cast<std::byte*>(memory.data()) + shift, bytes}, other);
+    };
+    const std::size_t enough = gles3::skinner_bytes(scene.mesh, player.options);
+    EXPECT_EQ(make(0, enough, 0), Status::bad_argument);
+    EXPECT_EQ(make(kCharacters, enough - 1, 0), Status::bad_argument);
+    EXPECT_EQ(make(kCharacters, enough, 4), Status::bad_argument);
+    EXPECT_EQ(make(kCharacters, enough, 0), Status::ok);
+    gles3::destroy(api, other);
+
+    const std::vector<Affine> joints = scene.joints(0);
+    EXPECT_EQ(gles3::pose(player.skinner, kCharacters, joints, scene.weights), Status::bad_argument);
+    EXPECT_EQ(gles3::pose(player.skinner, 0, joints, {}), Status::bad_argument);
+    EXPECT_EQ(gles3::update(api, player.skinner, player.programs, kCharacters + 1), Status::bad_argument);
+    const gles3::Program& program = gles3::program_of(player.skinner, player.programs, 0);
+    EXPECT_EQ(gles3::draw(api, player.skinner, player.programs, program, 0, 1), Status::bad_argument) << "not updated";
+    EXPECT_EQ(gles3::program_of(player.skinner, player.programs, 1).id, 0u);
+    gles3::destroy(api, player.skinner);
+    gles3::destroy(api, player.programs);
+    EXPECT_EQ(stage.error(), 0u);
+  });
+}
+
+}  // namespace
+}  // namespace marrow::test
