@@ -19,6 +19,7 @@
 #include "pose/pose.h"
 #include "sample/sample.h"
 #ifdef MARROW_HAS_GLES
+#include "bench/gpu.h"
 #include "demo/demo.h"
 #include "render/render.h"
 #endif
@@ -113,12 +114,32 @@ void add_bench(CLI::App& app) {
       ->add_option("--iterations", a.iterations, "run each row exactly so often; without it, as often as steadies it")
       ->type_name("N")
       ->check(CLI::Range(1u, 1000000000u));
-  command->add_flag("--json", a.json, "as JSON: [{name, items, ns_per_item, hash}]");
+  command->add_flag("--json", a.json,
+                    "as JSON: [{name, items, ns_per_item, hash}]; with --gpu {driver, rows: [{name, frames_per_s, "
+                    "ns_per_vertex, gpu_ns_per_vertex}]}");
+#ifdef MARROW_HAS_GLES
+  GpuBenchArguments& on_gpu = arguments_of<GpuBenchArguments>();
+  CLI::Option* const gpu =
+      command->add_flag("--gpu", on_gpu.wanted, "frames drawn by OpenGL ES, by every skinning path");
+  command->add_option("-o,--output", on_gpu.chart, "with --gpu also a chart")->type_name("OUT.svg")->needs(gpu);
+  gpu->excludes(command->get_option("--iterations"));
+#endif
   command->footer([] {
-    return "Models are looked for in the folder that the environment variable MARROW_ASSETS names. Rows:\n" +
-           bench_row_names();
+    std::string names = bench_row_names();
+#ifdef MARROW_HAS_GLES
+    names += "with --gpu\n" + gpu_row_names();
+#endif
+    return "Models are looked for in the folder that the environment variable MARROW_ASSETS names. Rows:\n" + names;
   });
-  command->callback([&a] { run_bench(a); });
+  command->callback([&a] {
+#ifdef MARROW_HAS_GLES
+    GpuBenchArguments& with_gpu = arguments_of<GpuBenchArguments>();
+    with_gpu.only = a.only;
+    with_gpu.json = a.json;
+    if (with_gpu.wanted) return run_gpu_bench(with_gpu);
+#endif
+    run_bench(a);
+  });
 }
 
 void add_compare(CLI::App& app) {

@@ -52,15 +52,15 @@ void add_block(std::vector<float>& out, const std::vector<Vertex>& vertices, std
 
 }  // namespace
 
-GeneratedMesh::GeneratedMesh(std::uint32_t vertex_count, std::uint32_t influences) {
+GeneratedMesh::GeneratedMesh(std::uint32_t vertex_count, std::uint32_t influences, std::uint32_t joints) {
   Noise noise;
   std::vector<Vertex> block(4);
   std::uint32_t first = 0, slots = 0;
-  for (std::uint32_t b = 0; b < kMeshJoints; ++b) {
-    // The vertices for which 67 v / vertex_count is b.
-    const std::uint32_t end = ((b + 1) * vertex_count + kMeshJoints - 1) / kMeshJoints;
+  for (std::uint32_t b = 0; b < joints; ++b) {
+    // The vertices for which joints · v / vertex_count is b.
+    const std::uint32_t end = ((b + 1) * vertex_count + joints - 1) / joints;
     runs_.push_back({end - first, influences});
-    for (std::uint32_t k = 0; k < influences; ++k) sets_.push_back(static_cast<std::uint16_t>((b + k) % kMeshJoints));
+    for (std::uint32_t k = 0; k < influences; ++k) sets_.push_back(static_cast<std::uint16_t>((b + k) % joints));
     for (; first < end; first += 4, slots += 4) {
       for (std::uint32_t lane = 0; lane < 4; ++lane)
         block[lane] = first + lane < end ? make_vertex(noise, influences) : block[lane - 1];
@@ -72,11 +72,28 @@ GeneratedMesh::GeneratedMesh(std::uint32_t vertex_count, std::uint32_t influence
     first = end;
   }
   mesh_.name = "generated";
-  mesh_.joint_count = kMeshJoints;
+  for (std::uint32_t j = 0; j < joints; ++j) {
+    joints_.push_back(static_cast<std::uint16_t>(j));
+    inverse_bind_.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+  }
+  const auto width = static_cast<std::uint32_t>(std::sqrt(static_cast<float>(slots)));
+  for (std::uint32_t i = 0; i + width + 1 < slots; ++i)
+    for (const std::uint32_t corner : {i, i + 1, i + width, i + 1, i + width + 1, i + width})
+      indices_.push_back(corner);
+  mesh_.joint_count = joints;
+  mesh_.joints = joints_.data();
+  mesh_.inverse_bind = inverse_bind_.data();
   Geometry& g = mesh_.geometry;
   g.slot_count = slots;
   g.vertex_count = vertex_count;
-  g.joint_count = kMeshJoints;
+  g.joint_count = joints;
+  g.index_count = static_cast<std::uint32_t>(indices_.size());
+  g.index_bytes = 4;
+  g.indices = indices_.data();
+  for (std::size_t c = 0; c < 3; ++c) {
+    g.box_min[c] = -1;
+    g.box_max[c] = 1;
+  }
   g.runs = runs_;
   g.sets = sets_.data();
   g.skin = skin_.data();

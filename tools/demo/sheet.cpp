@@ -18,11 +18,11 @@ constexpr int kMoments = 6;
 constexpr int kCellWidth = 300;
 constexpr int kCellHeight = 320;
 constexpr int kGap = 4;
-constexpr int kMargin = 28;
+constexpr int kEdge = 28;
 constexpr int kTitleHeight = 76;
 constexpr int kStripHeight = 42;  // above each row
 constexpr int kFooterHeight = 40;
-constexpr int kWidth = 2 * kMargin + kMoments * kCellWidth + (kMoments - 1) * kGap;
+constexpr int kWidth = 2 * kEdge + kMoments * kCellWidth + (kMoments - 1) * kGap;
 constexpr int kHeight = kTitleHeight + 3 * (kStripHeight + kCellHeight) + kFooterHeight;
 
 constexpr Rgb kPaper = {20, 25, 31};
@@ -102,16 +102,16 @@ void draw_right(Image& image, int right, int y, float size, Rgb colour, const st
 
 // The strip above a row: what it is, and something about it at the right.
 void draw_strip(Image& image, int baseline, const char* name, const std::string& about, const std::string& right) {
-  const float end = draw_text(image, kMargin, as_float(baseline), 13, kBright, name);
+  const float end = draw_text(image, kEdge, as_float(baseline), 13, kBright, name);
   draw_text(image, end + 14, as_float(baseline), 11, kQuiet, about);
-  if (!right.empty()) draw_right(image, kWidth - kMargin, baseline, 11, kQuiet, right);
+  if (!right.empty()) draw_right(image, kWidth - kEdge, baseline, 11, kQuiet, right);
 }
 
 void draw_ramp(Image& image, int baseline, float full_scale_m) {
   constexpr int kLength = 180;
   const std::string hottest = length_text(full_scale_m);
-  draw_right(image, kWidth - kMargin, baseline, 11, kQuiet, hottest);
-  const int right = kWidth - kMargin - static_cast<int>(text_width(11, hottest)) - 12;
+  draw_right(image, kWidth - kEdge, baseline, 11, kQuiet, hottest);
+  const int right = kWidth - kEdge - static_cast<int>(text_width(11, hottest)) - 12;
   for (int x = 0; x < kLength; ++x) {
     const Rgb colour = heat_colour(as_float(x) / (kLength - 1));
     for (int y = baseline - 10; y <= baseline; ++y) blend(image, right - kLength + x, y, colour, 1);
@@ -157,12 +157,12 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
 
   Sheet sheet{Image(kWidth, kHeight, kPaper), rows.largest_m, rows.on_gpu};
   Image& image = sheet.image;
-  const float title_end = draw_text(image, kMargin, 50, 24, kBright, title);
+  const float title_end = draw_text(image, kEdge, 50, 24, kBright, title);
   const std::string scene =
       clip ? fmt::format("clip \"{}\", {:.2f} s", file.clip(*clip).name, static_cast<double>(play.duration_s))
            : std::string("rest pose");
   draw_text(image, title_end + 24, 50, 13, kQuiet, scene);
-  draw_right(image, kWidth - kMargin, 50, 13, kQuiet, fmt::format("{} joints   {} vertices", joints, vertices));
+  draw_right(image, kWidth - kEdge, 50, 13, kQuiet, fmt::format("{} joints   {} vertices", joints, vertices));
 
   const std::string where =
       rows.on_gpu ? "by the vertex shader" : "by the processor: too many joints for one uniform block";
@@ -178,12 +178,12 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
     }
     y += kStripHeight;
     for (int column = 0; column < kMoments; ++column) {
-      paste(image, rows.cells[row][static_cast<std::size_t>(column)], kMargin + column * (kCellWidth + kGap), y);
+      paste(image, rows.cells[row][static_cast<std::size_t>(column)], kEdge + column * (kCellWidth + kGap), y);
     }
     y += kCellHeight;
   }
   for (int column = 0; column < kMoments; ++column) {
-    const float x = as_float(kMargin + column * (kCellWidth + kGap));
+    const float x = as_float(kEdge + column * (kCellWidth + kGap));
     draw_text(image, x, as_float(y + 24), 11, kQuiet,
               moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
   }
