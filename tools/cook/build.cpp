@@ -10,6 +10,7 @@
 #include "cook/clip/compress.h"
 #include "cook/compact.h"
 #include "cook/group_trees.h"
+#include "cook/subdivide.h"
 
 namespace marrow::cook {
 
@@ -137,6 +138,7 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
   } else if (!has_triangles(scene))
     throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
                          "no mesh in the scene has triangles to cook");
+  if (options.subdivide > 0) check_subdivision(scene, options.subdivide);
   build_skeletons(scene, out);
   build_clips(scene, options, out);
   build_meshes(scene, options, out);

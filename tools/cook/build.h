@@ -69,6 +69,7 @@ struct CookOptions {
   bool position_error_is_share = false;
   MeshPrecision precision;
   LearnOptions learn;                            // animation space
+  int subdivide = 0;                             // steps of Loop's scheme, 0 … kMostSubdivisions
   std::vector<LodRule> lod;                      // levels of detail, ever coarser
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "common/failure.h"
@@ -10,6 +11,7 @@
 #include "cook/build.h"
 #include "cook/learn_deformers.h"
 #include "cook/skin_binding.h"
+#include "cook/subdivide.h"
 
 namespace marrow::cook {
 namespace {
@@ -143,8 +145,8 @@ Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const Ra
 }
 
 // Bound, and learnt from its poses, once for all its primitives.
-const SkinBinding& bind_mesh(RawScene& scene, int mesh, int skin, const CookOptions& options, SkinBindings& bindings,
-                             BuiltScene& out) {
+void bind_mesh(RawScene& scene, int mesh, int skin, const CookOptions& options, SkinBindings& bindings,
+               BuiltScene& out) {
   const auto [at, is_new] = bindings.try_emplace({mesh, skin});
   if (is_new) {
     const RawMesh& source = scene.meshes[static_cast<std::size_t>(mesh)];
@@ -154,7 +156,36 @@ const SkinBinding& bind_mesh(RawScene& scene, int mesh, int skin, const CookOpti
     learn_deformers(scene, source, onto, out, options, mesh_grid(source, options), at->second, out.learnt.back());
     at->second.report = static_cast<int>(out.learnt.size()) - 1;
   }
-  return at->second;
+}
+
+bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive) {
+  return instance.skin != kNone && !primitive.influences.empty();
+}
+
+SkinBindings bind_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
+  SkinBindings bindings;
+  for (const RawInstance& instance : scene.instances)
+    for (const RawPrimitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+      if (is_skinned(instance, primitive)) bind_mesh(scene, instance.mesh, instance.skin, options, bindings, out);
+  return bindings;
+}
+
+// What is drawn, for all that follows.
+void subdivide_meshes(RawScene& scene, int steps, SkinBindings& bindings) {
+  std::set<int> drawn;
+  for (const RawInstance& instance : scene.instances) drawn.insert(instance.mesh);
+  for (const int number : drawn) {
+    RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
+    std::vector<SkinBinding*> of_mesh;
+    for (auto& [key, binding] : bindings)
+      if (key.first == number) of_mesh.push_back(&binding);
+    const std::size_t cut = subdivide_mesh(mesh, of_mesh, steps);
+    if (cut > 0)
+      scene.warnings.push_back({mesh.primitives.front().pointer, "influences-dropped",
+                                std::to_string(cut) +
+                                    " points of the finer mesh would follow more than 8 joints; the 8 that carry most "
+                                    "are kept and take over the rest"});
+  }
 }
 
 // Once for all its primitives.
@@ -197,7 +228,7 @@ std::vector<std::uint32_t> build_geometries(const std::string& source, const std
 }
 
 BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
-                     const Bound& bound, int skin, const BuiltScene& built) {
+                     const Bound& bound, int skin, int subdivide, const BuiltScene& built) {
   // All joints of a skin are of one skeleton.
   const int follows = skin == kNone ? instance.node : scene.skins[static_cast<std::size_t>(skin)].joints.front();
   const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(follows)];
@@ -212,6 +243,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.inverse_bind = palette.inverse_bind;
   mesh.half_joints = palette.half_joints;
   mesh.lods = bound.lods;
+  if (subdivide > 0) mesh.source_triangles = primitive.indices.size() / 3 >> (2 * subdivide);
   mesh.targets = instance.weights;
   mesh.raw_material = primitive.material;
   if (primitive.material != kNone) {
@@ -226,23 +258,22 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
 }  // namespace
 
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
+  SkinBindings bindings = bind_meshes(scene, options, out);
+  if (options.subdivide > 0) subdivide_meshes(scene, options.subdivide, bindings);
   BoundPrimitives bound;
-  SkinBindings bindings;
   Levels levels;
   std::vector<Task> tasks;
   for (const RawInstance& instance : scene.instances) {
     RawMesh& source = scene.meshes[static_cast<std::size_t>(instance.mesh)];
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
       RawPrimitive& primitive = source.primitives[i];
-      const bool skinned = instance.skin != kNone && !primitive.influences.empty();
-      const int skin = skinned ? instance.skin : kNone;
+      const int skin = is_skinned(instance, primitive) ? instance.skin : kNone;
       const auto key = std::make_tuple(instance.mesh, i, skin);
       auto found = bound.find(key);
       if (found == bound.end()) {
         Task task;
         task.grid = mesh_grid(source, options);
-        const SkinBinding* const binding =
-            skin == kNone ? nullptr : &bind_mesh(scene, instance.mesh, skin, options, bindings, out);
+        const SkinBinding* const binding = skin == kNone ? nullptr : &bindings.at({instance.mesh, skin});
         const std::vector<MeshLevel>& lods = levels_of(scene, instance.mesh, skin, binding, options, out, levels);
         Bound fresh =
             bind_primitive(primitive, i, skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)],
@@ -250,7 +281,7 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
         fresh.learnt = binding == nullptr ? kNone : binding->report;
         found = bound.emplace(key, std::move(fresh)).first;
       }
-      out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skin, out));
+      out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skin, options.subdivide, out));
     }
   }
   const std::vector<std::uint32_t> geometries = build_geometries(scene.source, tasks, options, out);

@@ -116,6 +116,7 @@ struct BuiltMesh {
   std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
   std::vector<HalfJoint> half_joints;
   std::vector<BuiltLod> lods;            // levels 1, 2, …
+  std::size_t source_triangles = 0;      // of a subdivided mesh; else 0
   int learnt = kNone;                    // index into BuiltScene::learnt
   std::vector<RawTargetWeight> targets;  // as many as the geometry's
   float base_colour[4] = {1, 1, 1, 1};

@@ -211,7 +211,7 @@ class Cook {
     out.outcome.from_cache = result.has_value();
     if (!result) {
       cook::RawScene scene = cook::read_gltf(order.job.in, {.image_bytes = options.images == cook::Images::embed});
-      const MemoryGate::Pass pass(memory_, scene.source_bytes);
+      const MemoryGate::Pass pass(memory_, scene.source_bytes << (2 * options.subdivide));
       result = cook::cook_scene(std::move(scene), options);
       if (cache_) note_trouble(cache_->store(*result, options_text));
     }

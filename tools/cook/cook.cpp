@@ -84,6 +84,7 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"max_uv_error", geometry.error.uv},
                    {"max_weight_error", geometry.error.weight},
                    {"max_target_error_m", geometry.error.target_m}});
+    if (mesh.source_triangles > 0) out.back()["source_triangles"] = mesh.source_triangles;
     if (!mesh.lods.empty()) out.back()["lods"] = report_lods(built, mesh, written);
     if (mesh.learnt != kNone)
       report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry, out.back());

@@ -207,6 +207,22 @@ void refuse_idle(const LearnOptions& learn, const Given& given) {
   refuse_unless(has_truth || learn.pose_examples == 0, "psd", "a truth", "give --truth too");
 }
 
+// What a finer mesh cannot have: what is not linear in vertices, and the source's order of those.
+void refuse_with_subdivide(const CookOptions& options, const Given& given) {
+  if (options.subdivide == 0) return;
+  const Value& value = given.at("subdivide").front();
+  const auto refuse_if = [&](bool is_given, const char* name) {
+    if (is_given)
+      refuse(value, fmt::format("--subdivide with --{}", name),
+             fmt::format("leave out one of them; --{} is of the "
+                         "source's own vertices",
+                         name));
+  };
+  refuse_if(options.learn.multi_weights, "mwe");
+  refuse_if(options.learn.pose_examples > 0, "psd");
+  refuse_if(options.keep_vertex_order, "keep-vertex-order");
+}
+
 }  // namespace
 
 const std::vector<Option>& option_table() {
@@ -322,6 +338,13 @@ const std::vector<Option>& option_table() {
        "up to 32; 8 is a good start; 0: none",
        {},
        set_pose_space},
+      {"subdivide",
+       OptionKind::text,
+       "N",
+       "four times the triangles, N times, by Loop's scheme, which rounds the mesh off; what `skin_as` deforms by is "
+       "exactly the posed mesh subdivided where --as learns it (docs/deformers.md); 0: none",
+       {"0", "1", "2", "3"},
+       [](CookOptions& o, const Value& v) { o.subdivide = v.text[0] - '0'; }},
       {"lod",
        OptionKind::text,
        "R[:N][,R[:N]...]",
@@ -404,6 +427,7 @@ CookOptions to_options(const Given& given) {
     }
   }
   refuse_idle(options.learn, given);
+  refuse_with_subdivide(options, given);
   if (!options.skeleton_file.empty() && !options.clips_only)
     refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");
   return options;

@@ -1,0 +1,30 @@
+// A mesh with four times the triangles, smoother, before anything else is made of it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cook/skin_binding.h"
+
+namespace marrow::cook {
+
+inline constexpr int kMostSubdivisions = 3;
+
+// Throws tools::Failure (unsupported) if what is drawn would be too much after so many steps.
+void check_subdivision(const RawScene& scene, int steps);
+
+// Loop's scheme over all primitives together, so that they stay closed where they touch; see deform::subdivide().
+// Vertices are one point if they lie in one place, follow the same joints alike and are moved alike by morph targets.
+// - By points: positions, what morph targets add to them, weights of SSD and, where there are residuals, coordinates of
+//   animation space, whose residual is what the finer position and weights leave. That is exact but where a point would
+//   follow more than kMaxInfluences joints: those that carry most stay, by weight of SSD or of animation space, and
+//   take over the rest by weight of SSD, so that the bind pose stays.
+// - Along edges: UVs, colours, tangents, what morph targets add to normals and tangents.
+// - Normals: the surface's, area-weighted over the triangles of vertices that have one normal at a point, and what the
+//   source's normals had beside that, along edges.
+//
+// bindings: of the mesh, one a skin, without deformers beside animation space. Returns how many points follow fewer
+// joints than they would, over all bindings.
+std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<SkinBinding*>& bindings, int steps);
+
+}  // namespace marrow::cook
