@@ -9,6 +9,7 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/build.h"
+#include "cook/deform_source.h"
 #include "cook/learn_deformers.h"
 #include "cook/skin_binding.h"
 #include "cook/subdivide.h"
@@ -171,20 +172,25 @@ SkinBindings bind_meshes(RawScene& scene, const CookOptions& options, BuiltScene
 }
 
 // What is drawn, for all that follows.
-void subdivide_meshes(RawScene& scene, int steps, SkinBindings& bindings) {
+void subdivide_meshes(RawScene& scene, int steps, const BuiltScene& built, SkinBindings& bindings) {
   std::set<int> drawn;
   for (const RawInstance& instance : scene.instances) drawn.insert(instance.mesh);
   for (const int number : drawn) {
     RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
-    std::vector<SkinBinding*> of_mesh;
-    for (auto& [key, binding] : bindings)
-      if (key.first == number) of_mesh.push_back(&binding);
-    const std::size_t cut = subdivide_mesh(mesh, of_mesh, steps);
+    std::vector<MovedBy> skins;
+    for (auto& [key, binding] : bindings) {
+      if (key.first != number) continue;
+      const RawSkin& skin = scene.skins[static_cast<std::size_t>(key.second)];
+      skins.push_back({&binding, [&mesh, &skin, &binding, &built] {
+                         return poses_of_clips(deform_source(mesh, skin, binding, built), binding, built);
+                       }});
+    }
+    const std::size_t cut = subdivide_mesh(mesh, skins, steps);
     if (cut > 0)
       scene.warnings.push_back({mesh.primitives.front().pointer, "influences-dropped",
                                 std::to_string(cut) +
-                                    " points of the finer mesh would follow more than 8 joints; the 8 that carry most "
-                                    "are kept and take over the rest"});
+                                    " points of the finer mesh would follow more than 8 joints; they get the closest "
+                                    "that 8 can do"});
   }
 }
 
@@ -259,7 +265,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
 
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
   SkinBindings bindings = bind_meshes(scene, options, out);
-  if (options.subdivide > 0) subdivide_meshes(scene, options.subdivide, bindings);
+  if (options.subdivide > 0) subdivide_meshes(scene, options.subdivide, out, bindings);
   BoundPrimitives bound;
   Levels levels;
   std::vector<Task> tasks;

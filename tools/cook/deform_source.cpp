@@ -8,6 +8,10 @@
 namespace marrow::cook {
 namespace {
 
+constexpr double kShownRate_hz = 30;
+constexpr std::size_t kMostShownPoses = 320;
+constexpr std::size_t kMadeUpPoses = 40;
+
 // Vertices are the same if they lie in one place and follow the same joints alike.
 using Key = std::tuple<float, float, float, std::vector<std::pair<std::uint32_t, double>>>;
 
@@ -74,6 +78,17 @@ deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skelet
       for (int c = 0; c < 4; ++c) m[c][r] = static_cast<double>(a.rows[r][c]);
     out.emplace_back(m * source.inverse_bind[j]);
   }
+  return out;
+}
+
+std::vector<deform::Pose> poses_of_clips(const DeformSource& source, const SkinBinding& binding,
+                                         const BuiltScene& built) {
+  const BuiltSkeleton& skeleton = built.skeletons[source.skeleton];
+  std::vector<SampledPose> sampled = clip_poses(built, source.skeleton, kShownRate_hz, kMostShownPoses);
+  if (sampled.empty()) sampled = resampled_poses(skeleton, sampled, kMadeUpPoses);
+  std::vector<deform::Pose> out(1, deform::Pose(source.joints.size(), deform::Matrix(1.0)));
+  for (const SampledPose& pose : sampled) out.push_back(deform_pose(source, skeleton, pose.local));
+  for (deform::Pose& pose : out) deform::append_half_joints(binding.half_joints, pose);
   return out;
 }
 

@@ -39,4 +39,9 @@ DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinB
 deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skeleton,
                          const std::vector<SoaTransform>& local);
 
+// What the mesh does: the bind pose, then moments of all clips, without clips poses made up; half-joints among the
+// joints.
+std::vector<deform::Pose> poses_of_clips(const DeformSource& source, const SkinBinding& binding,
+                                         const BuiltScene& built);
+
 }  // namespace marrow::cook

@@ -11,6 +11,7 @@
 
 #include "common/parallel.h"
 #include "cook/deform_source.h"
+#include "cook/fewer_joints.h"
 #include "deform/pose_metric.h"
 #include "deform/representative.h"
 #include "deform/surface_error.h"
@@ -18,12 +19,9 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kLodRate_hz = 30;
-constexpr std::size_t kMostLodPoses = 320;
-constexpr std::size_t kMadeUpLodPoses = 40;  // without clips
-constexpr std::size_t kShapes = 24;          // poses that simplification looks at
-constexpr std::size_t kMostTargets = 64;     // morph targets that it looks at
-constexpr double kEnough = 1.02;             // of the triangles asked for, before there is a warning
+constexpr std::size_t kShapes = 24;       // poses that simplification looks at
+constexpr std::size_t kMostTargets = 64;  // morph targets that it looks at
+constexpr double kEnough = 1.02;          // of the triangles asked for, before there is a warning
 
 // The mesh as simplification takes it; vertices that differ in nothing are one.
 struct Source {
@@ -108,15 +106,8 @@ Source hung_source(const RawMesh& mesh) {
   return out;
 }
 
-std::vector<deform::Coordinate> coordinates_of(const BoundVertex& vertex, const glm::dvec3& position) {
-  std::vector<deform::Coordinate> out;
-  for (const BoundInfluence& i : vertex) out.push_back({i.joint, i.residual + glm::dvec4(position, 1) * i.weight});
-  return out;
-}
-
 Source skinned_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding, const BuiltScene& built) {
   const DeformSource source = deform_source(mesh, skin, binding, built);
-  const BuiltSkeleton& skeleton = built.skeletons[source.skeleton];
   Source out;
   add_vertices(mesh, source.vertex_of, out);
   add_targets(mesh, source.mesh.positions, out);
@@ -127,11 +118,7 @@ Source skinned_source(const RawMesh& mesh, const RawSkin& skin, const SkinBindin
     if (!out.coordinates[point].empty()) continue;
     out.coordinates[point] = coordinates_of(binding.primitives[p][number], source.mesh.positions[point]);
   }
-  std::vector<SampledPose> sampled = clip_poses(built, source.skeleton, kLodRate_hz, kMostLodPoses);
-  if (sampled.empty()) sampled = resampled_poses(skeleton, sampled, kMadeUpLodPoses);
-  out.poses.assign(1, deform::Pose(source.joints.size(), deform::Matrix(1.0)));
-  for (const SampledPose& pose : sampled) out.poses.push_back(deform_pose(source, skeleton, pose.local));
-  for (deform::Pose& pose : out.poses) deform::append_half_joints(binding.half_joints, pose);
+  out.poses = poses_of_clips(source, binding, built);
   return out;
 }
 
@@ -199,28 +186,6 @@ MeshLevel level_of(const RawMesh& mesh, const SkinBinding* binding, const Source
     if (binding == nullptr) continue;
     out.vertices.push_back(binding->primitives[p]);
     pick(out.vertices.back(), vertices[p]);
-  }
-  return out;
-}
-
-// The vertex on at most so many joints: what animation space makes of it and what linear blend skinning does, each as
-// close to what it was as they allow.
-BoundVertex with_fewer_joints(const deform::PoseMetric& metric, const BoundVertex& vertex, const glm::dvec3& position,
-                              bool has_residual, std::size_t most) {
-  const std::vector<deform::Coordinate> coordinates = coordinates_of(vertex, position);
-  const std::vector<std::uint32_t> joints = deform::joints_to_keep(metric, coordinates, most);
-  std::vector<deform::Influence> influences;
-  for (const BoundInfluence& i : vertex) influences.push_back({i.joint, i.weight});
-  influences = deform::with_joints(metric, position, influences, joints);
-  BoundVertex out;
-  if (!has_residual) {
-    for (const deform::Influence& i : influences) out.push_back({i.joint, i.weight});
-    return out;
-  }
-  for (const deform::Coordinate& c : deform::with_joints(metric, coordinates, joints)) {
-    const auto found = std::ranges::find(influences, c.joint, &deform::Influence::joint);
-    const double weight = found == influences.end() ? 0 : found->weight;
-    out.push_back({c.joint, weight, c.q - glm::dvec4(position, 1) * weight});
   }
   return out;
 }

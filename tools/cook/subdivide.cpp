@@ -12,6 +12,7 @@
 
 #include "common/failure.h"
 #include "common/parallel.h"
+#include "cook/fewer_joints.h"
 #include "deform/subdivide.h"
 
 namespace marrow::cook {
@@ -19,7 +20,8 @@ namespace {
 
 constexpr std::uint64_t kMostFinerTriangles = 4'000'000;  // of all meshes
 constexpr std::uint64_t kMostFinerChanges = 32'000'000;   // of vertices by morph targets
-constexpr std::size_t kMostBetween = 32;                  // joints a point, between two steps
+constexpr std::size_t kMostBetween = 16;                  // joints a point, before it gets what a vertex may have
+constexpr std::size_t kBatch = 4096;                      // points whose joints are chosen with one metric
 constexpr double kSameNormal = 0.99985;                   // cosine of a degree
 
 struct Follower {
@@ -33,7 +35,7 @@ using Followers = std::vector<Follower>;  // by ascending joint
 struct Smoothed {
   std::vector<glm::dvec3> positions;
   std::vector<std::vector<glm::dvec3>> targets;   // a morph target
-  std::vector<std::vector<Followers>> followers;  // a binding
+  std::vector<std::vector<Followers>> followers;  // a skin
 };
 
 // What goes along edges, a vertex each; zeros where a primitive has none.
@@ -122,7 +124,7 @@ void add_point(const RawPrimitive& primitive, std::size_t v, std::vector<Followe
   for (std::size_t t = 0; t < points.targets.size(); ++t)
     points.targets[t].emplace_back(t < primitive.targets.size() ? at_or_zero(primitive.targets[t].positions, v)
                                                                 : glm::vec3(0));
-  for (std::size_t b = 0; b < followers.size(); ++b) points.followers[b].push_back(std::move(followers[b]));
+  for (std::size_t s = 0; s < followers.size(); ++s) points.followers[s].push_back(std::move(followers[s]));
 }
 
 void add_vertex(const RawPrimitive& primitive, std::size_t v, AlongEdges& vertices) {
@@ -152,11 +154,11 @@ std::vector<glm::dvec3> surface_normals(const Fine& fine) {
   return out;
 }
 
-Fine as_it_is(const RawMesh& mesh, const std::vector<SkinBinding*>& bindings) {
+Fine as_it_is(const RawMesh& mesh, const std::vector<MovedBy>& skins) {
   Fine out;
   const std::size_t targets = target_count(mesh);
   out.points.targets.resize(targets);
-  out.points.followers.resize(bindings.size());
+  out.points.followers.resize(skins.size());
   out.vertices.target_normals.resize(targets);
   out.vertices.target_tangents.resize(targets);
   PointFinder finder;
@@ -166,8 +168,7 @@ Fine as_it_is(const RawMesh& mesh, const std::vector<SkinBinding*>& bindings) {
     const auto first = static_cast<std::uint32_t>(out.vertices.point_of.size());
     for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
       std::vector<Followers> followers;
-      for (const SkinBinding* const binding : bindings)
-        followers.push_back(followers_of(*binding, p, v, primitive.positions[v]));
+      for (const MovedBy& skin : skins) followers.push_back(followers_of(*skin.binding, p, v, primitive.positions[v]));
       bool is_new = false;
       const std::uint32_t point =
           finder.find(primitive, v, followers.empty() ? Followers() : followers.front(), is_new);
@@ -187,9 +188,9 @@ Fine as_it_is(const RawMesh& mesh, const std::vector<SkinBinding*>& bindings) {
   return out;
 }
 
-// Of more joints than `most` those that carry most; the heaviest of SSD is always one.
-bool keep_joints(std::size_t most, Followers& followers) {
-  if (followers.size() <= most) return false;
+// Of more joints those that carry most; the heaviest of SSD is always one. They take over the rest.
+void keep_joints(std::size_t most, Followers& followers) {
+  if (followers.size() <= most) return;
   const auto heaviest = std::ranges::max_element(followers, {}, &Follower::weight)->joint;
   const auto carries = [&](const Follower& f) {
     return std::pair(f.joint == heaviest, std::max(f.weight, std::abs(f.q.w)));
@@ -205,7 +206,6 @@ bool keep_joints(std::size_t most, Followers& followers) {
     f.q += lost * f.weight;
   }
   std::ranges::sort(followers, {}, &Follower::joint);
-  return true;
 }
 
 Followers combined_followers(const deform::Combination& shares, const std::vector<Followers>& of) {
@@ -231,35 +231,30 @@ void combine(const std::vector<deform::Combination>& shares, std::vector<T>& val
   values = std::move(out);
 }
 
-// Returns how many points would follow more joints.
-std::size_t smooth(const std::vector<deform::Combination>& shares, std::size_t most_joints, Smoothed& points) {
+void smooth(const std::vector<deform::Combination>& shares, Smoothed& points) {
   combine(shares, points.positions);
   for (std::vector<glm::dvec3>& target : points.targets) combine(shares, target);
-  std::size_t cut = 0;
   for (std::vector<Followers>& followers : points.followers) {
     std::vector<Followers> out(shares.size());
-    std::vector<char> is_cut(shares.size(), 0);
     tools::for_each_in_parallel(shares.size(), [&](std::size_t i) {
       out[i] = combined_followers(shares[i], followers);
-      is_cut[i] = keep_joints(most_joints, out[i]) ? 1 : 0;
+      keep_joints(kMostBetween, out[i]);
     });
     followers = std::move(out);
-    cut += static_cast<std::size_t>(std::ranges::count(is_cut, 1));
   }
-  return cut;
 }
 
 // A vertex of the source, which stays one, or the middle between two.
 void share_normals(const std::vector<deform::Combination>& shares, AlongEdges& vertices, SharedNormals& normals) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   for (std::size_t v = vertices.normal_of.size(); v < shares.size(); ++v) {
-    const auto [a, b] =
+    const std::pair<std::uint32_t, std::uint32_t> ends =
         std::minmax(vertices.normal_of[shares[v].front().vertex], vertices.normal_of[shares[v].back().vertex]);
-    const auto [at, is_new] = middles.try_emplace({a, b}, static_cast<std::uint32_t>(normals.source.size()));
+    const auto [at, is_new] = middles.try_emplace(ends, static_cast<std::uint32_t>(normals.source.size()));
     vertices.normal_of.push_back(at->second);
     if (!is_new) continue;
-    normals.source.push_back((normals.source[a] + normals.source[b]) / 2.0);
-    normals.beside.push_back((normals.beside[a] + normals.beside[b]) / 2.0);
+    normals.source.push_back((normals.source[ends.first] + normals.source[ends.second]) / 2.0);
+    normals.beside.push_back((normals.beside[ends.first] + normals.beside[ends.second]) / 2.0);
   }
 }
 
@@ -276,7 +271,7 @@ void go_along_edges(const deform::FinerSurface& finer, AlongEdges& vertices) {
   for (std::vector<glm::dvec3>& target : vertices.target_tangents) combine(finer.vertices, target);
 }
 
-std::size_t subdivide_once(std::size_t most_joints, Fine& fine) {
+void subdivide_once(Fine& fine) {
   deform::SeamedSurface surface;
   surface.point_of = std::move(fine.vertices.point_of);
   surface.indices = std::move(fine.vertices.indices);
@@ -285,7 +280,7 @@ std::size_t subdivide_once(std::size_t most_joints, Fine& fine) {
   go_along_edges(finer, fine.vertices);
   fine.vertices.point_of = std::move(finer.point_of);
   fine.vertices.indices = std::move(finer.indices);
-  return smooth(finer.points, most_joints, fine.points);
+  smooth(finer.points, fine.points);
 }
 
 std::vector<glm::dvec3> finished_normals(const Fine& fine) {
@@ -334,16 +329,43 @@ BoundVertex bound_vertex(const Followers& followers, const glm::dvec3& position,
   return out;
 }
 
-std::vector<RawInfluence> raw_influences(const Followers& followers) {
-  std::vector<RawInfluence> out;
-  for (const Follower& f : followers)
-    if (f.weight > 0) out.push_back({f.joint, static_cast<float>(f.weight)});
+// A point each, on as many joints as a vertex may have. Adds those that had more to `cut`.
+std::vector<BoundVertex> finished_points(const Fine& fine, std::size_t s, const MovedBy& skin, std::size_t& cut) {
+  const bool has_residual = skin.binding->residual_step_m > 0;
+  const auto place = [&](std::size_t i) { return glm::dvec3(glm::vec3(fine.points.positions[i])); };
+  std::vector<BoundVertex> out;
+  std::vector<std::size_t> full;
+  for (std::size_t i = 0; i < fine.points.positions.size(); ++i) {
+    out.push_back(bound_vertex(fine.points.followers[s][i], place(i), has_residual));
+    if (out.back().size() > kMaxInfluences) full.push_back(i);
+  }
+  cut += full.size();
+  if (full.empty()) return out;
+  const std::vector<deform::Pose> poses = skin.poses();
+  for (std::size_t first = 0; first < full.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, full.size() - first);
+    deform::Coordinates coordinates;
+    for (std::size_t i = first; i < first + count; ++i)
+      coordinates.push_back(coordinates_of(out[full[i]], place(full[i])));
+    const deform::PoseMetric metric(poses, coordinates);
+    tools::for_each_in_parallel(count, [&](std::size_t i) {
+      BoundVertex& vertex = out[full[first + i]];
+      vertex = with_fewer_joints(metric, vertex, place(full[first + i]), has_residual, kMaxInfluences);
+    });
+  }
   return out;
 }
 
-void write_primitive(const Fine& fine, const std::vector<glm::dvec3>& normals, std::size_t p,
-                     const std::vector<std::uint32_t>& which, RawPrimitive& to,
-                     const std::vector<SkinBinding*>& bindings) {
+std::vector<RawInfluence> raw_influences(const BoundVertex& vertex) {
+  std::vector<RawInfluence> out;
+  for (const BoundInfluence& i : vertex)
+    if (i.weight > 0) out.push_back({i.joint, static_cast<float>(i.weight)});
+  return out;
+}
+
+// which: of the fine vertices those of the primitive.
+void write_primitive(const Fine& fine, const std::vector<glm::dvec3>& normals, const std::vector<std::uint32_t>& which,
+                     RawPrimitive& to) {
   const AlongEdges& from = fine.vertices;
   const auto normal = [&](std::uint32_t v) { return normals[from.normal_of[v]]; };
   const bool has_normals = !to.normals.empty();
@@ -354,17 +376,6 @@ void write_primitive(const Fine& fine, const std::vector<glm::dvec3>& normals, s
   refill(to.uvs, which, [&](std::uint32_t v) { return glm::vec2(from.uvs[v]); });
   refill(to.colours, which, [&](std::uint32_t v) { return glm::vec4(from.colours[v]); });
   write_targets(fine, which, to.targets);
-  refill(to.influences, which, [&](std::uint32_t v) {
-    return bindings.empty() ? std::vector<RawInfluence>()
-                            : raw_influences(fine.points.followers.front()[from.point_of[v]]);
-  });
-  for (std::size_t b = 0; b < bindings.size(); ++b) {
-    std::size_t n = 0;
-    refill(bindings[b]->primitives[p], which, [&](std::uint32_t v) {
-      return bound_vertex(fine.points.followers[b][from.point_of[v]], to.positions[n++],
-                          bindings[b]->residual_step_m > 0);
-    });
-  }
 }
 
 }  // namespace
@@ -394,23 +405,30 @@ void check_subdivision(const RawScene& scene, int steps) {
   }
 }
 
-std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<SkinBinding*>& bindings, int steps) {
-  Fine fine = as_it_is(mesh, bindings);
+std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<MovedBy>& skins, int steps) {
+  Fine fine = as_it_is(mesh, skins);
+  for (int step = 0; step < steps; ++step) subdivide_once(fine);
   std::size_t cut = 0;
-  for (int step = 1; step <= steps; ++step)
-    cut = subdivide_once(step < steps ? kMostBetween : std::size_t{kMaxInfluences}, fine);
-  const std::vector<glm::dvec3> normals = finished_normals(fine);
+  std::vector<std::vector<BoundVertex>> bound;  // a skin: a point each
+  for (std::size_t s = 0; s < skins.size(); ++s) bound.push_back(finished_points(fine, s, skins[s], cut));
   std::vector<std::vector<std::uint32_t>> which(mesh.primitives.size());
-  std::vector<std::uint32_t> number;
+  std::vector<std::uint32_t> number;  // a fine vertex: in its primitive
   for (std::size_t v = 0; v < fine.vertices.primitive_of.size(); ++v) {
     std::vector<std::uint32_t>& of = which[fine.vertices.primitive_of[v]];
     number.push_back(static_cast<std::uint32_t>(of.size()));
     of.push_back(static_cast<std::uint32_t>(v));
   }
+  const std::vector<glm::dvec3> normals = finished_normals(fine);
   std::size_t corner = 0;  // triangles stay in the primitives' order
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
     RawPrimitive& to = mesh.primitives[p];
-    write_primitive(fine, normals, p, which[p], to, bindings);
+    write_primitive(fine, normals, which[p], to);
+    if (!to.influences.empty()) to.influences.resize(which[p].size());
+    for (std::size_t s = 0; s < skins.size(); ++s) {
+      const auto of = [&](std::uint32_t v) -> const BoundVertex& { return bound[s][fine.vertices.point_of[v]]; };
+      refill(skins[s].binding->primitives[p], which[p], of);
+      refill(to.influences, which[p], [&](std::uint32_t v) { return raw_influences(of(v)); });
+    }
     to.indices.resize(to.indices.size() << (2 * steps));
     for (std::uint32_t& i : to.indices) i = number[fine.vertices.indices[corner++]];
   }

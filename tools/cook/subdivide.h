@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "cook/skin_binding.h"
+#include "deform/mesh.h"
 
 namespace marrow::cook {
 
@@ -17,14 +19,17 @@ void check_subdivision(const RawScene& scene, int steps);
 // Vertices are one point if they lie in one place, follow the same joints alike and are moved alike by morph targets.
 // - By points: positions, what morph targets add to them, weights of SSD and, where there are residuals, coordinates of
 //   animation space, whose residual is what the finer position and weights leave. That is exact but where a point would
-//   follow more than kMaxInfluences joints: those that carry most stay, by weight of SSD or of animation space, and
-//   take over the rest by weight of SSD, so that the bind pose stays.
+//   follow more than kMaxInfluences joints: it gets the closest that so many can do, see with_fewer_joints().
 // - Along edges: UVs, colours, tangents, what morph targets add to normals and tangents.
 // - Normals: the surface's, area-weighted over the triangles of vertices that have one normal at a point, and what the
 //   source's normals had beside that, along edges.
 //
-// bindings: of the mesh, one a skin, without deformers beside animation space. Returns how many points follow fewer
-// joints than they would, over all bindings.
-std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<SkinBinding*>& bindings, int steps);
+// skins: that the mesh is bound to, without deformers beside animation space. Returns how many points follow fewer
+// joints than they would, over all skins.
+struct MovedBy {
+  SkinBinding* binding;
+  std::function<std::vector<deform::Pose>()> poses;  // where being close counts; half-joints among the joints
+};
+std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<MovedBy>& skins, int steps);
 
 }  // namespace marrow::cook
