@@ -180,7 +180,13 @@ TEST(CookAs, RefusesWhatMakesNoSense) {
                                                 {"--as", "fit", "--delta-mush", "0"},
                                                 {"--as", "fit", "--delta-mush", "10,2"},
                                                 {"--as", "fit", "--delta-mush", "10,0.5,hard"},
-                                                {"--as", "fit", "--half-joints", "3"}}) {
+                                                {"--as", "fit", "--half-joints", "3"},
+                                                {"--subdivide", "4"},
+                                                {"--subdivide", "1.5"},
+                                                {"--subdivide", "-1"},
+                                                {"--subdivide", "1", "--mwe", "--truth", "dqs"},
+                                                {"--subdivide", "1", "--psd", "2", "--truth", "dqs"},
+                                                {"--keep-vertex-order", "--subdivide", "1"}}) {
     std::vector<std::string> arguments = {"cook", tiny_gltf(), "-o", out};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
     EXPECT_EQ(run_marrow(arguments).code, 1) << extra.back();

@@ -61,6 +61,32 @@ TEST(Report, HoldsEveryField) {
   EXPECT_EQ(r.at("warnings").size(), 0u);
 }
 
+// By hand: an edge of the arm or of the hat becomes two, a triangle four.
+TEST(Report, SubdividedMeshes) {
+  const TemporaryFolder folder;
+  const Ran ran = run_marrow({"cook", tiny_gltf(), "-o", folder / "t.mrw", "--subdivide", "2", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json meshes = nlohmann::json::parse(ran.out).at("meshes");
+  EXPECT_EQ(meshes.at(0).at("source_triangles"), 40);
+  EXPECT_EQ(meshes.at(0).at("triangles"), 640);
+  EXPECT_EQ(meshes.at(1).at("source_triangles"), 4);
+  EXPECT_EQ(meshes.at(1).at("triangles"), 64);
+  const Ran none = run_marrow(
+      {"cook", tiny_gltf(), "-o", folder / "t.mrw", "--subdivide", "0", "--mwe", "--truth", "dqs", "--json"});
+  ASSERT_EQ(none.code, 0) << none.err;
+  EXPECT_FALSE(nlohmann::json::parse(none.out).at("meshes").at(0).contains("source_triangles"));
+}
+
+// Mistakes are located, in settings too.
+TEST(Report, SubdividedMeshesHaveNoOtherDeformers) {
+  const TemporaryFolder folder;
+  write_text(folder / "s.toml", "mwe = true\ntruth = 'dqs'\n\nsubdivide = '1'\n");
+  const Ran ran = run_marrow({"cook", tiny_gltf(), "-o", folder / "t.mrw", "--settings", folder / "s.toml"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("s.toml: 4:13: --subdivide with --mwe: "), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.listing(), std::vector<std::string>{"s.toml"});
+}
+
 // The report and `marrow info` list a clip's channels.
 TEST(Report, Channels) {
   const TemporaryFolder folder;
