@@ -5,7 +5,7 @@ set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp unit/cook/bind_weights_test.cpp unit/cook/deformers_test.cpp
   unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/lod_test.cpp
-  unit/cook/examples_test.cpp unit/cook/subdivide_test.cpp)
+  unit/cook/examples_test.cpp unit/cook/subdivide_test.cpp unit/cook/subdivide_mesh_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
 target_compile_options(marrow_cook_tests PRIVATE -O0)
 marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
