@@ -21,6 +21,7 @@ if(NOT XXHASH_INCLUDE_DIR)
   set(XXHASH_INCLUDE_DIR ${xxhash_SOURCE_DIR} CACHE PATH "Folder of xxhash.h" FORCE)
 endif()
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 # tinygltf's repository has it too.
 find_path(MARROW_STB_INCLUDE stb_image.h PATH_SUFFIXES stb HINTS ${tinygltf_SOURCE_DIR} REQUIRED)
 find_package(Threads REQUIRED)

@@ -21,6 +21,7 @@
 #ifdef MARROW_HAS_GLES
 #include "bench/gpu.h"
 #include "demo/demo.h"
+#include "render/paths.h"
 #include "render/render.h"
 #endif
 
@@ -38,14 +39,18 @@ void add_input(CLI::App* command, std::string& to) {
   command->add_option("file", to, "the cooked file")->required()->type_name("FILE");
 }
 
-void add_choice(CLI::App* command, Choice& choice) {
-  const auto finite = [](const std::string& text) {
+CLI::Validator finite(const std::string& unit) {
+  const auto check = [unit](const std::string& text) {
     float value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     const bool good = error == std::errc() && stop == end && std::isfinite(value);
-    return good ? std::string() : "not a finite number of seconds: " + text;
+    return good ? std::string() : "not a finite number of " + unit + ": " + text;
   };
+  return {check, ""};
+}
+
+void add_choice(CLI::App* command, Choice& choice) {
   command
       ->add_option("--clip", choice.clip,
                    "clip by name: all of that name, one a skeleton; or one clip by index; without it the rest pose")
@@ -54,7 +59,7 @@ void add_choice(CLI::App* command, Choice& choice) {
   command
       ->add_option("--time", choice.time_s, "seconds from the clip's start; outside the clip its first or last moment")
       ->type_name("S")
-      ->check(CLI::Validator(finite, ""));
+      ->check(finite("seconds"));
 }
 
 void add_deformer(CLI::App* command, std::string& to) {
@@ -176,15 +181,43 @@ void add_sample(CLI::App& app) {
 }
 
 #ifdef MARROW_HAS_GLES
+void add_skin_path(CLI::App* command, std::string& to) {
+  std::vector<std::string> names;
+  std::string about;
+  for (const NamedSkinPath& path : kSkinPaths) {
+    names.emplace_back(path.name);
+    about.append(about.empty() ? "" : "; ").append(path.name).append(": ").append(path.about);
+  }
+  command->add_option("--path", to, about)->check(CLI::IsMember(names))->capture_default_str();
+}
+
+void add_movie(CLI::App* command, RenderArguments& a) {
+  CLI::Option* const movie =
+      command->add_flag("--movie", a.movie,
+                        "a moving picture that loops: the clip, or with --time, or of what does not move, a turntable; "
+                        "an animated PNG, or, with -o FOLDER/ or -o NAME%04d.png, numbered frames");
+  command->add_option("--fps", a.fps, "frames a second of a movie")
+      ->type_name("N")
+      ->check(CLI::Range(1, 60))
+      ->capture_default_str()
+      ->needs(movie);
+  command
+      ->add_option("--turn", a.turn_deg,
+                   "degrees that the camera and the lights walk round the character over the movie, at most 60 a "
+                   "second: a shorter clip is repeated; a turntable's default is 360")
+      ->type_name("DEGREES")
+      ->check(finite("degrees"))
+      ->check(CLI::Range(-3600.0f, 3600.0f))
+      ->needs(movie);
+}
+
 void add_render(CLI::App& app) {
   RenderArguments& a = arguments_of<RenderArguments>();
-  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip");
+  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
   add_input(command, a.file);
   add_choice(command, a.choice);
   add_deformer(command, a.deformer);
-  command->add_option("--path", a.path, "cpu: skinned by the processor; ubo: by the vertex shader")
-      ->check(CLI::IsMember({"cpu", "ubo"}))
-      ->capture_default_str();
+  add_skin_path(command, a.path);
   command
       ->add_option(
           "--normals", a.normals,
@@ -201,8 +234,12 @@ void add_render(CLI::App& app) {
                    "where images by reference are looked for, here and below; without it, the cooked file's folder")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
+  add_movie(command, a);
   command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
-  command->callback([&a] { run_render(a); });
+  command->callback([&a, command] {
+    a.held = command->count("--time") > 0;
+    run_render(a);
+  });
 }
 
 void add_demo(CLI::App& app) {

@@ -93,6 +93,8 @@ TEST_F(BadInput, UnwritableOutputs) {
     expect_failure({"pose", in("good.mrw"), "-o", target + ".obj"}, kIo, target);
 #ifdef MARROW_HAS_GLES
     expect_failure({"render", in("good.mrw"), "--size", "32x32", "-o", target + ".png"}, kIo, target);
+    expect_failure({"render", in("good.mrw"), "--size", "8x8", "--movie", "--fps", "1", "-o", target + "%d.png"}, kIo,
+                   target);
 #endif
   }
   EXPECT_GE(cases_, 14);
@@ -153,6 +155,16 @@ TEST_F(BadInput, Usage) {
   expect_failure({"render", good, "--path", "magic", "-o", png}, kUsage, "magic");
   expect_failure({"render", good, "--normals", "magic", "-o", png}, kUsage, "magic");
   expect_failure({"render", good}, kUsage, "marrow");
+  for (const char* option : {"--fps", "--turn"})
+    expect_failure({"render", good, "-o", png, option, "20"}, kUsage, "--movie");
+  for (const char* fps : {"0", "61", "1.5", "x"})
+    expect_failure({"render", good, "-o", png, "--movie", "--fps", fps}, kUsage, "--fps");
+  for (const char* turn : {"nan", "inf", "3601", "x"})
+    expect_failure({"render", good, "-o", png, "--movie", "--turn", turn}, kUsage, "--turn");
+  expect_failure({"render", good, "-o", png, "--movie", "--turn", "0"}, kUsage, "nothing would move");
+  expect_failure({"render", good, "-o", out("%d%04d.png"), "--movie"}, kUsage, "%d%04d.png");
+  expect_failure({"render", good, "-o", png, "--movie", "--turn", "3600", "--fps", "60", "--size", "4000x4000"}, kUsage,
+                 png);
 #endif
   EXPECT_GE(cases_, 11);
 }

@@ -64,6 +64,16 @@ Camera moved(const Camera& camera, glm::vec3 by) {
   return out;
 }
 
+Camera turned(const Camera& camera, glm::vec3 centre, float turn_rad) {
+  const glm::mat4 turn = glm::translate(glm::mat4(1), centre) *
+                         glm::rotate(glm::mat4(1), turn_rad, glm::vec3(0, 1, 0)) *
+                         glm::translate(glm::mat4(1), -centre);
+  Camera out;
+  out.position = glm::vec3(turn * glm::vec4(camera.position, 1));
+  out.clip_from_scene = camera.clip_from_scene * glm::inverse(turn);
+  return out;
+}
+
 LightView frame_box(const Box& box, glm::vec3 direction, float margin) {
   const glm::vec3 centre = box.centre();
   const float radius = std::max(box.radius(), 1e-20f) * (1 + margin);

@@ -36,6 +36,9 @@ Camera frame_points(std::span<const glm::vec3> points, float aspect, float margi
 // The same camera moved.
 Camera moved(const Camera& camera, glm::vec3 by);
 
+// The same camera after a walk round the vertical axis through `centre`, looking at it from another side.
+Camera turned(const Camera& camera, glm::vec3 centre, float turn_rad);
+
 // Seen along -direction by a light far away: maps the box, grown by `margin` times its radius, to clip space.
 // extent: width of the view and depth of its range, scene units.
 struct LightView {

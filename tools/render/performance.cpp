@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace marrow::tools {
 namespace {
 
 constexpr int kMoments = 16;
 constexpr std::size_t kPointsPerMoment = 4000;
+constexpr float kBands = 64;  // a radius, on a turntable
+constexpr int kSides = 32;    // likewise
 
 glm::vec3 point(const PosedMesh& mesh, std::size_t slot) {
   return {mesh.positions[3 * slot], mesh.positions[3 * slot + 1], mesh.positions[3 * slot + 2]};
@@ -83,6 +86,38 @@ Shot Performance::shot(const Character& character, float aspect, float margin, f
   if (follows_) shot.camera = moved(shot.camera, anchor(character));
   shot.radius = radius_;
   shot.ground_height = ground_height_;
+  return shot;
+}
+
+glm::vec3 Performance::centre() const {
+  Box box;
+  for (const glm::vec3& p : points_) box.add(p);
+  return box.centre();
+}
+
+Shot Performance::turned_shot(const Character& character, float aspect, float margin, float turn_rad) const {
+  // What a point passes on its way round; of near-by points the outermost are enough.
+  const glm::vec3 axis = centre();
+  std::map<int, glm::vec2> widest;  // by height: how far from the axis, and how high
+  for (const glm::vec3& p : points_) {
+    const float away = glm::length(glm::vec2(p.x - axis.x, p.z - axis.z));
+    const int band = static_cast<int>(std::floor(kBands * (p.y - axis.y) / radius_));
+    const auto [at, is_new] = widest.try_emplace(band, away, p.y);
+    if (away > at->second.x) at->second = {away, p.y};
+  }
+  std::vector<glm::vec3> swept;
+  for (const auto& [band, profile] : widest) {
+    for (int i = 0; i < kSides; ++i) {
+      const float angle = 6.2831853f * static_cast<float>(i) / kSides;
+      swept.emplace_back(axis.x + profile.x * std::cos(angle), profile.y, axis.z + profile.x * std::sin(angle));
+    }
+  }
+  Shot shot;
+  shot.camera = turned(frame_points(swept, aspect, margin), axis, turn_rad);
+  if (follows_) shot.camera = moved(shot.camera, anchor(character));
+  shot.radius = radius_;
+  shot.ground_height = ground_height_;
+  shot.light_turn_rad = turn_rad;
   return shot;
 }
 

@@ -21,9 +21,13 @@ class Performance {
   // A picture of this shape that frames the whole performance. A character that walks off is followed: `character`
   // stands where it is shot.
   Shot shot(const Character& character, float aspect, float margin, float turn_rad = 0) const;
+  // The same on a turntable: framed so that all sides fit, from one distance, and lit from where the camera is.
+  Shot turned_shot(const Character& character, float aspect, float margin, float turn_rad) const;
 
  private:
   glm::vec3 anchor(const Character& character) const;
+  // The middle of what is framed.
+  glm::vec3 centre() const;
 
   File file_;
   std::vector<glm::vec3> points_;  // scene space, minus the anchor where the camera follows

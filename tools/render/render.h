@@ -1,6 +1,7 @@
-// `marrow render`: a cooked character at a moment of a clip → a picture.
+// `marrow render`: a cooked character at a moment of a clip → a picture, or over a clip → a moving one.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "pose/choose.h"
@@ -16,6 +17,10 @@ struct RenderArguments {
   std::string size = "960x720";
   std::uint32_t lod = 0;
   Choice choice;
+  bool movie = false;
+  bool held = false;  // a movie of the moment --time
+  int fps = 15;
+  std::optional<float> turn_deg;
 };
 
 // Throws Failure.

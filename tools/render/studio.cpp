@@ -35,6 +35,11 @@ constexpr float kAllButOpaque = 0.99f;
 const glm::vec3 kKeyDirection = glm::normalize(glm::vec3(-0.55f, 0.95f, 0.62f));
 const glm::vec3 kSkyDirection(0, 1, 0);
 
+glm::vec3 key_direction(const Shot& shot) {
+  if (shot.light_turn_rad == 0) return kKeyDirection;
+  return glm::vec3(glm::rotate(glm::mat4(1), shot.light_turn_rad, glm::vec3(0, 1, 0)) * glm::vec4(kKeyDirection, 0));
+}
+
 const char* text(const unsigned char* embedded) {
   return reinterpret_cast<const char*>(embedded);
 }
@@ -175,10 +180,11 @@ void Studio::draw_depth(const ShadowMap& map, const LightView& view, const Shot&
 
 void Studio::set_studio(GLuint id, const Shot& shot) {
   const auto at = [&](const char* name) { return gl_.GetUniformLocation(id, name); };
+  const glm::vec3 key = key_direction(shot);
   gl_.Uniform3fv(at("camera_position"), 1, glm::value_ptr(shot.camera.position));
   gl_.Uniform1f(at("scene_radius"), shot.radius);
   gl_.Uniform1f(at("ground_height"), shot.ground_height);
-  gl_.Uniform3fv(at("key_direction"), 1, glm::value_ptr(kKeyDirection));
+  gl_.Uniform3fv(at("key_direction"), 1, glm::value_ptr(key));
   gl_.UniformMatrix4fv(at("key_from_scene"), 1, GL_FALSE, glm::value_ptr(texture_from(key_view_.clip_from_scene)));
   gl_.UniformMatrix4fv(at("sky_from_scene"), 1, GL_FALSE, glm::value_ptr(texture_from(sky_view_.clip_from_scene)));
   gl_.Uniform2fv(at("key_extent"), 1, glm::value_ptr(key_view_.extent));
@@ -251,7 +257,7 @@ Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
   gl_.ClearDepthf(1.0f);
   Box shaded = shot.box;
   shaded.add({shot.box.centre().x, shot.ground_height, shot.box.centre().z});
-  key_view_ = frame_box(shaded, kKeyDirection, kPenumbra);
+  key_view_ = frame_box(shaded, key_direction(shot), kPenumbra);
   sky_view_ = frame_box(shaded, kSkyDirection, kPenumbra);
   draw_depth(key_, key_view_, shot, drawables);
   draw_depth(sky_, sky_view_, shot, drawables);

@@ -37,7 +37,8 @@ struct Shot {
   Box box;           // of the character now, scene space
   float radius = 1;  // of the character, scene units: what light and shadow are scaled by
   float ground_height = 0;
-  float shading = 1;  // 1: lit; 0: colours as they are
+  float shading = 1;         // 1: lit; 0: colours as they are
+  float light_turn_rad = 0;  // how far the lights have walked round the character
   const gles3::PaletteRing* palettes = nullptr;
 };
 

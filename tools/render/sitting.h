@@ -1,0 +1,58 @@
+// A character in the studio, as the options of `marrow render` have it: one picture after the other of any moment.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "pose/choose.h"
+#include "render/figure.h"
+#include "render/paths.h"
+#include "render/performance.h"
+#include "render/render.h"
+
+namespace marrow::tools {
+
+struct Instant {
+  float time_s = 0;
+  std::optional<float> turn_rad;  // on a turntable, so far
+};
+
+class Sitting {
+ public:
+  // Throws Failure: usage if an option makes no sense, and what loading, textures and the driver throw.
+  explicit Sitting(const RenderArguments& arguments);
+
+  const Play& play() const { return chosen_.play; }
+  int width() const { return size_.first; }
+  int height() const { return size_.second; }
+  const Gl& gl() const { return gl_; }
+
+  // With --heatmap, before the first picture: makes colours mean the same in the pictures of all these moments, and
+  // says on stdout what they mean. Without it nothing.
+  void agree_on_heat(std::span<const Instant> instants);
+
+  Image shoot(const Instant& instant);
+
+ private:
+  using Pair = std::pair<Deformer, Deformer>;
+  std::vector<Drawable> drawables(Shot& shot);
+
+  const RenderArguments& arguments_;
+  std::pair<int, int> size_;
+  std::optional<Pair> heat_;
+  SkinPath path_;
+  Deformer deformer_;
+  AsNormals normals_;
+  LoadedFile loaded_;
+  Chosen chosen_;
+  Character character_;
+  Performance performance_;
+  Gl gl_;
+  Textures textures_;
+  Figure figure_;
+  Studio studio_;
+  float heat_scale_ = 1;
+};
+
+}  // namespace marrow::tools
