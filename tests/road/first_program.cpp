@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
   const marrow::Skeleton skeleton = file.skeleton(0);
   const marrow::Mesh mesh = file.mesh(0);
   std::vector<marrow::SoaTransform> local(skeleton.soa_size());
-  std::vector<marrow::Affine> joints(skeleton.joint_count), palette(mesh.joint_count);
+  std::vector<marrow::Affine> joints(skeleton.joint_count), palette(mesh.palette_size());
   std::vector<float> positions(3 * mesh.geometry.slot_count);
 
   // Every frame; nothing here allocates.
