@@ -94,39 +94,62 @@ Character::Character(const File& file, AsNormals normals, std::uint32_t level)
 }
 
 void Character::pose(const Play& play, float time_s) {
+  const PlayLayer layer{play, time_s, 1};
+  pose({&layer, 1});
+}
+
+void Character::pose(std::span<const PlayLayer> layers) {
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
-    const Skeleton skeleton = file_.skeleton(i);
-    const auto part = std::ranges::find(play.parts, i, &Play::Part::skeleton);
-    if (part != play.parts.end()) {
-      sample_either(skeleton, part->clip, time_s, local_[i]);
-    } else {
-      std::copy_n(skeleton.rest, skeleton.soa_size(), local_[i].begin());
-    }
-    check(local_to_model(skeleton, local_[i], model_[i]));
+    pose_skeleton(i, layers);
+    check(local_to_model(file_.skeleton(i), local_[i], model_[i]));
   }
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
     const Mesh mesh = file_.mesh(i, level_);
     check(build_palette(mesh, model_[mesh.skeleton], palettes_[i]));
   }
-  morph_all(play, time_s);
+  morph_all(layers);
 }
 
-void Character::morph_all(const Play& play, float time_s) {
-  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i, level_);
-    if (mesh.targets.empty()) continue;
-    std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
-    std::vector<float> values;
-    const auto part = std::ranges::find(play.parts, mesh.skeleton, &Play::Part::skeleton);
-    if (part != play.parts.end()) {
-      values.resize(part->clip.channels.size);
-      check(sample_channels(part->clip, time_s, values));
-      check(find_weight_channels(file_, mesh, part->clips, part->clip, channels));
+void Character::pose_skeleton(std::uint32_t index, std::span<const PlayLayer> layers) {
+  const Skeleton skeleton = file_.skeleton(index);
+  const std::size_t size = skeleton.soa_size();
+  blended_.resize(std::max(blended_.size(), size * layers.size()));
+  std::vector<BlendLayer> poses;
+  for (const PlayLayer& layer : layers) {
+    const Span<SoaTransform> out(blended_.data() + size * poses.size(), size);
+    const auto part = std::ranges::find(layer.play.parts, index, &Play::Part::skeleton);
+    if (part != layer.play.parts.end()) {
+      sample_either(skeleton, part->clip, layer.time_s, out);
+    } else {
+      std::copy_n(skeleton.rest, size, out.data);
     }
-    check(morph_weights(mesh, channels, values, weights_[i]));
+    poses.push_back({out, layer.weight, {}});
+  }
+  check(blend(skeleton, poses, local_[index]));
+}
+
+void Character::morph_all(std::span<const PlayLayer> layers) {
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
+    if (file_.mesh(i, level_).targets.empty()) continue;
+    std::ranges::fill(weights_[i], 0.0f);
+    for (const PlayLayer& layer : layers) add_morph_weights(i, layer);
     check(morph(weights_[i], morphed_[i]));
     check(morph_coordinates(morphed_[i], coordinates_[i]));
   }
+}
+
+void Character::add_morph_weights(std::uint32_t index, const PlayLayer& layer) {
+  const Mesh mesh = file_.mesh(index, level_);
+  std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
+  std::vector<float> values, weights(mesh.targets.size);
+  const auto part = std::ranges::find(layer.play.parts, mesh.skeleton, &Play::Part::skeleton);
+  if (part != layer.play.parts.end()) {
+    values.resize(part->clip.channels.size);
+    check(sample_channels(part->clip, layer.time_s, values));
+    check(find_weight_channels(file_, mesh, part->clips, part->clip, channels));
+  }
+  check(morph_weights(mesh, channels, values, weights));
+  for (std::size_t t = 0; t < weights.size(); ++t) weights_[index][t] += layer.weight * weights[t];
 }
 
 void Character::skin(std::uint32_t mesh_index, Deformer deformer, PosedMesh& out) const {

@@ -48,6 +48,13 @@ Play play_alone(const File& clips, const Clip& clip, std::uint32_t skeleton);
 // A clip, and of each other skeleton the first one with the same name, which the cooker made of the same animation.
 Play play_together(const File& file, std::uint32_t clip);
 
+// One of several plays that are blended: when, and how much of it.
+struct PlayLayer {
+  Play play;
+  float time_s = 0;
+  float weight = 1;  // 0 … 1
+};
+
 // Everything that the skeletons and meshes of a file need beside it, allocated once.
 class Character {
  public:
@@ -57,6 +64,8 @@ class Character {
   Character& operator=(const Character&) = delete;
 
   void pose(const Play& play, float time_s);
+  // A blend. Weights add up to 1; a skeleton that a play leaves alone rests in it.
+  void pose(std::span<const PlayLayer> layers);
   // Deforms one mesh, morphed, in the pose of the last call to pose().
   void skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) const;
 
@@ -66,11 +75,15 @@ class Character {
   std::span<const Affine> palette(std::uint32_t mesh) const { return palettes_[mesh]; }
 
  private:
-  void morph_all(const Play& play, float time_s);
+  void pose_skeleton(std::uint32_t index, std::span<const PlayLayer> layers);
+  void morph_all(std::span<const PlayLayer> layers);
+  // Adds weight · a play's weights of a mesh's morph targets.
+  void add_morph_weights(std::uint32_t mesh, const PlayLayer& layer);
 
   File file_;
   std::uint32_t level_;
   std::vector<std::vector<SoaTransform>> local_;  // a skeleton
+  std::vector<SoaTransform> blended_;             // of the skeleton that is being blended
   std::vector<std::vector<Affine>> model_;        // a skeleton
   std::vector<std::vector<Affine>> palettes_;     // a mesh
   // A mesh.

@@ -9,8 +9,6 @@
 namespace marrow::tools {
 namespace {
 
-constexpr float kYaw = 0.56f;          // radians from +Z towards +X
-constexpr float kPitch = 0.21f;        // radians above the horizon
 constexpr float kFieldOfView = 0.47f;  // radians, vertical: a portrait lens
 
 // The camera's distance along one axis: every point p must satisfy |p.side - at| ≤ slope · (distance - p.depth).
@@ -25,13 +23,50 @@ struct Fit {
   float distance(float slope) const { return 0.5f * (high + low) / slope; }
 };
 
+// From the target to the camera.
+glm::vec3 back_of(const Orbit& orbit) {
+  return {std::sin(orbit.yaw) * std::cos(orbit.pitch), std::sin(orbit.pitch),
+          std::cos(orbit.yaw) * std::cos(orbit.pitch)};
+}
+
 }  // namespace
 
+glm::vec3 right_of(const Orbit& orbit) {
+  return glm::normalize(glm::cross(glm::vec3(0, 1, 0), back_of(orbit)));
+}
+
+glm::vec3 up_of(const Orbit& orbit) {
+  return glm::cross(back_of(orbit), right_of(orbit));
+}
+
+float view_height() {
+  return 2 * std::tan(0.5f * kFieldOfView);
+}
+
+Orbit orbit_round(std::span<const glm::vec3> points, float aspect, float margin) {
+  Box box;
+  for (const glm::vec3& p : points) box.add(p);
+  Orbit orbit;
+  const glm::vec3 from_centre = frame_points(points, aspect, margin).position - box.centre();
+  orbit.distance = glm::dot(from_centre, back_of(orbit));
+  // On the camera's axis, as far away as the box's centre.
+  orbit.target = box.centre() + from_centre - orbit.distance * back_of(orbit);
+  return orbit;
+}
+
+Camera camera_on(const Orbit& orbit, float aspect, float radius) {
+  Camera camera;
+  camera.position = orbit.target + orbit.distance * back_of(orbit);
+  const float near_plane = std::max(orbit.distance - 4 * radius, 0.01f * std::min(radius, orbit.distance));
+  camera.clip_from_scene = glm::perspective(kFieldOfView, aspect, near_plane, orbit.distance + 40 * radius) *
+                           glm::lookAt(camera.position, orbit.target, glm::vec3(0, 1, 0));
+  return camera;
+}
+
 Camera frame_points(std::span<const glm::vec3> points, float aspect, float margin, float turn_rad) {
-  const float yaw = kYaw + turn_rad;
-  const glm::vec3 back(std::sin(yaw) * std::cos(kPitch), std::sin(kPitch), std::cos(yaw) * std::cos(kPitch));
-  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
-  const glm::vec3 up = glm::cross(back, right);
+  Orbit side;
+  side.yaw += turn_rad;
+  const glm::vec3 back = back_of(side), right = right_of(side), up = up_of(side);
   const float tangent_y = std::tan(0.5f * kFieldOfView);
   const float slope_y = tangent_y * (1 - 2 * margin);
   const float slope_x = tangent_y * aspect * (1 - 2 * margin);

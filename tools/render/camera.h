@@ -33,6 +33,24 @@ struct Camera {
 // points.
 Camera frame_points(std::span<const glm::vec3> points, float aspect, float margin, float turn_rad = 0);
 
+// Where a camera is that walks round a point, and looks at it.
+struct Orbit {
+  glm::vec3 target{0};  // scene space
+  float yaw = 0.56f;    // radians from +Z towards +X
+  float pitch = 0.21f;  // radians above the horizon
+  float distance = 1;
+};
+
+// The orbit on which frame_points()'s camera is.
+Orbit orbit_round(std::span<const glm::vec3> points, float aspect, float margin);
+// radius: of what stands round the target; near and far planes follow it.
+Camera camera_on(const Orbit& orbit, float aspect, float radius);
+// To the right and up in the picture, unit, scene space.
+glm::vec3 right_of(const Orbit& orbit);
+glm::vec3 up_of(const Orbit& orbit);
+// Height of what a camera sees at its target, a unit of distance away.
+float view_height();
+
 // The same camera moved.
 Camera moved(const Camera& camera, glm::vec3 by);
 

@@ -6,8 +6,8 @@ namespace marrow::tools {
 namespace {
 
 template <class Function>
-void load_one(Function& function, const char* name) {
-  function = reinterpret_cast<Function>(egl::load_proc(name));
+void load_one(Gl::LoadProc load_proc, Function& function, const char* name) {
+  function = reinterpret_cast<Function>(load_proc(name));
   if (function == nullptr)
     throw Failure(Exit::unsupported, "OpenGL ES", "", std::string(name) + " is missing", "use another driver");
 }
@@ -17,18 +17,27 @@ std::string text(const gles3::Api& api, GLenum name) {
   return bytes == nullptr ? "unknown" : reinterpret_cast<const char*>(bytes);
 }
 
-}  // namespace
-
-Gl::Gl() {
-  if (context_.create() != Status::ok) {
-    throw Failure(Exit::unsupported, "OpenGL ES", "", context_.error(),
+std::unique_ptr<egl::HeadlessContext> make_headless() {
+  auto context = std::make_unique<egl::HeadlessContext>();
+  if (context->create() != Status::ok) {
+    throw Failure(Exit::unsupported, "OpenGL ES", "", context->error(),
                   "install a driver (Debian: libegl1 and libgl1-mesa-dri)");
   }
+  return context;
+}
+
+}  // namespace
+
+Gl::Gl() : Gl(make_headless(), egl::load_proc) {}
+
+Gl::Gl(LoadProc load_proc) : Gl(nullptr, load_proc) {}
+
+Gl::Gl(std::unique_ptr<egl::HeadlessContext> context, LoadProc load_proc) : context_(std::move(context)) {
   const char* missing = "";
-  if (gles3::load_api(*this, egl::load_proc, &missing) != Status::ok) {
+  if (gles3::load_api(*this, load_proc, &missing) != Status::ok) {
     throw Failure(Exit::unsupported, "OpenGL ES", "", std::string(missing) + " is missing", "use another driver");
   }
-#define MARROW_LOAD(Result, Name, Parameters) load_one(this->Name, "gl" #Name);
+#define MARROW_LOAD(Result, Name, Parameters) load_one(load_proc, this->Name, "gl" #Name);
   MARROW_TOOL_GL_FUNCTIONS(MARROW_LOAD)
 #undef MARROW_LOAD
   if (gles3::query_caps(*this, caps_) != Status::ok) {

@@ -1,9 +1,10 @@
-// The tools' OpenGL: a headless context, its functions, and objects that delete themselves.
+// The tools' OpenGL: a context, its functions, and objects that delete themselves.
 #pragma once
 
 #define GL_GLES_PROTOTYPES 0
 #include <GLES3/gl3.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
   X(void, BindRenderbuffer, (GLenum target, GLuint renderbuffer))                                                 \
   X(void, BindSampler, (GLuint unit, GLuint sampler))                                                             \
   X(void, BlendFunc, (GLenum source, GLenum destination))                                                         \
+  X(void, BlendFuncSeparate, (GLenum source, GLenum destination, GLenum source_alpha, GLenum destination_alpha))  \
   X(void, BlitFramebuffer,                                                                                        \
     (GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0, GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, \
      GLenum filter))                                                                                              \
@@ -41,6 +43,7 @@
     (GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height))                               \
   X(void, SamplerParameteri, (GLuint sampler, GLenum name, GLint value))                                          \
   X(void, TexStorage2D, (GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height))            \
+  X(void, Scissor, (GLint x, GLint y, GLsizei width, GLsizei height))                                             \
   X(void, Uniform2fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, Uniform3fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, UniformMatrix4fv, (GLint location, GLsizei count, GLboolean transpose, const GLfloat* values))          \
@@ -54,10 +57,15 @@ struct GlFunctions : gles3::Api {
 #undef MARROW_MEMBER
 };
 
-// A current OpenGL ES 3.0 context without a window. Throws Failure (unsupported) where there is none.
+// A current OpenGL ES 3.0 context. Throws Failure (unsupported) where there is none.
 class Gl : public GlFunctions {
  public:
+  using LoadProc = void* (*)(const char* name);
+
+  // Without a window.
   Gl();
+  // Of a context that is current already, a window's, and outlives this.
+  explicit Gl(LoadProc load_proc);
   Gl(const Gl&) = delete;
   Gl& operator=(const Gl&) = delete;
 
@@ -68,7 +76,9 @@ class Gl : public GlFunctions {
   void check(const char* doing) const;
 
  private:
-  egl::HeadlessContext context_;
+  Gl(std::unique_ptr<egl::HeadlessContext> context, LoadProc load_proc);
+
+  std::unique_ptr<egl::HeadlessContext> context_;  // none: another's
   gles3::Caps caps_;
   std::string driver_;
 };

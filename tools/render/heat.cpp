@@ -32,7 +32,51 @@ float distance(const PosedMesh& a, const PosedMesh& b, std::size_t slot) {
   return std::sqrt(sum);
 }
 
+void add_colour(float t, std::vector<float>& colours) {
+  float srgb[3];
+  ramp(t, srgb);
+  for (const float value : srgb) colours.push_back(to_linear(value / 255));
+  colours.push_back(1);
+}
+
+// How much of a palette entry is the joint's.
+float share_of(const Mesh& mesh, std::uint32_t entry, std::uint32_t joint) {
+  const auto is_joint = [&](std::uint32_t e) { return mesh.joints[e] == joint ? 1.0f : 0.0f; };
+  if (entry < mesh.joint_count) return is_joint(entry);
+  const HalfJoint& half = mesh.half_joints[entry - mesh.joint_count];
+  return half.share * is_joint(half.joint) + (1 - half.share) * is_joint(half.parent);
+}
+
 }  // namespace
+
+std::vector<float> joint_weights(const Mesh& mesh, std::uint32_t joint) {
+  std::vector<float> out;
+  const std::uint16_t* set = mesh.geometry.sets;
+  const float* weights = mesh.geometry.skin;
+  for (const Run& run : mesh.geometry.runs) {
+    const std::uint32_t last = run.influences - 1;
+    for (std::uint32_t block = 0; block < (run.vertex_count + 3) / 4; ++block) {
+      weights += 12;  // behind positions
+      for (std::uint32_t lane = 0; lane < 4; ++lane) {
+        float sum = 0, left = 1;
+        for (std::uint32_t j = 0; j < last; ++j) {
+          sum += weights[4 * j + lane] * share_of(mesh, set[j], joint);
+          left -= weights[4 * j + lane];
+        }
+        out.push_back(sum + left * share_of(mesh, set[last], joint));
+      }
+      weights += std::size_t{4} * last;
+    }
+    set += run.influences;
+  }
+  return out;
+}
+
+std::vector<float> ramp_colours(const std::vector<float>& numbers) {
+  std::vector<float> colours;
+  for (const float number : numbers) add_colour(number, colours);
+  return colours;
+}
 
 Rgb heat_colour(float t) {
   float srgb[3];
@@ -63,10 +107,7 @@ HeatMap compare(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b
   for (std::size_t mesh = 0; mesh < a.size(); ++mesh) {
     std::vector<float>& colours = map.colours.emplace_back();
     for (std::size_t slot = 0; 3 * slot < a[mesh].positions.size(); ++slot) {
-      float srgb[3];
-      ramp(distance(a[mesh], b[mesh], slot) / full_scale, srgb);
-      for (const float value : srgb) colours.push_back(to_linear(value / 255));
-      colours.push_back(1);
+      add_colour(distance(a[mesh], b[mesh], slot) / full_scale, colours);
     }
   }
   return map;

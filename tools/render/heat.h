@@ -8,6 +8,9 @@
 
 namespace marrow::tools {
 
+// How much light falls on what is coloured by numbers (Shot::shading).
+inline constexpr float kHeatShading = 0.25f;
+
 struct HeatMap {
   std::vector<std::vector<float>> colours;  // a mesh: 4 floats a slot, linear
   float largest = 0;                        // distance, scene units
@@ -23,6 +26,13 @@ float largest_distance(const std::vector<PosedMesh>& a, const std::vector<PosedM
 // A hottest colour worth showing: the largest distance, but at least a thousandth of the diagonal, so that rounding
 // errors do not glow.
 float sensible_scale(float largest, float diagonal);
+
+// The weight of one joint of a mesh's skeleton, 0 … 1: a float a slot. Of a half-joint's weight its two joints have
+// their shares.
+std::vector<float> joint_weights(const Mesh& mesh, std::uint32_t joint);
+
+// Numbers 0 … 1 as colours: 4 floats each, linear.
+std::vector<float> ramp_colours(const std::vector<float>& numbers);
 
 // sRGB of the ramp at t, 0 … 1: slate, violet, red, amber, pale yellow; lightness rises evenly.
 Rgb heat_colour(float t);

@@ -58,7 +58,7 @@ Movie plan_movie(const RenderArguments& arguments, const Play& play) {
     throw Failure(Exit::usage, "--movie", "",
                   fmt::format("{:.4g} s at {} frames a second are too many frames", movie.duration_s, arguments.fps),
                   fmt::format("at most {:.0f}: lower --fps", kMostFrames));
-  for (double i = 0; i < frames; ++i) {
+  for (int i = 0; i < static_cast<int>(frames); ++i) {
     Instant& instant = movie.instants.emplace_back();
     const double time_s = movie.duration_s * i / frames;
     instant.time_s = plays ? static_cast<float>(std::fmod(time_s, clip_s)) : arguments.choice.time_s;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/render.h"
 #include "render/sitting.h"
 
 namespace marrow::tools {

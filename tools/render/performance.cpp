@@ -16,6 +16,12 @@ glm::vec3 point(const PosedMesh& mesh, std::size_t slot) {
   return {mesh.positions[3 * slot], mesh.positions[3 * slot + 1], mesh.positions[3 * slot + 2]};
 }
 
+Box box_of(const std::vector<glm::vec3>& points) {
+  Box box;
+  for (const glm::vec3& p : points) box.add(p);
+  return box;
+}
+
 }  // namespace
 
 std::vector<PosedMesh> skin_all(const File& file, const Character& character, Deformer deformer) {
@@ -81,23 +87,27 @@ Performance::Performance(const File& file, Character& character, const Play& pla
 }
 
 Shot Performance::shot(const Character& character, float aspect, float margin, float turn_rad) const {
+  return shot_by(moved(frame_points(points_, aspect, margin, turn_rad), followed(character)));
+}
+
+Shot Performance::shot_by(const Camera& camera) const {
   Shot shot;
-  shot.camera = frame_points(points_, aspect, margin, turn_rad);
-  if (follows_) shot.camera = moved(shot.camera, anchor(character));
+  shot.camera = camera;
   shot.radius = radius_;
   shot.ground_height = ground_height_;
   return shot;
 }
 
-glm::vec3 Performance::centre() const {
-  Box box;
-  for (const glm::vec3& p : points_) box.add(p);
-  return box.centre();
+Box Performance::box(const Character& character) const {
+  Box box = box_of(points_);
+  box.min += followed(character);
+  box.max += followed(character);
+  return box;
 }
 
 Shot Performance::turned_shot(const Character& character, float aspect, float margin, float turn_rad) const {
   // What a point passes on its way round; of near-by points the outermost are enough.
-  const glm::vec3 axis = centre();
+  const glm::vec3 axis = box_of(points_).centre();
   std::map<int, glm::vec2> widest;  // by height: how far from the axis, and how high
   for (const glm::vec3& p : points_) {
     const float away = glm::length(glm::vec2(p.x - axis.x, p.z - axis.z));
@@ -112,11 +122,7 @@ Shot Performance::turned_shot(const Character& character, float aspect, float ma
       swept.emplace_back(axis.x + profile.x * std::cos(angle), profile.y, axis.z + profile.x * std::sin(angle));
     }
   }
-  Shot shot;
-  shot.camera = turned(frame_points(swept, aspect, margin), axis, turn_rad);
-  if (follows_) shot.camera = moved(shot.camera, anchor(character));
-  shot.radius = radius_;
-  shot.ground_height = ground_height_;
+  Shot shot = shot_by(moved(turned(frame_points(swept, aspect, margin), axis, turn_rad), followed(character)));
   shot.light_turn_rad = turn_rad;
   return shot;
 }

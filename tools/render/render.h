@@ -4,19 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "pose/choose.h"
+#include "render/look.h"
 
 namespace marrow::tools {
 
-struct RenderArguments {
-  std::string file, heatmap, output;
-  std::string images_from;  // empty: the file's folder
-  std::string deformer = "ssd";
-  std::string path = "ubo";
-  std::string normals = "tangents";
-  std::string size = "960x720";
-  std::uint32_t lod = 0;
-  Choice choice;
+struct RenderArguments : LookArguments {
+  std::string output;
   bool movie = false;
   bool held = false;  // a movie of the moment --time
   int fps = 15;

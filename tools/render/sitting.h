@@ -2,14 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <span>
 #include <utility>
 
-#include "pose/choose.h"
-#include "render/figure.h"
-#include "render/paths.h"
+#include "render/look.h"
 #include "render/performance.h"
-#include "render/render.h"
 
 namespace marrow::tools {
 
@@ -21,7 +18,7 @@ struct Instant {
 class Sitting {
  public:
   // Throws Failure: usage if an option makes no sense, and what loading, textures and the driver throw.
-  explicit Sitting(const RenderArguments& arguments);
+  explicit Sitting(const LookArguments& arguments);
 
   const Play& play() const { return chosen_.play; }
   int width() const { return size_.first; }
@@ -35,14 +32,9 @@ class Sitting {
   Image shoot(const Instant& instant);
 
  private:
-  using Pair = std::pair<Deformer, Deformer>;
-  std::vector<Drawable> drawables(Shot& shot);
-
-  const RenderArguments& arguments_;
+  const LookArguments& arguments_;
   std::pair<int, int> size_;
-  std::optional<Pair> heat_;
-  SkinPath path_;
-  Deformer deformer_;
+  Manner manner_;
   AsNormals normals_;
   LoadedFile loaded_;
   Chosen chosen_;
@@ -52,7 +44,6 @@ class Sitting {
   Textures textures_;
   Figure figure_;
   Studio studio_;
-  float heat_scale_ = 1;
 };
 
 }  // namespace marrow::tools

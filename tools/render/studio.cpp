@@ -11,7 +11,7 @@
 
 namespace marrow::embedded {
 extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],
-    shader_backdrop_vert[], shader_backdrop_frag[], shader_studio[];
+    shader_backdrop_vert[], shader_backdrop_frag[], shader_show_frag[], shader_studio[];
 }
 
 namespace marrow::tools {
@@ -91,26 +91,45 @@ Studio::Studio(const Gl& gl, int width, int height)
       no_vertices_(gl) {
   const std::string fragment = std::string(text(embedded::shader_studio)) + text(embedded::shader_backdrop_frag);
   backdrop_ = build(gl, {gles3::Deformer::none, 4, 0}, embedded::shader_backdrop_vert, fragment);
+  show_ = build(gl, {gles3::Deformer::none, 4, 0}, embedded::shader_backdrop_vert, text(embedded::shader_show_frag));
   make_shadow_map(key_, kKeyMapSize);
   make_shadow_map(sky_, kSkyMapSize);
+  make_targets();
+}
 
+void Studio::resize(int width, int height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  make_targets();
+}
+
+void Studio::make_targets() {
+  const Gl& gl = gl_;
   // The largest count comes first.
   GLint most_samples = 0;
   gl.GetInternalformativ(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, GL_SAMPLES, 1, &most_samples);
   const int samples = std::min(most_samples, 4);
-  samples_ = make_renderbuffer(gl, samples, GL_SRGB8_ALPHA8, width, height);
-  samples_depth_ = make_renderbuffer(gl, samples, GL_DEPTH_COMPONENT24, width, height);
-  resolved_ = make_renderbuffer(gl, 0, GL_SRGB8_ALPHA8, width, height);
+  samples_ = make_renderbuffer(gl, samples, GL_SRGB8_ALPHA8, width_, height_);
+  samples_depth_ = make_renderbuffer(gl, samples, GL_DEPTH_COMPONENT24, width_, height_);
+  resolved_ = GlTexture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, resolved_);
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_SRGB8_ALPHA8, width_, height_);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.BindTexture(GL_TEXTURE_2D, 0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, sampled_framebuffer_);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samples_depth_);
   const bool sampled = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_, 0);
   if (!sampled || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
       gl.GetError() != GL_NO_ERROR) {
     throw Failure(Exit::unsupported, "OpenGL ES", "",
-                  "no frame buffer of " + std::to_string(width) + "x" + std::to_string(height),
+                  "no frame buffer of " + std::to_string(width_) + "x" + std::to_string(height_),
                   "ask for a smaller picture");
   }
 }
@@ -118,6 +137,7 @@ Studio::Studio(const Gl& gl, int width, int height)
 Studio::~Studio() {
   for (auto& [key, program] : programs_) gles3::destroy(gl_, program);
   gles3::destroy(gl_, backdrop_);
+  gles3::destroy(gl_, show_);
 }
 
 void Studio::make_shadow_map(ShadowMap& map, int size) {
@@ -252,6 +272,13 @@ void Studio::draw_surfaces(const Shot& shot, std::span<const Drawable> drawables
 }
 
 Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
+  take(shot, drawables);
+  Image image = read_pixels(gl_, resolved_framebuffer_, width_, height_);
+  gl_.check("drawing a picture");
+  return image;
+}
+
+void Studio::take(const Shot& shot, std::span<const Drawable> drawables) {
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_TRUE);
   gl_.ClearDepthf(1.0f);
@@ -281,25 +308,38 @@ Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
   }
   gl_.BindVertexArray(0);
   gl_.UseProgram(0);
-  Image image = read_back();
-  gl_.check("drawing a picture");
-  return image;
-}
-
-Image Studio::read_back() {
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, sampled_framebuffer_);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_);
   gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_framebuffer_);
-  std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  Image image(width_, height_);
-  for (int y = 0; y < height_; ++y) {
+  gl_.check("drawing");
+}
+
+void Studio::show(GLuint framebuffer, int x, int y, int width, int height) {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl_.Viewport(x, y, width, height);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.UseProgram(show_.id);
+  gl_.Uniform1i(gl_.GetUniformLocation(show_.id, "picture"), 0);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, resolved_);
+  gl_.BindVertexArray(no_vertices_);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_.BindVertexArray(0);
+  gl_.BindTexture(GL_TEXTURE_2D, 0);
+  gl_.UseProgram(0);
+}
+
+Image read_pixels(const Gl& gl, GLuint framebuffer, int width, int height) {
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
     // GL's first row is the lowest.
     const std::uint8_t* from =
-        rgba.data() + 4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_ - 1 - y);
-    for (int x = 0; x < width_; ++x) std::copy_n(from + 4 * x, 3, image.pixel(x, y));
+        rgba.data() + 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height - 1 - y);
+    for (int x = 0; x < width; ++x) std::copy_n(from + 4 * x, 3, image.pixel(x, y));
   }
   return image;
 }

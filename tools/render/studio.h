@@ -42,15 +42,26 @@ struct Shot {
   const gles3::PaletteRing* palettes = nullptr;
 };
 
+// The lower left part of a frame buffer, as sRGB.
+Image read_pixels(const Gl& gl, GLuint framebuffer, int width, int height);
+
 class Studio {
  public:
   // Pictures of this size, 1 … 8192 each way. Throws Failure (unsupported) if the driver cannot hold one.
   Studio(const Gl& gl, int width, int height);
+  // From now on pictures of another size. Throws as the constructor does.
+  void resize(int width, int height);
   ~Studio();
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
 
   Image shoot(const Shot& shot, std::span<const Drawable> drawables);
+
+  // The same in two steps: the picture stays on the GPU until the next one is taken.
+  void take(const Shot& shot, std::span<const Drawable> drawables);
+  // Draws it, stretched, into a rectangle of a frame buffer that does not encode sRGB: a window's. x, y: its lower left
+  // corner.
+  void show(GLuint framebuffer, int x, int y, int width, int height);
 
  private:
   enum class Role : std::uint8_t { surface, depth };
@@ -69,16 +80,17 @@ class Studio {
   void set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range);
   void draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program);
   void set_studio(GLuint id, const Shot& shot);
-  Image read_back();
+  void make_targets();
 
   const Gl& gl_;
   int width_, height_;
   std::map<std::uint32_t, gles3::Program> programs_;
-  gles3::Program backdrop_;
+  gles3::Program backdrop_, show_;
   ShadowMap key_, sky_;
   LightView key_view_, sky_view_;
   GlSampler compare_sampler_, depth_sampler_;
-  GlRenderbuffer samples_, samples_depth_, resolved_;
+  GlRenderbuffer samples_, samples_depth_;
+  GlTexture resolved_;
   GlFramebuffer sampled_framebuffer_, resolved_framebuffer_;
   GlVertexArray no_vertices_;
 };
