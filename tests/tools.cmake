@@ -48,13 +48,16 @@ target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJEC
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
-  cli/atomic_test.cpp cli/compare_test.cpp cli/export_test.cpp cli/movie_test.cpp)
+  cli/atomic_test.cpp cli/compare_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/view_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_GLES)
+  if(TARGET marrow_view)
+    target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_VIEW)
+  endif()
 endif()
 target_compile_options(marrow_cli_tests PRIVATE -O0)
 add_dependencies(marrow_cli_tests marrow)

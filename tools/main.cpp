@@ -24,6 +24,9 @@
 #include "render/paths.h"
 #include "render/render.h"
 #endif
+#ifdef MARROW_HAS_VIEW
+#include "view/view.h"
+#endif
 
 namespace marrow::tools {
 namespace {
@@ -211,9 +214,7 @@ void add_movie(CLI::App* command, RenderArguments& a) {
       ->needs(movie);
 }
 
-void add_render(CLI::App& app) {
-  RenderArguments& a = arguments_of<RenderArguments>();
-  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
+void add_look(CLI::App* command, LookArguments& a) {
   add_input(command, a.file);
   add_choice(command, a.choice);
   add_deformer(command, a.deformer);
@@ -234,6 +235,12 @@ void add_render(CLI::App& app) {
                    "where images by reference are looked for, here and below; without it, the cooked file's folder")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
+}
+
+void add_render(CLI::App& app) {
+  RenderArguments& a = arguments_of<RenderArguments>();
+  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
+  add_look(command, a);
   add_movie(command, a);
   command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
   command->callback([&a, command] {
@@ -250,6 +257,31 @@ void add_demo(CLI::App& app) {
       ->type_name("C");
   command->add_option("-o,--output", a.directory, "folder for NAME.mrw and NAME.png")->required()->type_name("DIR");
   command->callback([&a] { run_demo(a); });
+}
+#endif
+
+#ifdef MARROW_HAS_VIEW
+void add_view(CLI::App& app) {
+  ViewArguments& a = arguments_of<ViewArguments>();
+  CLI::App* const command = app.add_subcommand("view", "Show a character in a window, with a panel for all of it");
+  add_look(command, a);
+  command->add_flag("--bones", a.bones, "draw the skeleton over it");
+  command->add_option("--weights", a.weights, "colour the weights of this joint")
+      ->type_name("JOINT")
+      ->excludes("--heatmap");
+  CLI::Option* const screenshot =
+      command->add_option("--screenshot", a.screenshot, "write the window's picture after some frames, and end")
+          ->type_name("P.png");
+  command->add_option("--frames", a.frames, "after so many, each a sixtieth of a second")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str()
+      ->needs(screenshot);
+  command->footer("What the options choose is where the panel begins. With --time the clip is paused there.");
+  command->callback([&a, command] {
+    a.held = command->count("--time") > 0;
+    run_view(a);
+  });
 }
 #endif
 
@@ -273,6 +305,9 @@ int run(int argc, char** argv) {
 #ifdef MARROW_HAS_GLES
   add_render(app);
   add_demo(app);
+#endif
+#ifdef MARROW_HAS_VIEW
+  add_view(app);
 #endif
   try {
     app.parse(argc, argv);

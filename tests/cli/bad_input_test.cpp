@@ -117,6 +117,9 @@ TEST_F(BadInput, CookedFiles) {
 #ifdef MARROW_HAS_GLES
     expect_failure({"render", in(c.input), "-o", out("p.png")}, c.code, in(c.input));
 #endif
+#ifdef MARROW_HAS_VIEW
+    expect_failure({"view", in(c.input), "--screenshot", out("p.png")}, c.code, in(c.input));
+#endif
   }
   EXPECT_GE(cases_, 24);
 }
@@ -126,6 +129,9 @@ TEST_F(BadInput, Clips) {
     expect_failure({"pose", in("good.mrw"), "--clip", clip, "-o", out("p.bin")}, kUsage, clip);
 #ifdef MARROW_HAS_GLES
     expect_failure({"render", in("good.mrw"), "--clip", clip, "-o", out("p.png")}, kUsage, clip);
+#endif
+#ifdef MARROW_HAS_VIEW
+    expect_failure({"view", in("good.mrw"), "--clip", clip, "--screenshot", out("p.png")}, kUsage, clip);
 #endif
   }
   EXPECT_GE(cases_, 6);
@@ -180,6 +186,9 @@ TEST_F(BadInput, HelpIsNoFailure) {
   std::vector<std::string> commands = {"", "cook", "info", "pose", "export", "diff"};
 #ifdef MARROW_HAS_GLES
   commands.push_back("render");
+#endif
+#ifdef MARROW_HAS_VIEW
+  commands.push_back("view");
 #endif
   for (const std::string& command : commands) {
     std::vector<std::string> arguments = {"--help"};
