@@ -178,9 +178,10 @@ void subdivide_meshes(RawScene& scene, int steps, const BuiltScene& built, SkinB
   for (const int number : drawn) {
     RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
     std::vector<MovedBy> skins;
-    for (auto& [key, binding] : bindings) {
-      if (key.first != number) continue;
-      const RawSkin& skin = scene.skins[static_cast<std::size_t>(key.second)];
+    for (auto& bound : bindings) {
+      if (bound.first.first != number) continue;
+      SkinBinding& binding = bound.second;
+      const RawSkin& skin = scene.skins[static_cast<std::size_t>(bound.first.second)];
       skins.push_back({&binding, [&mesh, &skin, &binding, &built] {
                          return poses_of_clips(deform_source(mesh, skin, binding, built), binding, built);
                        }});

@@ -168,6 +168,7 @@ Fine as_it_is(const RawMesh& mesh, const std::vector<MovedBy>& skins) {
     const auto first = static_cast<std::uint32_t>(out.vertices.point_of.size());
     for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
       std::vector<Followers> followers;
+      followers.reserve(skins.size());
       for (const MovedBy& skin : skins) followers.push_back(followers_of(*skin.binding, p, v, primitive.positions[v]));
       bool is_new = false;
       const std::uint32_t point =
