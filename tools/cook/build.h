@@ -64,12 +64,12 @@ enum class Images { reference, embed, none };
 
 struct CookOptions {
   MeshCodec mesh_codec = MeshCodec::draco;
+  int subdivide = 0;  // steps of Loop's scheme, 0 … kMostSubdivisions
   // How far quantisation may move vertices, in metres or, if is_share, of the mesh's longest side.
   double position_error = 0;  // 0: as 14 bits on the longest side
   bool position_error_is_share = false;
   MeshPrecision precision;
   LearnOptions learn;                            // animation space
-  int subdivide = 0;                             // steps of Loop's scheme, 0 … kMostSubdivisions
   std::vector<LodRule> lod;                      // levels of detail, ever coarser
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
