@@ -6,7 +6,7 @@
 //   MARROW_NORMAL, _TANGENT, _UV, _COLOUR  0 or 1: which attributes the mesh has
 //   MARROW_MORPH_TARGETS   how many morph targets may count at a time; 0: none, the mesh has none
 //   MARROW_SURFACE_NORMALS 1: animation space has tangents as vectors, and normals are the deformed surface's own
-//   MARROW_PALETTES        0 in a uniform block, 1 in a texture
+//   MARROW_PALETTES        0 in a uniform block, 1 in a texture, 2 in one that crowd.frag has written
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
 //
@@ -69,17 +69,38 @@ vec4 marrow_row(int i) {
   return marrow_rows[i];
 }
 #else
+#if MARROW_PALETTES == 2
+uniform highp usampler2D marrow_palettes;  // 2048 wide; a texel is a row, by the bits of its floats
+#else
 uniform highp sampler2D marrow_palettes;  // 2048 wide; a texel is a row
-uniform ivec2 marrow_first_row;           // of the first instance; from one instance to the next
+#endif
+uniform ivec2 marrow_first_row;  // of the first instance; from one instance to the next
 vec4 marrow_row(int i) {
 #if MARROW_COMPUTE
   int row = marrow_first_row.x + i;
 #else
   int row = marrow_first_row.x + gl_InstanceID * marrow_first_row.y + i;
 #endif
+#if MARROW_PALETTES == 2
+  return uintBitsToFloat(texelFetch(marrow_palettes, ivec2(row & 2047, row >> 11), 0));
+#else
   return texelFetch(marrow_palettes, ivec2(row & 2047, row >> 11), 0);
+#endif
 }
 #endif
+#endif
+
+// Of an instance of a crowd; white otherwise.
+#if MARROW_PALETTES == 2
+uniform highp usampler2D marrow_instances;  // eight texels each
+vec4 marrow_instance_colour() {
+  int instance = marrow_first_row.x / marrow_first_row.y + gl_InstanceID;
+  return uintBitsToFloat(texelFetch(marrow_instances, ivec2((instance & 255) * 8 + 3, instance >> 8), 0));
+}
+#else
+vec4 marrow_instance_colour() {
+  return vec4(1.0);
+}
 #endif
 
 #if MARROW_NORMAL && !MARROW_SURFACE_NORMALS

@@ -10,7 +10,7 @@ in vec3 normal_scene;
 uniform highp sampler2D base_texture;
 in vec2 uv;
 #endif
-#if MARROW_COLOUR
+#if MARROW_COLOUR || MARROW_PALETTES == 2
 in vec4 vertex_colour;
 #endif
 out vec4 frag_colour;
@@ -32,7 +32,7 @@ void main() {
 #if MARROW_UV
   base *= texture(base_texture, uv);
 #endif
-#if MARROW_COLOUR
+#if MARROW_COLOUR || MARROW_PALETTES == 2
   base *= vertex_colour;
 #endif
   bool drawn = base.a >= alpha_range.x && base.a < alpha_range.y;

@@ -8,7 +8,7 @@ out vec3 normal_scene;
 #if MARROW_UV
 out vec2 uv;
 #endif
-#if MARROW_COLOUR
+#if MARROW_COLOUR || MARROW_PALETTES == 2
 out vec4 vertex_colour;
 #endif
 
@@ -21,8 +21,11 @@ void main() {
 #if MARROW_UV
   uv = in_uv;
 #endif
+#if MARROW_COLOUR || MARROW_PALETTES == 2
+  vertex_colour = marrow_instance_colour();
 #if MARROW_COLOUR
-  vertex_colour = in_colour;
+  vertex_colour *= in_colour;
+#endif
 #endif
   gl_Position = clip_from_scene * vec4(v.position, 1.0);
 }

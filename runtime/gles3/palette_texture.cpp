@@ -61,7 +61,8 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
 
 Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                     std::uint32_t texture_unit, const Program& program) {
-  if (program.palettes < 0 || first >= texture.capacity) return Status::bad_argument;
+  if (program.reads != Palettes::texture || program.palettes < 0 || first >= texture.capacity)
+    return Status::bad_argument;
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
   api.Uniform1i(program.palettes, static_cast<int>(texture_unit));

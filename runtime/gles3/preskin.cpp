@@ -60,6 +60,7 @@ void by_compute(const Api& api, const GpuMesh& mesh, bool as, const Program& pro
 Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
                      std::uint32_t palette_binding, Program& out, Span<char> log) {
   clear(log);
+  if (key.palettes == Palettes::crowd) return Status::bad_argument;
   if (key.deformer == Deformer::none || (key.influences != 4 && key.influences != 8)) return Status::bad_argument;
   ProgramKey of = key;
   of.features = key.features & (kNormals | kTangents | kMorphs | kSurfaceNormals);

@@ -132,12 +132,15 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   for (std::size_t i = 0; i < count; ++i) api.DeleteShader(shaders[i]);
   if (made.id == 0) return Status::gl_error;
 
+  made.reads = key.palettes;
   const std::uint32_t block = api.GetUniformBlockIndex(made.id, "MarrowPalette");
   if (block != kGlInvalidIndex) api.UniformBlockBinding(made.id, block, palette_binding);
   const auto find = [&](const char* name) { return api.GetUniformLocation(made.id, name); };
   made.coordinate_scale = find("marrow_coordinate_scale");
   made.palettes = find("marrow_palettes");
   made.first_row = find("marrow_first_row");
+  made.instances = find("marrow_instances");
+  made.crowd = find("marrow_crowd");
   made.vertex_layout = find("marrow_vertex_layout");
   made.morph_changes = find("marrow_morph_changes");
   made.morph_targets = find("marrow_morph_targets");
@@ -153,6 +156,8 @@ Status build_program(const Api& api, const ProgramKey& key, const ProgramSource&
   clear(log);
   if (source.vertex == nullptr || source.fragment == nullptr) return Status::bad_argument;
   if (key.influences != 4 && key.influences != 8) return Status::bad_argument;
+  if (key.palettes == Palettes::crowd && (key.deformer == Deformer::none || (key.features & kMorphs) != 0))
+    return Status::bad_argument;
   return compile_program(api, key, {source.vertex, source.fragment, nullptr, source.feedback_varyings}, palette_binding,
                          out, log);
 }

@@ -15,8 +15,6 @@
 namespace marrow::test {
 namespace {
 
-constexpr std::size_t kFloats = 10;  // position, normal, tangent
-
 constexpr const char* kVertex = R"(
 out vec3 out_position;
 out vec3 out_normal;
@@ -64,25 +62,8 @@ const gles3::Program& program(const gles3::ProgramKey& key, Way way) {
     EXPECT_EQ(gles3::build_preskin(gl(), gl().caps(), key, method, 0, at->second, log), Status::ok) << log.data();
     return at->second;
   }
-  static const char* const varyings[] = {"out_position", "out_normal", "out_tangent"};
-  gles3::ProgramSource source{kVertex, kFragment, {}};
-  source.feedback_varyings = Span<const char* const>(varyings, 3);
-  EXPECT_EQ(gles3::build_program(gl(), key, source, 0, at->second, log), Status::ok) << log.data();
+  EXPECT_EQ(gles3::build_program(gl(), key, feedback_source(), 0, at->second, log), Status::ok) << log.data();
   return at->second;
-}
-
-// What is in a transform feedback buffer.
-std::vector<float> read(GLuint buffer, std::size_t floats) {
-  gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer);
-  const auto bytes = static_cast<std::ptrdiff_t>(floats * sizeof(float));
-  const auto* const mapped =
-      static_cast<const float*>(more().MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT));
-  EXPECT_NE(mapped, nullptr);
-  std::vector<float> out(floats);
-  if (mapped != nullptr) out.assign(mapped, mapped + floats);
-  more().UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
-  gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
-  return out;
 }
 
 const tools::Gl* make_gl() {
@@ -102,6 +83,24 @@ const tools::Gl* make_gl() {
 }
 
 }  // namespace
+
+gles3::ProgramSource feedback_source() {
+  static const char* const varyings[] = {"out_position", "out_normal", "out_tangent"};
+  return {kVertex, kFragment, Span<const char* const>(varyings, 3)};
+}
+
+std::vector<float> read_feedback(GLuint buffer, std::size_t floats) {
+  gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer);
+  const auto bytes = static_cast<std::ptrdiff_t>(floats * sizeof(float));
+  const auto* const mapped =
+      static_cast<const float*>(more().MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT));
+  EXPECT_NE(mapped, nullptr);
+  std::vector<float> out(floats);
+  if (mapped != nullptr) out.assign(mapped, mapped + floats);
+  more().UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+  gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+  return out;
+}
 
 const char* name_of(Way way) {
   switch (way) {
@@ -148,7 +147,7 @@ Feedback::Feedback(const Mesh& mesh, Span<const float> tangents) : mesh_(mesh), 
   gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
   capture_ = tools::GlBuffer(gl());
   gl().BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, capture_);
-  const std::size_t bytes = kFloats * sizeof(float) * mesh.geometry.slot_count;
+  const std::size_t bytes = kFeedbackFloats * sizeof(float) * mesh.geometry.slot_count;
   gl().BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<std::ptrdiff_t>(bytes), nullptr, GL_STREAM_READ);
 }
 
@@ -209,7 +208,8 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
   if (way == Way::feedback || way == Way::compute) {
     EXPECT_EQ(gles3::preskin(gl(), gpu_, deformer, with, skinned_), Status::ok);
     const bool normals = (gpu_.features & gles3::kNormals) != 0, tangents = (gpu_.features & gles3::kTangents) != 0;
-    const std::vector<float> got = read(skinned_.buffer, slots * (3u + (normals ? 3u : 0u) + (tangents ? 4u : 0u)));
+    const std::vector<float> got =
+        read_feedback(skinned_.buffer, slots * (3u + (normals ? 3u : 0u) + (tangents ? 4u : 0u)));
     const auto at = [&](std::size_t n) { return got.begin() + static_cast<std::ptrdiff_t>(n * slots); };
     out.positions.assign(at(0), at(3));
     out.normals.assign(3 * slots, 0);
@@ -218,9 +218,9 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
     if (tangents) out.tangents.assign(at(normals ? 6 : 3), at(normals ? 10 : 7));
   } else {
     capture(deformer);
-    const std::vector<float> got = read(capture_, kFloats * slots);
+    const std::vector<float> got = read_feedback(capture_, kFeedbackFloats * slots);
     for (std::size_t slot = 0; slot < slots; ++slot) {
-      const float* const v = got.data() + kFloats * slot;
+      const float* const v = got.data() + kFeedbackFloats * slot;
       out.positions.insert(out.positions.end(), v, v + 3);
       out.normals.insert(out.normals.end(), v + 3, v + 6);
       out.tangents.insert(out.tangents.end(), v + 6, v + 10);

@@ -19,6 +19,12 @@ struct Skinned {
   std::vector<float> tangents;   // 4 a slot; zero if the mesh has none
 };
 
+// A role that has everything captured, interleaved: kFeedbackFloats a vertex, position, normal and tangent.
+inline constexpr std::size_t kFeedbackFloats = 10;
+gles3::ProgramSource feedback_source();
+// What is in a transform feedback buffer.
+std::vector<float> read_feedback(GLuint buffer, std::size_t floats);
+
 // Ways of the GPU to a skinned vertex: palettes in a uniform block or a texture, or pre-skinning by two methods.
 enum class Way : std::uint8_t { block, texture, feedback, compute };
 inline constexpr Way kWays[] = {Way::block, Way::texture, Way::feedback, Way::compute};

@@ -7,6 +7,7 @@
 
 #include "common/aligned_bytes.h"
 #include "marrow/file.h"
+#include "support/rig.h"
 
 namespace marrow::test {
 
@@ -23,5 +24,8 @@ bool have_assets();
 
 // Cooks and loads; nullopt if the cooker refuses, with why on stderr.
 std::optional<Model> cook_model(const std::string& path);
+
+// A mesh in memory, which lacks the box that prepare() needs.
+Mesh with_box(const TestMesh& source);
 
 }  // namespace marrow::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/feedback.h"
+#include "gl/models.h"
 #include "gl/worst.h"
 #include "support/aligned.h"
 #include "support/morphs.h"
@@ -16,21 +17,6 @@ namespace {
 constexpr double kMostPosition = 2e-4;
 constexpr double kMostNormalDeg = 1;
 constexpr double kLeastConditioning = 0.05;
-
-Mesh with_box(const TestMesh& source) {
-  Mesh mesh = source.view();
-  std::fill_n(mesh.geometry.box_min, 3, 1e30f);
-  std::fill_n(mesh.geometry.box_max, 3, -1e30f);
-  for (const TestRun& run : source.source) {
-    for (const TestVertex& v : run.vertices) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        mesh.geometry.box_min[c] = std::min(mesh.geometry.box_min[c], static_cast<float>(v.position[c]));
-        mesh.geometry.box_max[c] = std::max(mesh.geometry.box_max[c], static_cast<float>(v.position[c]));
-      }
-    }
-  }
-  return mesh;
-}
 
 struct Buffers {
   std::vector<float> positions, normals, tangents;

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "marrow/gles3_crowd.h"
 #include "marrow/gles3_skinned.h"
 
 namespace marrow::embedded {
@@ -62,15 +63,20 @@ void note_all() {
   for (int deformer = 0; deformer < 4; ++deformer)
     for (const int influences : {4, 8})
       for (int features = 0; features < 64; ++features)
-        for (const gles3::Palettes palettes : {gles3::Palettes::uniform_block, gles3::Palettes::texture}) {
+        for (const gles3::Palettes palettes :
+             {gles3::Palettes::uniform_block, gles3::Palettes::texture, gles3::Palettes::crowd}) {
+          const bool crowd = palettes == gles3::Palettes::crowd;
+          const bool can = !crowd || (deformer != 0 && (features & gles3::kMorphs) == 0);
           const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
                                       static_cast<std::uint8_t>(features), palettes};
           for (const auto& [vertex, fragment] : pairs)
-            EXPECT_EQ(gles3::build_program(api, key, {vertex.c_str(), fragment.c_str(), {}}, 0, out), Status::ok);
+            EXPECT_EQ(gles3::build_program(api, key, {vertex.c_str(), fragment.c_str(), {}}, 0, out),
+                      can ? Status::ok : Status::bad_argument);
           for (const gles3::Preskin method : {gles3::Preskin::feedback, gles3::Preskin::compute})
             EXPECT_EQ(gles3::build_preskin(api, caps, key, method, 0, out),
-                      deformer == 0 ? Status::bad_argument : Status::ok);
+                      deformer == 0 || crowd ? Status::bad_argument : Status::ok);
         }
+  EXPECT_EQ(gles3::build_crowd_program(api, out), Status::ok);
 }
 
 TEST(ShaderText, PassesTheReferenceCompiler) {

@@ -60,16 +60,17 @@ std::string part_of(const std::string& include) {
 }
 
 TEST(Includes, PointOneWay) {
-  const std::map<std::string, std::set<std::string>> allowed = {{"core", {"core"}},
-                                                                {"math", {"core", "math"}},
-                                                                {"asset", {"core", "math", "asset"}},
-                                                                {"pose", {"core", "math", "asset", "pose"}},
-                                                                {"curve", {"core", "math", "curve"}},
-                                                                {"skin", {"core", "math", "asset", "skin"}},
-                                                                {"gles3", {"core", "math", "asset", "skin", "gles3"}},
-                                                                {"unpack", {"core", "math", "asset", "pose", "unpack"}},
-                                                                {"draco", {"core", "asset", "unpack", "draco"}},
-                                                                {"meshopt", {"core", "asset", "unpack", "meshopt"}}};
+  const std::map<std::string, std::set<std::string>> allowed = {
+      {"core", {"core"}},
+      {"math", {"core", "math"}},
+      {"asset", {"core", "math", "asset"}},
+      {"pose", {"core", "math", "asset", "pose"}},
+      {"curve", {"core", "math", "curve"}},
+      {"skin", {"core", "math", "asset", "skin"}},
+      {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
+      {"unpack", {"core", "math", "asset", "pose", "unpack"}},
+      {"draco", {"core", "asset", "unpack", "draco"}},
+      {"meshopt", {"core", "asset", "unpack", "meshopt"}}};
   int checked = 0;
   for (const auto& [part, may] : allowed) {
     for (const Include& include : includes_under(kRuntime / part)) {

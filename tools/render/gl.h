@@ -13,7 +13,6 @@
 
 // What drawing pictures needs beyond marrow::gles3: X(return type, name, parameters).
 #define MARROW_TOOL_GL_FUNCTIONS(X)                                                                               \
-  X(void, BindFramebuffer, (GLenum target, GLuint framebuffer))                                                   \
   X(void, BindRenderbuffer, (GLenum target, GLuint renderbuffer))                                                 \
   X(void, BindSampler, (GLuint unit, GLuint sampler))                                                             \
   X(void, BlendFunc, (GLenum source, GLenum destination))                                                         \
@@ -21,17 +20,13 @@
   X(void, BlitFramebuffer,                                                                                        \
     (GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0, GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, \
      GLenum filter))                                                                                              \
-  X(GLenum, CheckFramebufferStatus, (GLenum target))                                                              \
   X(void, Clear, (GLbitfield mask))                                                                               \
   X(void, ClearDepthf, (GLfloat depth))                                                                           \
-  X(void, DeleteFramebuffers, (GLsizei count, const GLuint* framebuffers))                                        \
   X(void, DeleteRenderbuffers, (GLsizei count, const GLuint* renderbuffers))                                      \
   X(void, DeleteSamplers, (GLsizei count, const GLuint* samplers))                                                \
   X(void, DepthMask, (GLboolean on))                                                                              \
   X(void, DrawBuffers, (GLsizei count, const GLenum* buffers))                                                    \
   X(void, FramebufferRenderbuffer, (GLenum target, GLenum attachment, GLenum kind, GLuint renderbuffer))          \
-  X(void, FramebufferTexture2D, (GLenum target, GLenum attachment, GLenum kind, GLuint texture, GLint level))     \
-  X(void, GenFramebuffers, (GLsizei count, GLuint * framebuffers))                                                \
   X(void, GenRenderbuffers, (GLsizei count, GLuint * renderbuffers))                                              \
   X(void, GenSamplers, (GLsizei count, GLuint * samplers))                                                        \
   X(void, GenerateMipmap, (GLenum target))                                                                        \
@@ -46,8 +41,7 @@
   X(void, Scissor, (GLint x, GLint y, GLsizei width, GLsizei height))                                             \
   X(void, Uniform2fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
   X(void, Uniform3fv, (GLint location, GLsizei count, const GLfloat* values))                                     \
-  X(void, UniformMatrix4fv, (GLint location, GLsizei count, GLboolean transpose, const GLfloat* values))          \
-  X(void, Viewport, (GLint x, GLint y, GLsizei width, GLsizei height))
+  X(void, UniformMatrix4fv, (GLint location, GLsizei count, GLboolean transpose, const GLfloat* values))
 
 namespace marrow::tools {
 

@@ -157,6 +157,7 @@ void destroy(const Api& api, GpuMesh& mesh);
 enum class Palettes : std::uint8_t {
   uniform_block,  // PaletteRing: one palette a draw call
   texture,        // PaletteTexture: of any size; one draw call may draw many characters
+  crowd,          // CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
 };
 
 // What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
@@ -178,16 +179,18 @@ struct ProgramSource {
 
 struct Program {
   std::uint32_t id = 0;
+  Palettes reads = Palettes::uniform_block;
   // Locations of uniforms.
   std::int32_t coordinate_scale = -1;
   std::int32_t palettes = -1, first_row = -1;
+  std::int32_t instances = -1, crowd = -1;
   std::int32_t vertex_layout = -1;  // of pre-skinning by compute shaders
   std::int32_t morph_changes = -1, morph_targets = -1, morph_count = -1, morph_shift = -1, morph_per_row = -1;
 };
 
 // Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
-// Errors: bad_argument (a text missing, influences neither 4 nor 8); gl_error, with the driver's words in `log` (cut to
-// fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
+// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
 Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
                      Program& out, Span<char> log = {});
 

@@ -1,0 +1,157 @@
+// Stage 5 on the GPU, thousands of characters of one kind: poses baked into a texture once, blended on the GPU, drawn
+// by one instanced call a mesh. A frame in which no instance changes uploads nothing but a few uniforms.
+//
+//   once a context     build_crowd_program; build_program with Palettes::crowd
+//   once a character   plan_crowd, bake_crowd: clips → frames, for meshes and sockets alike
+//   once a mesh        prepare, create_crowd_mesh
+//   once a crowd       create_crowd
+//   on changes         set_instances
+//   every frame        for each mesh: use the crowd program, blend_crowd; use the drawing program, bind_crowd, draw
+//   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
+//
+// The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/architecture.md, "Crowds".
+#pragma once
+
+#include "marrow/file.h"
+#include "marrow/gles3.h"
+
+namespace marrow::gles3 {
+
+// What is baked, and how it ends.
+struct CrowdSource {
+  Clip clip;
+  bool loops = true;  // its last pose is followed by its first; otherwise it stays in the last
+};
+
+// Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
+struct CrowdClip {
+  float duration_s = 0;
+  std::uint32_t first_frame = 0;
+  std::uint32_t steps = 1;  // 1 … 65535
+  bool loops = true;
+};
+
+// Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
+struct CrowdFrames {
+  Span<const CrowdClip> clips;
+  Span<const Affine> character_from_joint;  // frame after frame
+  std::uint32_t joint_count = 0;
+  std::uint32_t frame_count = 0;
+};
+
+// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
+inline constexpr std::uint32_t kMaxCrowdFrames = 1u << 20;
+
+// How many frames it takes to bake clips at `rate_hz` or a little more, a whole number of steps each; 30 a second are
+// enough for most motion. out: at least as many as sources.
+// Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
+// unsupported (more than 65535 steps of a clip, or kMaxCrowdFrames). Written only on success.
+Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip> out, std::uint32_t& frame_count);
+
+// Samples them. scratch: at least skeleton.soa_size(); matrices: at least frame_count × joint_count, the caller's to
+// keep, as are the clips, which must be those that plan_crowd() wrote for these sources; 48 B a joint and frame.
+// Errors: bad_argument (a span too short, a clip of another skeleton, clips that are not a plan).
+Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
+                  Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out);
+
+// Nothing to play.
+inline constexpr std::uint32_t kNoCrowdClip = 0xFFFFFFFF;
+
+// At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
+struct CrowdPlay {
+  std::uint32_t clip = kNoCrowdClip;
+  float phase_s = 0;   // of a clip that does not loop within 0 … duration_s, else the nearer end
+  float speed = 1;     // seconds of the clip a second; may be negative
+  double start_s = 0;  // seconds
+};
+
+// One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
+struct CrowdInstance {
+  Affine scene_from_character = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  CrowdPlay a;                     // must have a clip
+  CrowdPlay b;                     // kNoCrowdClip: a alone
+  double blend_start_s = 0;        // until then a alone
+  float blend_s = 0;               // and b alone so much later
+  float colour[4] = {1, 1, 1, 1};  // marrow_instance_colour() in the vertex shader
+};
+
+// Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
+// are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+// is linear in the drawing too.
+// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, or times beyond ±2⁴⁰ s).
+Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s, std::uint32_t joint,
+                   Affine& scene_from_joint);
+
+// The same of all joints; out: at least frames.joint_count.
+Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
+                  Span<Affine> scene_from_joint);
+
+// What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
+std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
+
+// A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
+// (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
+struct CrowdMesh {
+  std::uint32_t frames_texture = 0;
+  std::uint32_t blended_texture = 0;
+  std::uint32_t framebuffer = 0;  // around the blended texture
+  std::uint32_t joints = 0;       // matrices of a palette
+  std::uint32_t frame_count = 0;
+  std::uint32_t capacity = 0;  // instances
+};
+
+// Matrices of scratch memory that create_crowd_mesh() wants.
+std::size_t crowd_mesh_scratch_size(const Mesh& mesh);
+
+// bind: what prepare() wrote for this mesh. capacity: instances that are drawn in a frame, at most.
+// Errors: bad_argument (no capacity, no frames, a span too short, a joint that the frames lack); unsupported (a mesh
+// with morph targets; more frames or instances than crowd_palettes_that_fit()); gl_error (nothing is left allocated).
+// `out` is written only on success. Leaves the active unit's 2D texture and GL_FRAMEBUFFER at 0,
+// GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 48 B a matrix and frame go up, once.
+Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Span<const Affine> bind,
+                         const CrowdFrames& frames, std::uint32_t capacity, Span<Affine> scratch, CrowdMesh& out);
+void destroy(const Api& api, CrowdMesh& mesh);
+
+// Instances, in a texture: 128 B each, 256 a line.
+struct Crowd {
+  std::uint32_t texture = 0;
+  std::uint32_t capacity = 0;
+  std::uint32_t count = 0;        // that have been set
+  std::uint32_t frame_count = 0;  // of the frames that they play
+};
+
+// Bytes of scratch memory an instance for set_instances().
+inline constexpr std::size_t kCrowdInstanceBytes = 128;
+
+// Room for `capacity` instances. Errors: bad_argument (zero); unsupported (more than 256 × the caps' texture size:
+// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Crowd& out);
+void destroy(const Api& api, Crowd& crowd);
+
+// Sets the instances from `first` on: any of those that there are, or more right behind them.
+// scratch: 4-byte aligned, room for one instance at least; what it has room for goes up at a time, 256 being one line.
+// Errors: bad_argument (a gap before `first`, frames other than those of the instances before, an instance as
+// crowd_joint() refuses it); unsupported (more than the capacity). Nothing is changed then. Leaves the active unit's
+// 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
+                     Span<const CrowdInstance> instances, Span<std::byte> scratch);
+
+// The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
+Status build_crowd_program(const Api& api, Program& out, Span<char> log = {});
+
+// Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
+// scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
+// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE, GL_RASTERIZER_DISCARD and colour masks must be
+// off. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit` and the
+// one behind it bound and the latter active.
+// Errors: bad_argument (a program of another kind, instances that are not there, frames other than the mesh's, a time
+// that is not finite); unsupported (more instances than the mesh has capacity for).
+Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
+                   double time_s, std::uint32_t texture_unit, const Program& program);
+
+// The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
+// use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
+Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
+                  std::uint32_t texture_unit, const Program& program);
+
+}  // namespace marrow::gles3

@@ -1,0 +1,467 @@
+// Crowds as the GPU draws them, held against the CPU: vertices, sockets, thousands in one call, no work for nothing.
+#include <cmath>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "gl/models.h"
+#include "gl/troop.h"
+#include "gl/worst.h"
+#include "marrow/marrow.h"
+#include "pose/evaluate.h"
+#include "support/rig.h"
+
+namespace marrow::test {
+namespace {
+
+using gles3::CrowdInstance;
+
+constexpr double kMostPosition = 2e-4;  // of the diagonal
+constexpr double kMostNormalDeg = 1;
+constexpr double kLeastConditioning = 0.05;
+
+// A turn, an even scale and a shift.
+Affine placed(Random& random, double scale, double reach) {
+  const Quat q = random.rotation();
+  Affine out = {};
+  TestJoint joint;
+  joint.rotation = q;
+  joint.scale = {scale, scale, scale};
+  for (double& x : joint.translation) x = random.between(-reach, reach);
+  const TestSkeleton one({joint});
+  const Skeleton view = one.view();
+  EXPECT_EQ(local_to_model(view, {view.rest, 1}, {&out, 1}), Status::ok);
+  return out;
+}
+
+// Every clip, speeds of both signs, blends that are to come, under way and over.
+std::vector<CrowdInstance> some_of_each(const gles3::CrowdFrames& frames, std::size_t count, double around_s,
+                                        double reach) {
+  Random random(5);
+  std::vector<CrowdInstance> out(count);
+  const auto clips = static_cast<std::uint32_t>(frames.clips.size);
+  for (std::size_t i = 0; i < count; ++i) {
+    CrowdInstance& one = out[i];
+    one.scene_from_character = placed(random, random.between(0.5, 2), reach);
+    const auto play = [&](std::uint32_t clip) {
+      return gles3::CrowdPlay{clip, static_cast<float>(random.between(0, 3)), static_cast<float>(random.between(-2, 2)),
+                              around_s + random.between(-9, 9)};
+    };
+    one.a = play(static_cast<std::uint32_t>(i) % clips);
+    if (i % 4 == 0) continue;
+    one.b = play(random.below(clips));
+    one.blend_start_s = around_s + (i % 4 == 1 ? -0.4 : i % 4 == 2 ? 100 : -100);
+    one.blend_s = 0.8f;
+  }
+  return out;
+}
+
+struct Vertices {
+  std::vector<float> positions, normals, tangents;
+  explicit Vertices(const Geometry& g) : positions(std::size_t{3} * g.slot_count) {
+    if (g.normals != nullptr) normals.resize(positions.size());
+    if (g.tangents != nullptr) tangents.resize(std::size_t{4} * g.slot_count);
+  }
+  SkinOutput output() { return {positions, normals, tangents}; }
+};
+
+double diagonal_of(Span<const float> positions) {
+  double squared = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    float low = 1e30f, high = -1e30f;
+    for (std::size_t i = c; i < positions.size; i += 3) {
+      low = std::min(low, positions[i]);
+      high = std::max(high, positions[i]);
+    }
+    squared += static_cast<double>(high - low) * static_cast<double>(high - low);
+  }
+  return std::sqrt(squared);
+}
+
+// crowd_pose → build_palette → skinning on the CPU, of one instance.
+Worst compare_instance(const Mesh& mesh, const gles3::CrowdFrames& frames, const CrowdInstance& instance, double time_s,
+                       gles3::Deformer deformer, Span<const float> coordinates, Span<const float> tangents,
+                       const Skinned& got) {
+  std::vector<Affine> pose(frames.joint_count), palette(mesh.palette_size());
+  EXPECT_EQ(gles3::crowd_pose(frames, instance, time_s, pose), Status::ok);
+  EXPECT_EQ(build_palette(mesh, pose, palette), Status::ok);
+  Vertices want(mesh.geometry);
+  std::vector<double> well(mesh.geometry.slot_count, 1.0);
+  switch (deformer) {
+    case gles3::Deformer::rigid:
+      EXPECT_EQ(skin_rigid(mesh, palette, want.output()), Status::ok);
+      break;
+    case gles3::Deformer::ssd:
+      EXPECT_EQ(skin_ssd(mesh, palette, want.output()), Status::ok);
+      well = conditioning(mesh.geometry, palette, false);
+      break;
+    default:
+      EXPECT_EQ(skin_as(mesh, coordinates, palette, want.output(), tangents), Status::ok);
+      well = tangents.empty() ? conditioning(mesh.geometry, palette, true)
+                              : surface_conditioning(mesh.geometry, tangents, palette);
+  }
+  return compare(mesh.geometry, got, want.output(), diagonal_of(want.positions), well, kLeastConditioning);
+}
+
+// All deformers, at some moments `after_s` after the times about which the instances start and blend.
+Worst compare_crowd(const Mesh& mesh, const Reel& reel, Span<const float> tangents, double after_s,
+                    std::uint32_t count = 12) {
+  Worst worst;
+  Troop troop(mesh, reel, count, tangents);
+  if (!troop.ok()) return worst;
+  const bool surface = (troop.gpu().features & gles3::kSurfaceNormals) != 0;
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  const std::vector<CrowdInstance> instances = some_of_each(reel.frames, count, 7, 3);
+  EXPECT_EQ(troop.set(0, instances), Status::ok);
+  for (const double moment_s : {0.0, 0.013, 0.2}) {
+    const double time_s = 7 + after_s + moment_s;
+    EXPECT_EQ(troop.blend(0, count, time_s), Status::ok);
+    for (const gles3::Deformer deformer : {gles3::Deformer::rigid, gles3::Deformer::ssd, gles3::Deformer::as}) {
+      if (surface && deformer != gles3::Deformer::as) continue;
+      const std::vector<Skinned> got = troop.capture(deformer, 0, count);
+      for (std::size_t i = 0; i < count; ++i)
+        worst.add(compare_instance(mesh, reel.frames, instances[i], time_s, deformer, coordinates,
+                                   surface ? tangents : Span<const float>{}, got[i]));
+    }
+  }
+  return worst;
+}
+
+void expect_promises(const char* what, const Worst& worst) {
+  std::printf("%s: position %.1e of the diagonal, normal %.3f deg, tangent %.3f deg, %zu vertices, %zu normals\n", what,
+              worst.position, worst.normal_deg, worst.tangent_deg, worst.vertices, worst.normals);
+  EXPECT_LE(worst.position, kMostPosition) << what;
+  EXPECT_LE(worst.normal_deg, kMostNormalDeg) << what;
+  EXPECT_LE(worst.tangent_deg, kMostNormalDeg) << what;
+  EXPECT_EQ(worst.wrong_signs, 0u) << what;
+  EXPECT_GE(worst.vertices, 500u) << what;
+  EXPECT_GE(worst.normals, worst.vertices / 2) << what;
+}
+
+std::vector<gles3::CrowdSource> all_clips(const File& file, std::uint32_t skeleton) {
+  std::vector<gles3::CrowdSource> out;
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i)
+    if (file.clip(i).skeleton == skeleton) out.push_back({file.clip(i), i % 2 == 0});
+  return out;
+}
+
+TEST(Crowd, DrawsTheNewtAsTheCpuDoes) {
+  const std::optional<Model> model = cook_model(MARROW_SAMPLE);
+  ASSERT_TRUE(model.has_value());
+  const Mesh mesh = model->file.mesh(0);
+  const Reel reel(model->file.skeleton(mesh.skeleton), all_clips(model->file, mesh.skeleton), 30);
+  ASSERT_GE(reel.clips.size(), 3u);
+  expect_promises("newt", compare_crowd(mesh, reel, {}, 0));
+  expect_promises("newt after 24 h", compare_crowd(mesh, reel, {}, 86400));
+  expect_promises("newt, its surface's normals", compare_crowd(mesh, reel, tools::tangents_of(model->file)[0], 0));
+}
+
+TEST(Crowd, DrawsNoiseWithEightInfluences) {
+  for (const std::size_t joints : {5u, 67u, 700u}) {
+    const TestCharacter character = make_character(joints, joints, 13, true);
+    const Reel reel(character.skeleton.view(), {{character.clip.view(), true}, {character.clip.view(), false}}, 20);
+    expect_promises("noise", compare_crowd(with_box(character.mesh), reel, {}, 3));
+  }
+}
+
+// Half-joints are in the baked palettes; on a baked frame they are the CPU's.
+TEST(Crowd, HalfJointsAreTheCpusOnFrames) {
+  const TestCharacter character = make_character(31, 9, 13, false);
+  TestRun run;
+  run.set = {2};  // the half-joint
+  for (const double x : {0.0, 1.0, 2.0}) run.vertices.push_back({{x, 1, x * x}, {0, 0, 1}, {1, 0, 0}, 1, {1}, {}});
+  const Map none;
+  const TestMesh source({run}, {none, none});
+  Mesh mesh = with_box(source);
+  const HalfJoint half{0, 1, 0.5f};
+  mesh.half_joints = {&half, 1};
+  const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 16);
+  const gles3::CrowdClip& clip = reel.clips[0];
+  Troop troop(mesh, reel, 1);
+  ASSERT_TRUE(troop.ok());
+  ASSERT_EQ(troop.mesh().joints, 3u);
+  CrowdInstance instance;
+  instance.a = {0, clip.duration_s * 3 / static_cast<float>(clip.steps), 0, 0};
+  ASSERT_EQ(troop.set(0, {&instance, 1}), Status::ok);
+  ASSERT_EQ(troop.blend(0, 1, 0), Status::ok);
+  const Worst worst = compare_instance(mesh, reel.frames, instance, 0, gles3::Deformer::ssd, {}, {},
+                                       troop.capture(gles3::Deformer::ssd, 0, 1)[0]);
+  EXPECT_LE(worst.position, kMostPosition);
+}
+
+// A vertex that hangs on one joint, at that joint's origin, is where crowd_joint() says that the joint is.
+TEST(Crowd, SocketsAreWhereTheVerticesAre) {
+  const TestCharacter character = make_character(77, 6, 4, false);
+  TestRun run;
+  run.set = {5};
+  run.vertices = {{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 1, {1}, {}}, {{1, 0, 0}, {0, 0, 1}, {1, 0, 0}, 1, {1}, {}}};
+  const TestMesh source({run}, std::vector<Map>(6));
+  const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 24);
+  constexpr std::uint32_t kCount = 40;
+  Troop troop(with_box(source), reel, kCount);
+  ASSERT_TRUE(troop.ok());
+  const std::vector<CrowdInstance> instances = some_of_each(reel.frames, kCount, 50, 10);
+  ASSERT_EQ(troop.set(0, instances), Status::ok);
+  ASSERT_EQ(troop.blend(0, kCount, 50.1), Status::ok);
+  const std::vector<Skinned> got = troop.capture(gles3::Deformer::ssd, 0, kCount);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    Affine joint;
+    ASSERT_EQ(gles3::crowd_joint(reel.frames, instances[i], 50.1, 5, joint), Status::ok);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto size = 1e-4f * (1 + std::fabs(joint.rows[c][3]) + std::fabs(joint.rows[c][0]));
+      EXPECT_NEAR(got[i].positions[c], joint.rows[c][3], size) << i;
+      EXPECT_NEAR(got[i].positions[3 + c], joint.rows[c][3] + joint.rows[c][0], size) << i;
+    }
+  }
+}
+
+TEST(Crowd, ARangeOfInstancesIsSetAndDrawn) {
+  const TestCharacter character = make_character(3, 10, 5, false);
+  const Mesh mesh = with_box(character.mesh);
+  const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
+  constexpr std::uint32_t kCount = 1500;  // six lines
+  Troop troop(mesh, reel, kCount);
+  ASSERT_TRUE(troop.ok());
+  std::vector<CrowdInstance> instances = some_of_each(reel.frames, kCount, 1, 5);
+  ASSERT_EQ(troop.set(0, {instances.data(), 700}, 600), Status::ok);
+  EXPECT_EQ(troop.crowd().count, 700u);
+  ASSERT_EQ(troop.set(700, {instances.data() + 700, 800}, 70), Status::ok);
+  const std::vector<CrowdInstance> others = some_of_each(reel.frames, 600, 2, 7);
+  ASSERT_EQ(troop.set(300, others, 1000), Status::ok) << "rest of a line, whole ones, and the start of one";
+  EXPECT_EQ(troop.crowd().count, kCount);
+  std::copy(others.begin(), others.end(), instances.begin() + 300);
+
+  ASSERT_EQ(troop.blend(0, kCount, 1.5), Status::ok);
+  ASSERT_EQ(troop.blend(250, 700, 1.75), Status::ok) << "these later";
+  Worst worst;
+  const auto look = [&](std::uint32_t first, std::uint32_t count, double time_s) {
+    const std::vector<Skinned> got = troop.capture(gles3::Deformer::ssd, first, count);
+    for (std::size_t i = 0; i < count; ++i)
+      worst.add(
+          compare_instance(mesh, reel.frames, instances[first + i], time_s, gles3::Deformer::ssd, {}, {}, got[i]));
+  };
+  look(0, 150, 1.5);
+  look(250, 700, 1.75);
+  look(1100, 400, 1.5);
+  EXPECT_LE(worst.position, kMostPosition);
+}
+
+// As many as a city has, one call: of every one its first vertices, and a pixel of its own.
+constexpr std::uint32_t kSide = 100;
+constexpr const char* kDotVertex = R"(
+out vec4 dot_colour;
+void main() {
+  dot_colour = marrow_instance_colour();
+  MarrowVertex v = marrow_skin();
+  gl_Position = vec4(v.position.xy, 0.0, 1.0);
+}
+)";
+constexpr const char* kDotFragment = R"(
+precision highp float;
+in vec4 dot_colour;
+out vec4 colour;
+void main() { colour = dot_colour; }
+)";
+
+int instanced_calls = 0, instances_drawn = 0;
+void (*real_draw)(unsigned, int, unsigned, const void*, int) = nullptr;
+
+// Two triangles over [-1, 1]² that hang on one joint at rest.
+TestMesh square() {
+  TestRun run;
+  run.set = {0};
+  for (const double y : {-1.0, 1.0})
+    for (const double x : {-1.0, 1.0}) run.vertices.push_back({{x, y, 0}, {0, 0, 1}, {1, 0, 0}, 1, {1}, {}});
+  return TestMesh({run}, {Map{}});
+}
+
+TEST(Crowd, TenThousandInOneCall) {
+  constexpr std::uint32_t kCount = kSide * kSide;
+  const TestMesh source = square();
+  Mesh mesh = with_box(source);
+  const std::uint16_t indices[] = {0, 1, 2, 2, 1, 3};
+  mesh.geometry.indices = indices;
+  mesh.geometry.index_count = 6;
+  const TestSkeleton skeleton(std::vector<TestJoint>{{}});
+  TestClip still;
+  still.add(0, Path::translation, Interpolation::step, {0, 1}, {0, 0, 0, 0, 0, 0});
+  const Reel reel(skeleton.view(), {{still.view(), true}}, 1);
+  Troop troop(mesh, reel, kCount);
+  ASSERT_TRUE(troop.ok());
+  std::vector<CrowdInstance> instances(kCount);
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const float half = 1.0f / kSide;
+    instances[i].a = {0, 0, 1, 0};
+    instances[i].scene_from_character = {{{0.9f * half, 0, 0, half * static_cast<float>(2 * (i % kSide) + 1) - 1},
+                                          {0, 0.9f * half, 0, half * static_cast<float>(2 * (i / kSide) + 1) - 1},
+                                          {0, 0, 1, 0}}};
+    const float colour[4] = {static_cast<float>(i & 0xFF) / 255, static_cast<float>(i >> 8) / 255, 0, 1};
+    std::copy_n(colour, 4, instances[i].colour);
+  }
+  ASSERT_EQ(troop.set(0, instances), Status::ok);
+  ASSERT_EQ(troop.blend(0, kCount, 10), Status::ok);
+
+  gles3::Program program;
+  const gles3::ProgramKey key{gles3::Deformer::ssd, troop.gpu().influences, 0, gles3::Palettes::crowd};
+  ASSERT_EQ(gles3::build_program(gl(), key, {kDotVertex, kDotFragment, {}}, 0, program), Status::ok);
+  const tools::GlRenderbuffer pixels(gl());
+  const tools::GlFramebuffer target(gl());
+  gl().BindRenderbuffer(GL_RENDERBUFFER, pixels);
+  gl().RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, kSide, kSide);
+  gl().BindFramebuffer(GL_FRAMEBUFFER, target);
+  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
+  gl().Viewport(0, 0, kSide, kSide);
+  gl().Clear(GL_COLOR_BUFFER_BIT);
+  gl().UseProgram(program.id);
+  gles3::Api counting = gl();
+  real_draw = counting.DrawElementsInstanced;
+  instanced_calls = instances_drawn = 0;
+  counting.DrawElementsInstanced = [](unsigned mode, int count, unsigned type, const void* at, int number) {
+    ++instanced_calls;
+    instances_drawn += number;
+    real_draw(mode, count, type, at, number);
+  };
+  ASSERT_EQ(gles3::bind_crowd(counting, troop.crowd(), troop.mesh(), 0, kCount, 0, program), Status::ok);
+  ASSERT_EQ(gles3::draw(counting, troop.gpu(), gles3::Deformer::ssd, program, kCount), Status::ok);
+  EXPECT_EQ(instanced_calls, 1);
+  EXPECT_EQ(instances_drawn, 10000);
+  std::vector<std::uint8_t> got(std::size_t{4} * kCount);
+  gl().ReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, got.data());
+  std::size_t right = 0;
+  for (std::uint32_t i = 0; i < kCount; ++i)
+    right += got[std::size_t{4} * i] + 256u * got[std::size_t{4} * i + 1] == i && got[std::size_t{4} * i + 3] == 255;
+  EXPECT_EQ(right, 10000u) << "each in its own pixel, in its own colour";
+  gles3::destroy(gl(), program);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+}
+
+int uploads = 0, small_uploads = 0;
+
+TEST(Crowd, AFrameWithoutChangesUploadsNothing) {
+  const TestCharacter character = make_character(8, 20, 5, false);
+  const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
+  Troop troop(with_box(character.mesh), reel, 600);
+  ASSERT_TRUE(troop.ok());
+  const std::vector<CrowdInstance> instances = some_of_each(reel.frames, 600, 0, 5);
+  ASSERT_EQ(troop.set(0, instances), Status::ok);
+  const gles3::ProgramKey key{gles3::Deformer::ssd, 8, gles3::kNormals, gles3::Palettes::crowd};
+  gles3::Program program;
+  ASSERT_EQ(gles3::build_program(gl(), key, feedback_source(), 0, program), Status::ok);
+  static const gles3::Api real = gl();
+  gles3::Api api = real;
+  uploads = small_uploads = 0;
+  api.TexImage2D = [](unsigned, int, int, int, int, int, unsigned, unsigned, const void*) { ++uploads; };
+  api.TexSubImage2D = [](unsigned, int, int, int, int, int, unsigned, unsigned, const void*) { ++uploads; };
+  api.BufferData = [](unsigned, std::ptrdiff_t, const void*, unsigned) { ++uploads; };
+  api.BufferSubData = [](unsigned, std::ptrdiff_t, std::ptrdiff_t, const void*) { ++uploads; };
+  api.Uniform1iv = [](int at, int count, const int* v) {
+    small_uploads += count;
+    real.Uniform1iv(at, count, v);
+  };
+  api.Uniform4fv = [](int, int, const float*) { ++uploads; };
+  for (int frame = 0; frame < 10; ++frame) {
+    ASSERT_EQ(troop.blend(0, 600, 0.1 * frame, api), Status::ok);
+    gl().UseProgram(program.id);
+    ASSERT_EQ(gles3::bind_crowd(api, troop.crowd(), troop.mesh(), 0, 600, 0, program), Status::ok);
+    ASSERT_EQ(gles3::draw(api, troop.gpu(), gles3::Deformer::ssd, program, 600), Status::ok);
+  }
+  EXPECT_EQ(uploads, 0);
+  EXPECT_EQ(small_uploads, 30) << "the time, and two numbers";
+  std::vector<std::byte> scratch(10 * gles3::kCrowdInstanceBytes);
+  ASSERT_EQ(gles3::set_instances(api, troop.crowd(), reel.frames, 250, {instances.data(), 10}, scratch), Status::ok);
+  EXPECT_EQ(uploads, 2) << "the end of a line and the start of the next";
+  gles3::destroy(gl(), program);
+  while (gl().GetError() != GL_NO_ERROR) {
+  }
+}
+
+TEST(Crowd, MeshesRefuseBadCalls) {
+  const TestCharacter character = make_character(3, 10, 5, false);
+  Mesh mesh = with_box(character.mesh);
+  const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
+  std::vector<Affine> bind(mesh.joint_count, Affine{}), scratch(gles3::crowd_mesh_scratch_size(mesh));
+  gles3::CrowdMesh out;
+  const auto create = [&](const gles3::CrowdFrames& frames, std::uint32_t capacity, std::size_t binds, std::size_t room,
+                          const gles3::Caps& caps = {}) {
+    return gles3::create_crowd_mesh(gl(), caps, mesh, {bind.data(), binds}, frames, capacity, {scratch.data(), room},
+                                    out);
+  };
+  EXPECT_EQ(create(reel.frames, 0, bind.size(), scratch.size()), Status::bad_argument);
+  EXPECT_EQ(create({}, 1, bind.size(), scratch.size()), Status::bad_argument);
+  EXPECT_EQ(create(reel.frames, 1, bind.size() - 1, scratch.size()), Status::bad_argument) << "half a mesh";
+  EXPECT_EQ(create(reel.frames, 1, bind.size(), scratch.size() - 1), Status::bad_argument);
+  gles3::CrowdFrames frames = reel.frames;
+  --frames.character_from_joint.size;
+  EXPECT_EQ(create(frames, 1, bind.size(), scratch.size()), Status::bad_argument);
+  frames = reel.frames;
+  frames.joint_count = 1;
+  EXPECT_EQ(create(frames, 1, bind.size(), scratch.size()), Status::bad_argument) << "a joint that the frames lack";
+
+  // 2048² texels are 139 810 palettes of ten matrices.
+  EXPECT_EQ(gles3::crowd_palettes_that_fit({}, 10), 139810u);
+  EXPECT_EQ(gles3::crowd_palettes_that_fit({}, 0), 0u);
+  ASSERT_EQ(mesh.palette_size(), 10u);
+  const std::vector<Affine> many(std::size_t{139811} * 10, Affine{});
+  frames = reel.frames;
+  frames.frame_count = 139811;
+  frames.character_from_joint = many;
+  EXPECT_EQ(create(frames, 1, bind.size(), scratch.size()), Status::unsupported) << "too many frames";
+  EXPECT_EQ(create(reel.frames, 139811, bind.size(), scratch.size()), Status::unsupported) << "too many instances";
+  gles3::Caps small;
+  small.texture_size = 1024;
+  EXPECT_EQ(create(reel.frames, 1, bind.size(), scratch.size(), small), Status::unsupported);
+  const MorphTarget target{};
+  mesh.geometry.targets = {&target, 1};
+  EXPECT_EQ(create(reel.frames, 1, bind.size(), scratch.size()), Status::unsupported) << "morph targets";
+  EXPECT_EQ(out.frames_texture, 0u);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+}
+
+TEST(Crowd, CrowdsRefuseBadCalls) {
+  const TestCharacter character = make_character(3, 10, 5, false);
+  const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
+  const Reel other(character.skeleton.view(), {{character.clip.view(), true}}, 20);
+  gles3::Crowd crowd;
+  EXPECT_EQ(gles3::create_crowd(gl(), {}, 0, crowd), Status::bad_argument);
+  EXPECT_EQ(gles3::create_crowd(gl(), {}, 256 * 2048 + 1, crowd), Status::unsupported);
+  EXPECT_EQ(crowd.texture, 0u);
+  Troop troop(with_box(character.mesh), reel, 10);
+  ASSERT_TRUE(troop.ok());
+  std::vector<CrowdInstance> instances = some_of_each(reel.frames, 11, 0, 5);
+  EXPECT_EQ(troop.set(0, {instances.data(), 0}), Status::bad_argument) << "empty";
+  EXPECT_EQ(troop.set(1, {instances.data(), 1}), Status::bad_argument) << "a gap";
+  EXPECT_EQ(troop.set(0, {instances.data(), 11}), Status::unsupported);
+  EXPECT_EQ(troop.set(0, {instances.data(), 1}, 0), Status::bad_argument) << "no scratch";
+  instances[4].b.clip = 1;
+  EXPECT_EQ(troop.set(0, {instances.data(), 10}), Status::bad_argument) << "no such clip";
+  EXPECT_EQ(troop.crowd().count, 0u);
+  EXPECT_EQ(troop.blend(0, 1, 0), Status::bad_argument) << "none is set";
+  ASSERT_EQ(troop.set(0, {instances.data(), 4}), Status::ok);
+  std::vector<std::byte> scratch(gles3::kCrowdInstanceBytes);
+  EXPECT_EQ(gles3::set_instances(gl(), troop.crowd(), other.frames, 4, {instances.data(), 1}, scratch),
+            Status::bad_argument)
+      << "other frames";
+  EXPECT_EQ(troop.blend(0, 0, 0), Status::ok);
+  EXPECT_EQ(troop.blend(0, 4, 0), Status::ok);
+  EXPECT_EQ(troop.blend(1, 4, 0), Status::bad_argument);
+  EXPECT_EQ(troop.blend(5, 0, 0), Status::bad_argument);
+  EXPECT_EQ(troop.blend(0, 4, std::nan("")), Status::bad_argument);
+  EXPECT_EQ(gles3::blend_crowd(gl(), troop.crowd(), troop.mesh(), 0, 4, 0, 0, {}), Status::bad_argument);
+  EXPECT_EQ(gles3::blend_crowd(gl(), troop.crowd(), {}, 0, 4, 0, 0, crowd_program()), Status::bad_argument);
+  gles3::CrowdMesh smaller = troop.mesh();
+  smaller.capacity = 3;
+  EXPECT_EQ(gles3::blend_crowd(gl(), troop.crowd(), smaller, 0, 4, 0, 0, crowd_program()), Status::unsupported);
+  EXPECT_EQ(gles3::bind_crowd(gl(), troop.crowd(), troop.mesh(), 0, 4, 0, crowd_program()), Status::bad_argument)
+      << "a program of another kind";
+  gles3::PaletteTexture texture;
+  texture.capacity = 10;
+  gles3::Program for_crowds;
+  for_crowds.palettes = 0;
+  for_crowds.reads = gles3::Palettes::crowd;
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 0, 10, 0, for_crowds), Status::bad_argument);
+  EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace marrow::test
