@@ -73,10 +73,10 @@ Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, st
   if (instances.empty() || first > crowd.count || scratch.size < kCrowdInstanceBytes) return Status::bad_argument;
   if (crowd.count != 0 && frames.frame_count != crowd.frame_count) return Status::bad_argument;
   if (first > crowd.capacity || instances.size > crowd.capacity - first) return Status::unsupported;
-  for (const CrowdInstance& instance : instances) {
-    const Status status = check_instance(frames, instance);
-    if (status != Status::ok) return status;
-  }
+  Status status = check_frames(frames);
+  for (std::size_t i = 0; status == Status::ok && i < instances.size; ++i)
+    status = check_instance(frames, instances[i]);
+  if (status != Status::ok) return status;
   const std::size_t room = scratch.size / kCrowdInstanceBytes;
   api.BindTexture(kGlTexture2d, crowd.texture);
   for (std::size_t done = 0; done < instances.size;) {

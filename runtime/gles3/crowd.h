@@ -36,6 +36,7 @@ static_assert(sizeof(CrowdRecord) == kCrowdInstanceBytes);
 
 // Errors: bad_argument, see crowd_joint().
 Status to_ticks(double time_s, std::uint32_t& ticks);
+Status check_frames(const CrowdFrames& frames);
 Status check_instance(const CrowdFrames& frames, const CrowdInstance& instance);
 // Precondition: checked.
 CrowdRecord record_of(const CrowdFrames& frames, const CrowdInstance& instance);

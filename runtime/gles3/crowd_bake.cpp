@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint32_t kMaxSteps = 0xFFFF;
 
-// A whole number, at least the rate but for rounding; 0: too many.
+// A whole number, at least the rate but for rounding; 0: too many, or no number.
 std::uint32_t steps_of(float duration_s, float rate_hz) {
   const double steps = double{duration_s} * double{rate_hz};
-  if (!(steps <= kMaxSteps)) return 0;
+  if (!(steps >= 0 && steps <= kMaxSteps)) return 0;
   const auto whole = static_cast<std::uint32_t>(steps + 0.999);
   return whole == 0 ? 1 : whole < kMaxSteps ? whole : kMaxSteps;
 }

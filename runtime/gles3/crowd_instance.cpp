@@ -93,10 +93,9 @@ f32x4 row_of(const CrowdFrames& frames, const CrowdShares& at, std::uint32_t joi
 
 // What crowd_joint() and crowd_pose() have in common.
 Status start(const CrowdFrames& frames, const CrowdInstance& instance, double time_s, CrowdShares& out) {
-  if (frames.character_from_joint.size < std::size_t{frames.frame_count} * frames.joint_count)
-    return Status::bad_argument;
   std::uint32_t now;
   Status status = to_ticks(time_s, now);
+  if (status == Status::ok) status = check_frames(frames);
   if (status == Status::ok) status = check_instance(frames, instance);
   if (status == Status::ok) out = shares_of(record_of(frames, instance), now);
   return status;
@@ -116,12 +115,17 @@ Status to_ticks(double time_s, std::uint32_t& ticks) {
   return Status::ok;
 }
 
-Status check_instance(const CrowdFrames& frames, const CrowdInstance& instance) {
+Status check_frames(const CrowdFrames& frames) {
   for (const CrowdClip& clip : frames.clips) {
     if (clip.steps == 0 || clip.steps > 0xFFFF || clip.first_frame >= frames.frame_count ||
         clip.steps >= frames.frame_count - clip.first_frame)
       return Status::bad_argument;
   }
+  const std::uint64_t matrices = std::uint64_t{frames.frame_count} * frames.joint_count;
+  return frames.character_from_joint.size < matrices ? Status::bad_argument : Status::ok;
+}
+
+Status check_instance(const CrowdFrames& frames, const CrowdInstance& instance) {
   for (const float x : instance.colour)
     if (!is_finite(double{x})) return Status::bad_argument;
   for (const auto& row : instance.scene_from_character.rows)

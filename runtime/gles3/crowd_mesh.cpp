@@ -1,9 +1,9 @@
 // A mesh for crowds: its palettes of all frames in a texture, and a texture to render those of the instances to.
 #include <cstring>
 
+#include "gles3/crowd.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
-#include "marrow/gles3_crowd.h"
 #include "marrow/palette.h"
 
 namespace marrow::gles3 {
@@ -68,8 +68,7 @@ std::size_t crowd_mesh_scratch_size(const Mesh& mesh) {
 Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Span<const Affine> bind,
                          const CrowdFrames& frames, std::uint32_t capacity, Span<Affine> scratch, CrowdMesh& out) {
   if (capacity == 0 || frames.frame_count == 0 || mesh.joint_count == 0) return Status::bad_argument;
-  if (frames.character_from_joint.size < std::size_t{frames.frame_count} * frames.joint_count)
-    return Status::bad_argument;
+  if (check_frames(frames) != Status::ok) return Status::bad_argument;
   if (bind.size < mesh.joint_count || scratch.size < crowd_mesh_scratch_size(mesh)) return Status::bad_argument;
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i)
     if (mesh.joints[i] >= frames.joint_count) return Status::bad_argument;

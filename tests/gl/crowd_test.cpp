@@ -276,6 +276,50 @@ TestMesh square() {
   return TestMesh({run}, {Map{}});
 }
 
+// In rows over the picture, each in a colour that is its number.
+std::vector<CrowdInstance> one_a_pixel() {
+  std::vector<CrowdInstance> out(kSide * kSide);
+  const float half = 1.0f / kSide;
+  for (std::uint32_t i = 0; i < out.size(); ++i) {
+    const float x = half * static_cast<float>(2 * (i % kSide) + 1) - 1;
+    const float y = half * static_cast<float>(2 * (i / kSide) + 1) - 1;
+    out[i].a = {0, 0, 1, 0};
+    out[i].scene_from_character = {{{0.9f * half, 0, 0, x}, {0, 0.9f * half, 0, y}, {0, 0, 1, 0}}};
+    const float colour[4] = {static_cast<float>(i & 0xFF) / 255, static_cast<float>(i >> 8) / 255, 0, 1};
+    std::copy_n(colour, 4, out[i].colour);
+  }
+  return out;
+}
+
+struct Picture {
+  Picture() : pixels(gl()), target(gl()) {
+    gl().BindRenderbuffer(GL_RENDERBUFFER, pixels);
+    gl().RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, kSide, kSide);
+    gl().BindFramebuffer(GL_FRAMEBUFFER, target);
+    gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
+  }
+  void begin() const {
+    gl().BindFramebuffer(GL_FRAMEBUFFER, target);
+    gl().Viewport(0, 0, kSide, kSide);
+    gl().Clear(GL_COLOR_BUFFER_BIT);
+  }
+  // How many pixels are their own number, of those from `first` on; others must be empty.
+  std::size_t right(std::uint32_t first, std::uint32_t count) const {
+    std::vector<std::uint8_t> got(std::size_t{4} * kSide * kSide);
+    gl().ReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, got.data());
+    std::size_t out = 0;
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+      const std::uint8_t* const rgba = &got[std::size_t{4} * i];
+      const bool drawn = i >= first && i < first + count;
+      EXPECT_EQ(rgba[3], drawn ? 255 : 0) << i;
+      out += drawn && rgba[0] + 256u * rgba[1] == i;
+    }
+    return out;
+  }
+  tools::GlRenderbuffer pixels;
+  tools::GlFramebuffer target;
+};
+
 TEST(Crowd, TenThousandInOneCall) {
   constexpr std::uint32_t kCount = kSide * kSide;
   const TestMesh source = square();
@@ -289,30 +333,11 @@ TEST(Crowd, TenThousandInOneCall) {
   const Reel reel(skeleton.view(), {{still.view(), true}}, 1);
   Troop troop(mesh, reel, kCount);
   ASSERT_TRUE(troop.ok());
-  std::vector<CrowdInstance> instances(kCount);
-  for (std::uint32_t i = 0; i < kCount; ++i) {
-    const float half = 1.0f / kSide;
-    instances[i].a = {0, 0, 1, 0};
-    instances[i].scene_from_character = {{{0.9f * half, 0, 0, half * static_cast<float>(2 * (i % kSide) + 1) - 1},
-                                          {0, 0.9f * half, 0, half * static_cast<float>(2 * (i / kSide) + 1) - 1},
-                                          {0, 0, 1, 0}}};
-    const float colour[4] = {static_cast<float>(i & 0xFF) / 255, static_cast<float>(i >> 8) / 255, 0, 1};
-    std::copy_n(colour, 4, instances[i].colour);
-  }
-  ASSERT_EQ(troop.set(0, instances), Status::ok);
+  ASSERT_EQ(troop.set(0, one_a_pixel()), Status::ok);
   ASSERT_EQ(troop.blend(0, kCount, 10), Status::ok);
-
   gles3::Program program;
   const gles3::ProgramKey key{gles3::Deformer::ssd, troop.gpu().influences, 0, gles3::Palettes::crowd};
   ASSERT_EQ(gles3::build_program(gl(), key, {kDotVertex, kDotFragment, {}}, 0, program), Status::ok);
-  const tools::GlRenderbuffer pixels(gl());
-  const tools::GlFramebuffer target(gl());
-  gl().BindRenderbuffer(GL_RENDERBUFFER, pixels);
-  gl().RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, kSide, kSide);
-  gl().BindFramebuffer(GL_FRAMEBUFFER, target);
-  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
-  gl().Viewport(0, 0, kSide, kSide);
-  gl().Clear(GL_COLOR_BUFFER_BIT);
   gl().UseProgram(program.id);
   gles3::Api counting = gl();
   real_draw = counting.DrawElementsInstanced;
@@ -322,16 +347,17 @@ TEST(Crowd, TenThousandInOneCall) {
     instances_drawn += number;
     real_draw(mode, count, type, at, number);
   };
-  ASSERT_EQ(gles3::bind_crowd(counting, troop.crowd(), troop.mesh(), 0, kCount, 0, program), Status::ok);
-  ASSERT_EQ(gles3::draw(counting, troop.gpu(), gles3::Deformer::ssd, program, kCount), Status::ok);
+  const Picture picture;
+  const auto draw = [&](std::uint32_t first, std::uint32_t count) {
+    picture.begin();
+    EXPECT_EQ(gles3::bind_crowd(counting, troop.crowd(), troop.mesh(), first, count, 0, program), Status::ok);
+    EXPECT_EQ(gles3::draw(counting, troop.gpu(), gles3::Deformer::ssd, program, count), Status::ok);
+    return picture.right(first, count);
+  };
+  EXPECT_EQ(draw(0, kCount), 10000u) << "each in its own pixel, in its own colour";
   EXPECT_EQ(instanced_calls, 1);
   EXPECT_EQ(instances_drawn, 10000);
-  std::vector<std::uint8_t> got(std::size_t{4} * kCount);
-  gl().ReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, got.data());
-  std::size_t right = 0;
-  for (std::uint32_t i = 0; i < kCount; ++i)
-    right += got[std::size_t{4} * i] + 256u * got[std::size_t{4} * i + 1] == i && got[std::size_t{4} * i + 3] == 255;
-  EXPECT_EQ(right, 10000u) << "each in its own pixel, in its own colour";
+  EXPECT_EQ(draw(1234, 777), 777u);
   gles3::destroy(gl(), program);
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
 }

@@ -103,11 +103,12 @@ struct CrowdMesh {
 // Matrices of scratch memory that create_crowd_mesh() wants.
 std::size_t crowd_mesh_scratch_size(const Mesh& mesh);
 
-// bind: what prepare() wrote for this mesh. capacity: instances that are drawn in a frame, at most.
-// Errors: bad_argument (no capacity, no frames, a span too short, a joint that the frames lack); unsupported (a mesh
-// with morph targets; more frames or instances than crowd_palettes_that_fit()); gl_error (nothing is left allocated).
-// `out` is written only on success. Leaves the active unit's 2D texture and GL_FRAMEBUFFER at 0,
-// GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 48 B a matrix and frame go up, once.
+// bind: what prepare() wrote for this mesh; levels of detail have other ones, so each is a CrowdMesh of its own.
+// capacity: instances that are drawn in a frame, at most. Errors: bad_argument (no capacity, no frames, a span too
+// short, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves the active
+// unit's 2D texture and GL_FRAMEBUFFER at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 48 B a matrix and frame go up,
+// once.
 Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Span<const Affine> bind,
                          const CrowdFrames& frames, std::uint32_t capacity, Span<Affine> scratch, CrowdMesh& out);
 void destroy(const Api& api, CrowdMesh& mesh);
@@ -141,11 +142,11 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log = {});
 
 // Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
 // scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
-// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE, GL_RASTERIZER_DISCARD and colour masks must be
-// off. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit` and the
-// one behind it bound and the latter active.
-// Errors: bad_argument (a program of another kind, instances that are not there, frames other than the mesh's, a time
-// that is not finite); unsupported (more instances than the mesh has capacity for).
+// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
+// colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
+// and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
+// are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
+// has capacity for).
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                    double time_s, std::uint32_t texture_unit, const Program& program);
 
