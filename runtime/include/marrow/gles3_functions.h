@@ -7,70 +7,70 @@
 
 #include <cstddef>
 
-#define MARROW_GLES3_FUNCTIONS(X)                                                                                   \
-  X(const unsigned char*, GetString, (unsigned name))                                                               \
-  X(void, GetIntegerv, (unsigned name, int* values))                                                                \
-  X(unsigned, GetError, ())                                                                                         \
-  X(void, GenBuffers, (int count, unsigned* buffers))                                                               \
-  X(void, DeleteBuffers, (int count, const unsigned* buffers))                                                      \
-  X(void, BindBuffer, (unsigned target, unsigned buffer))                                                           \
-  X(void, BufferData, (unsigned target, std::ptrdiff_t bytes, const void* data, unsigned usage))                    \
-  X(void, BufferSubData, (unsigned target, std::ptrdiff_t offset, std::ptrdiff_t bytes, const void* data))          \
-  X(void, BindBufferRange,                                                                                          \
-    (unsigned target, unsigned index, unsigned buffer, std::ptrdiff_t offset, std::ptrdiff_t bytes))                \
-  X(void, GenVertexArrays, (int count, unsigned* arrays))                                                           \
-  X(void, DeleteVertexArrays, (int count, const unsigned* arrays))                                                  \
-  X(void, BindVertexArray, (unsigned array))                                                                        \
-  X(void, EnableVertexAttribArray, (unsigned location))                                                             \
-  X(void, VertexAttribPointer,                                                                                      \
-    (unsigned location, int size, unsigned type, unsigned char normalized, int stride, const void* offset))         \
-  X(void, VertexAttribIPointer, (unsigned location, int size, unsigned type, int stride, const void* offset))       \
-  X(unsigned, CreateShader, (unsigned type))                                                                        \
-  X(void, ShaderSource, (unsigned shader, int count, const char* const* texts, const int* lengths))                 \
-  X(void, CompileShader, (unsigned shader))                                                                         \
-  X(void, GetShaderiv, (unsigned shader, unsigned name, int* value))                                                \
-  X(void, GetShaderInfoLog, (unsigned shader, int size, int* length, char* text))                                   \
-  X(void, DeleteShader, (unsigned shader))                                                                          \
-  X(unsigned, CreateProgram, ())                                                                                    \
-  X(void, AttachShader, (unsigned program, unsigned shader))                                                        \
-  X(void, TransformFeedbackVaryings, (unsigned program, int count, const char* const* names, unsigned mode))        \
-  X(void, LinkProgram, (unsigned program))                                                                          \
-  X(void, GetProgramiv, (unsigned program, unsigned name, int* value))                                              \
-  X(void, GetProgramInfoLog, (unsigned program, int size, int* length, char* text))                                 \
-  X(void, DeleteProgram, (unsigned program))                                                                        \
-  X(int, GetUniformLocation, (unsigned program, const char* name))                                                  \
-  X(void, Uniform1f, (int location, float value))                                                                   \
-  X(unsigned, GetUniformBlockIndex, (unsigned program, const char* name))                                           \
-  X(void, UniformBlockBinding, (unsigned program, unsigned index, unsigned binding))                                \
-  X(void, DrawElements, (unsigned mode, int count, unsigned type, const void* offset))                              \
-  X(void, DrawElementsInstanced, (unsigned mode, int count, unsigned type, const void* offset, int instances))      \
-  X(void, DrawArrays, (unsigned mode, int first, int count))                                                        \
-  X(void, UseProgram, (unsigned program))                                                                           \
-  X(void, Enable, (unsigned capability))                                                                            \
-  X(void, Disable, (unsigned capability))                                                                           \
-  X(void, BeginTransformFeedback, (unsigned mode))                                                                  \
-  X(void, EndTransformFeedback, ())                                                                                 \
-  X(void, BindBufferBase, (unsigned target, unsigned index, unsigned buffer))                                       \
-  X(void, Uniform2i, (int location, int x, int y))                                                                  \
-  X(void, Uniform1iv, (int location, int count, const int* values))                                                 \
-  X(void, ActiveTexture, (unsigned unit))                                                                           \
-  X(void, GenTextures, (int count, unsigned* textures))                                                             \
-  X(void, DeleteTextures, (int count, const unsigned* textures))                                                    \
-  X(void, BindTexture, (unsigned target, unsigned texture))                                                         \
-  X(void, TexParameteri, (unsigned target, unsigned name, int value))                                               \
-  X(void, TexImage2D,                                                                                               \
-    (unsigned target, int level, int internal_format, int width, int height, int border, unsigned format,           \
-     unsigned type, const void* texels))                                                                            \
-  X(void, TexSubImage2D,                                                                                            \
-    (unsigned target, int level, int x, int y, int width, int height, unsigned format, unsigned type,               \
-     const void* texels))                                                                                           \
-  X(void, Uniform1i, (int location, int value))                                                                     \
-  X(void, Uniform4fv, (int location, int count, const float* values))                                               \
-  X(void, GenFramebuffers, (int count, unsigned* framebuffers))                                                     \
-  X(void, DeleteFramebuffers, (int count, const unsigned* framebuffers))                                            \
-  X(void, BindFramebuffer, (unsigned target, unsigned framebuffer))                                                 \
-  X(void, FramebufferTexture2D, (unsigned target, unsigned attachment, unsigned kind, unsigned texture, int level)) \
-  X(unsigned, CheckFramebufferStatus, (unsigned target))                                                            \
+#define MARROW_GLES3_FUNCTIONS(X)                                                                              \
+  X(const unsigned char*, GetString, (unsigned name))                                                          \
+  X(void, GetIntegerv, (unsigned name, int* values))                                                           \
+  X(unsigned, GetError, ())                                                                                    \
+  X(void, GenBuffers, (int count, unsigned* buffers))                                                          \
+  X(void, DeleteBuffers, (int count, const unsigned* buffers))                                                 \
+  X(void, BindBuffer, (unsigned target, unsigned buffer))                                                      \
+  X(void, BufferData, (unsigned target, std::ptrdiff_t bytes, const void* data, unsigned usage))               \
+  X(void, BufferSubData, (unsigned target, std::ptrdiff_t offset, std::ptrdiff_t bytes, const void* data))     \
+  X(void, BindBufferRange,                                                                                     \
+    (unsigned target, unsigned index, unsigned buffer, std::ptrdiff_t offset, std::ptrdiff_t bytes))           \
+  X(void, GenVertexArrays, (int count, unsigned* arrays))                                                      \
+  X(void, DeleteVertexArrays, (int count, const unsigned* arrays))                                             \
+  X(void, BindVertexArray, (unsigned array))                                                                   \
+  X(void, EnableVertexAttribArray, (unsigned location))                                                        \
+  X(void, VertexAttribPointer,                                                                                 \
+    (unsigned location, int size, unsigned type, unsigned char normalized, int stride, const void* offset))    \
+  X(void, VertexAttribIPointer, (unsigned location, int size, unsigned type, int stride, const void* offset))  \
+  X(unsigned, CreateShader, (unsigned type))                                                                   \
+  X(void, ShaderSource, (unsigned shader, int count, const char* const* texts, const int* lengths))            \
+  X(void, CompileShader, (unsigned shader))                                                                    \
+  X(void, GetShaderiv, (unsigned shader, unsigned name, int* value))                                           \
+  X(void, GetShaderInfoLog, (unsigned shader, int size, int* length, char* text))                              \
+  X(void, DeleteShader, (unsigned shader))                                                                     \
+  X(unsigned, CreateProgram, ())                                                                               \
+  X(void, AttachShader, (unsigned program, unsigned shader))                                                   \
+  X(void, TransformFeedbackVaryings, (unsigned program, int count, const char* const* names, unsigned mode))   \
+  X(void, LinkProgram, (unsigned program))                                                                     \
+  X(void, GetProgramiv, (unsigned program, unsigned name, int* value))                                         \
+  X(void, GetProgramInfoLog, (unsigned program, int size, int* length, char* text))                            \
+  X(void, DeleteProgram, (unsigned program))                                                                   \
+  X(int, GetUniformLocation, (unsigned program, const char* name))                                             \
+  X(void, Uniform1f, (int location, float value))                                                              \
+  X(unsigned, GetUniformBlockIndex, (unsigned program, const char* name))                                      \
+  X(void, UniformBlockBinding, (unsigned program, unsigned index, unsigned binding))                           \
+  X(void, DrawElements, (unsigned mode, int count, unsigned type, const void* offset))                         \
+  X(void, DrawElementsInstanced, (unsigned mode, int count, unsigned type, const void* offset, int instances)) \
+  X(void, DrawArrays, (unsigned mode, int first, int count))                                                   \
+  X(void, UseProgram, (unsigned program))                                                                      \
+  X(void, Enable, (unsigned capability))                                                                       \
+  X(void, Disable, (unsigned capability))                                                                      \
+  X(void, BeginTransformFeedback, (unsigned mode))                                                             \
+  X(void, EndTransformFeedback, ())                                                                            \
+  X(void, BindBufferBase, (unsigned target, unsigned index, unsigned buffer))                                  \
+  X(void, Uniform2i, (int location, int x, int y))                                                             \
+  X(void, Uniform1iv, (int location, int count, const int* values))                                            \
+  X(void, ActiveTexture, (unsigned unit))                                                                      \
+  X(void, GenTextures, (int count, unsigned* textures))                                                        \
+  X(void, DeleteTextures, (int count, const unsigned* textures))                                               \
+  X(void, BindTexture, (unsigned target, unsigned texture))                                                    \
+  X(void, TexParameteri, (unsigned target, unsigned name, int value))                                          \
+  X(void, TexImage2D,                                                                                          \
+    (unsigned target, int level, int internal_format, int width, int height, int border, unsigned format,      \
+     unsigned type, const void* texels))                                                                       \
+  X(void, TexSubImage2D,                                                                                       \
+    (unsigned target, int level, int x, int y, int width, int height, unsigned format, unsigned type,          \
+     const void* texels))                                                                                      \
+  X(void, Uniform1i, (int location, int value))                                                                \
+  X(void, Uniform4fv, (int location, int count, const float* values))                                          \
+  X(void, GenFramebuffers, (int count, unsigned* framebuffers))                                                \
+  X(void, DeleteFramebuffers, (int count, const unsigned* framebuffers))                                       \
+  X(void, BindFramebuffer, (unsigned target, unsigned framebuffer))                                            \
+  X(void, FramebufferTexture2D, (unsigned target, unsigned point, unsigned kind, unsigned texture, int level)) \
+  X(unsigned, CheckFramebufferStatus, (unsigned target))                                                       \
   X(void, Viewport, (int x, int y, int width, int height))
 
 #define MARROW_GLES31_FUNCTIONS(X)                               \
