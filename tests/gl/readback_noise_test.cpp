@@ -6,6 +6,7 @@
 #include "gl/feedback.h"
 #include "gl/models.h"
 #include "gl/worst.h"
+#include "marrow/gles3_skinner.h"
 #include "support/aligned.h"
 #include "support/morphs.h"
 #include "support/rig.h"

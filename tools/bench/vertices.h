@@ -18,8 +18,8 @@ class GeneratedMesh {
   GeneratedMesh(const GeneratedMesh&) = delete;
   GeneratedMesh& operator=(const GeneratedMesh&) = delete;
 
-  // Positions, normals, tangents and residual; two triangles a slot, each slot in six, as in a grid; entry j is joint
-  // j, bound where it is.
+  // Positions, normals, tangents and residual; two triangles a slot, each slot in six, as in a grid, unless there are
+  // more than 65 536 slots; entry j is joint j, bound where it is.
   const Mesh& view() const { return mesh_; }
 
  private:
@@ -27,7 +27,7 @@ class GeneratedMesh {
   std::vector<std::uint16_t> sets_;
   std::vector<float> skin_, normals_, tangents_, residual_;
   std::vector<std::uint16_t> joints_;
-  std::vector<std::uint32_t> indices_;
+  std::vector<std::uint16_t> indices_;
   std::vector<Affine> inverse_bind_;
   Mesh mesh_;
 };
