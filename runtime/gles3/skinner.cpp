@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "gles3/gl_constants.h"
+#include "gles3/memory.h"
 #include "gles3/program_set.h"
 #include "marrow/morph.h"
 #include "marrow/palette.h"
@@ -15,20 +16,6 @@ namespace {
 bool skins_once(Path path) {
   return path != Path::ubo && path != Path::texture;
 }
-
-// Memory handed out piece by piece; without any it only counts.
-struct Memory {
-  std::byte* first = nullptr;
-  std::size_t used = 0;
-
-  template <class T>
-  Span<T> take(std::size_t count) {
-    used = (used + 15) / 16 * 16;
-    T* const at = first != nullptr ? reinterpret_cast<T*>(first + used) : nullptr;
-    used += count * sizeof(T);
-    return {at, first != nullptr ? count : 0};
-  }
-};
 
 PrepareOptions prepare_options(const SkinnerOptions& options) {
   const bool on_gpu = options.path != Path::cpu, as = options.deformer == Deformer::as;
