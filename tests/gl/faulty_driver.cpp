@@ -59,9 +59,11 @@ bool has_room() {
 void catch_objects(gles3::Api& api) {
   using gles3::Api;
   api.GenBuffers = generate<&Api::GenBuffers>;
+  api.GenFramebuffers = generate<&Api::GenFramebuffers>;
   api.GenTextures = generate<&Api::GenTextures>;
   api.GenVertexArrays = generate<&Api::GenVertexArrays>;
   api.DeleteBuffers = remove<&Api::DeleteBuffers>;
+  api.DeleteFramebuffers = remove<&Api::DeleteFramebuffers>;
   api.DeleteTextures = remove<&Api::DeleteTextures>;
   api.DeleteVertexArrays = remove<&Api::DeleteVertexArrays>;
   api.DeleteShader = remove_one<&Api::DeleteShader>;

@@ -45,6 +45,7 @@ class Stage {
     EXPECT_EQ(context_.create(), Status::ok) << context_.error();
     EXPECT_EQ(gles3::load_api(real_, egl::load_proc), Status::ok);
     EXPECT_EQ(gles3::query_caps(real_, caps_), Status::ok);
+    static_cast<gles3::Api&>(gl_) = real_;
 #define MARROW_LOAD(Result, Name, Parameters) \
   gl_.Name = reinterpret_cast<Result(*) Parameters>(egl::load_proc("gl" #Name));
     MARROW_TOOL_GL_FUNCTIONS(MARROW_LOAD)

@@ -33,7 +33,6 @@
   X(void, GetInternalformativ, (GLenum target, GLenum format, GLenum name, GLsizei size, GLint * values))         \
   X(void, PixelStorei, (GLenum name, GLint value))                                                                \
   X(void, PolygonOffset, (GLfloat factor, GLfloat units))                                                         \
-  X(void, ReadPixels, (GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* out))   \
   X(void, RenderbufferStorageMultisample,                                                                         \
     (GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height))                               \
   X(void, SamplerParameteri, (GLuint sampler, GLenum name, GLint value))                                          \

@@ -71,7 +71,11 @@
   X(void, BindFramebuffer, (unsigned target, unsigned framebuffer))                                            \
   X(void, FramebufferTexture2D, (unsigned target, unsigned point, unsigned kind, unsigned texture, int level)) \
   X(unsigned, CheckFramebufferStatus, (unsigned target))                                                       \
-  X(void, Viewport, (int x, int y, int width, int height))
+  X(void, Viewport, (int x, int y, int width, int height))                                                     \
+  X(void, ClearBufferuiv, (unsigned buffer, int index, const unsigned* value))                                 \
+  X(void, ReadPixels, (int x, int y, int width, int height, unsigned format, unsigned type, void* out))        \
+  X(void, ColorMask, (unsigned char red, unsigned char green, unsigned char blue, unsigned char alpha))        \
+  X(void, Finish, ())
 
 #define MARROW_GLES31_FUNCTIONS(X)                               \
   X(void, DispatchCompute, (unsigned x, unsigned y, unsigned z)) \
