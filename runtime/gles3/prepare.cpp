@@ -182,9 +182,9 @@ Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Progra
   api.BindVertexArray(array);
   const auto count = static_cast<int>(mesh.index_count);
   if (instances == 1) {
-    api.DrawElements(kGlTriangles, count, mesh.index_type, nullptr);
+    api.DrawElements(mesh.primitive, count, mesh.index_type, nullptr);
   } else {
-    api.DrawElementsInstanced(kGlTriangles, count, mesh.index_type, nullptr, static_cast<int>(instances));
+    api.DrawElementsInstanced(mesh.primitive, count, mesh.index_type, nullptr, static_cast<int>(instances));
   }
   api.BindVertexArray(0);
   return Status::ok;

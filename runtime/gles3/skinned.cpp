@@ -79,7 +79,7 @@ Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& verti
 
 void draw(const Api& api, const GpuMesh& mesh, const SkinnedMesh& skinned) {
   api.BindVertexArray(skinned.array);
-  api.DrawElements(kGlTriangles, static_cast<int>(mesh.index_count), mesh.index_type, nullptr);
+  api.DrawElements(mesh.primitive, static_cast<int>(mesh.index_count), mesh.index_type, nullptr);
   api.BindVertexArray(0);
 }
 

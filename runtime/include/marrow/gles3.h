@@ -108,6 +108,7 @@ struct GpuMesh {
   std::uint32_t index_buffer = 0;
   std::uint32_t index_count = 0;
   std::uint32_t index_type = 0;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+  std::uint32_t primitive = 4;   // what the indices draw: GL_TRIANGLES
   std::uint32_t slot_count = 0;
   std::uint32_t joint_count = 0;   // matrices in its palette
   std::uint32_t vertex_bytes = 0;  // all vertex buffers together
