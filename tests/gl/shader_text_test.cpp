@@ -15,7 +15,7 @@
 
 namespace marrow::embedded {
 extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],
-    shader_backdrop_vert[], shader_backdrop_frag[], shader_studio[];
+    shader_backdrop_vert[], shader_backdrop_frag[], shader_studio[], shader_self_test_vert[], shader_self_test_frag[];
 }
 
 namespace marrow::test {
@@ -58,6 +58,7 @@ void note_all() {
   const std::string backdrop = text(embedded::shader_studio) + text(embedded::shader_backdrop_frag);
   const std::string pairs[][2] = {{text(embedded::shader_surface_vert), surface},
                                   {text(embedded::shader_depth_vert), text(embedded::shader_depth_frag)},
+                                  {text(embedded::shader_self_test_vert), text(embedded::shader_self_test_frag)},
                                   {text(embedded::shader_backdrop_vert), backdrop}};
   gles3::Program out;
   for (int deformer = 0; deformer < 4; ++deformer)

@@ -1,0 +1,143 @@
+// What the self-test found: which path to take, and bytes to keep.
+#include <bit>
+#include <cstring>
+
+#include "asset/format.h"
+#include "gles3/gl_constants.h"
+#include "gles3/self_test_key.h"
+
+namespace marrow::embedded {
+extern const unsigned char shader_skin[], shader_preskin_vert[], shader_preskin_comp[], shader_self_test_vert[],
+    shader_self_test_frag[];
+}
+
+namespace marrow::gles3 {
+namespace {
+
+// Which path is better, the best first; docs/architecture.md says why.
+struct Preference {
+  bool many_characters, several_passes;
+  Path order[kPathCount];
+};
+constexpr Preference kPreferences[] = {
+    {false, false, {Path::ubo, Path::texture, Path::compute, Path::feedback, Path::cpu}},
+    {false, true, {Path::compute, Path::feedback, Path::ubo, Path::texture, Path::cpu}},
+    {true, false, {Path::texture, Path::ubo, Path::compute, Path::feedback, Path::cpu}},
+    {true, true, {Path::texture, Path::compute, Path::feedback, Path::ubo, Path::cpu}},
+};
+
+constexpr std::uint32_t kSavedMagic = 0x53544D4Du;
+// To be raised when the test does something else.
+constexpr std::uint32_t kSavedVersion = 1;
+
+struct SavedPath {
+  std::uint32_t verdict;
+  float numbers[3];
+};
+struct SavedSelfTest {
+  std::uint32_t magic, version;
+  std::uint64_t key;
+  SavedPath paths[kPathCount];
+  std::uint64_t checksum;  // of what stands before
+};
+static_assert(sizeof(SavedSelfTest) == kSavedSelfTestBytes);
+
+std::uint64_t checksum_of(const SavedSelfTest& saved) {
+  return format::checksum(reinterpret_cast<const std::byte*>(&saved), offsetof(SavedSelfTest, checksum));
+}
+
+std::uint64_t hash_of(const unsigned char* text) {
+  if (text == nullptr) return 0;
+  return format::checksum(reinterpret_cast<const std::byte*>(text), std::strlen(reinterpret_cast<const char*>(text)));
+}
+
+bool is_good(const SavedPath& saved) {
+  bool good = saved.verdict < kVerdictCount;
+  for (const float number : saved.numbers) good = good && number >= 0 && number < 1e12f;
+  return good;
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  const char* const reasons[kVerdictCount] = {"",
+                                              "not asked for",
+                                              "crashed when last tried",
+                                              "needs what the context has not",
+                                              "the driver refuses its programs or buffers",
+                                              "GL reports an error",
+                                              "its vertices are wrong",
+                                              "much slower than another path"};
+  return reasons[static_cast<std::size_t>(verdict)];
+}
+
+std::uint64_t self_test_key(const Api& api, const Caps& caps, const SelfTestOptions& options) {
+  const std::uint64_t parts[] = {hash_of(api.GetString(kGlVendor)),
+                                 hash_of(api.GetString(kGlRenderer)),
+                                 hash_of(api.GetString(kGlVersion)),
+                                 hash_of(embedded::shader_skin),
+                                 hash_of(embedded::shader_preskin_vert),
+                                 hash_of(embedded::shader_preskin_comp),
+                                 hash_of(embedded::shader_self_test_vert),
+                                 hash_of(embedded::shader_self_test_frag),
+                                 caps.uniform_block_bytes,
+                                 caps.uniform_offset_alignment,
+                                 caps.vertex_attributes,
+                                 caps.texture_size,
+                                 caps.compute ? 1u : 0u,
+                                 options.paths,
+                                 options.crashed,
+                                 options.ssd ? 1u : 0u,
+                                 options.as ? 1u : 0u,
+                                 options.seconds != nullptr ? std::bit_cast<std::uint32_t>(options.slow) : 0u};
+  return format::checksum(reinterpret_cast<const std::byte*>(parts), sizeof(parts));
+}
+
+Status choose(const SelfTest& test, const PathNeed& need, Path& out) {
+  const bool many = need.characters >= kManyCharacters, several = need.passes > 1;
+  for (const Preference& preference : kPreferences) {
+    if (preference.many_characters != many || preference.several_passes != several) continue;
+    for (const Path path : preference.order) {
+      const bool has_room = path == Path::texture || path == Path::cpu || need.joints <= kPaletteJoints;
+      if (!has_room || test.paths[static_cast<std::size_t>(path)].verdict != Verdict::usable) continue;
+      out = path;
+      return Status::ok;
+    }
+  }
+  return Status::unsupported;
+}
+
+Status save(const SelfTest& test, Span<std::byte> out) {
+  if (out.size < kSavedSelfTestBytes) return Status::bad_argument;
+  SavedSelfTest saved = {kSavedMagic, kSavedVersion, test.key, {}, 0};
+  for (std::size_t i = 0; i < kPathCount; ++i) {
+    const PathResult& from = test.paths[i];
+    saved.paths[i] = {static_cast<std::uint32_t>(from.verdict),
+                      {from.position_error, from.normal_error, from.ns_per_vertex}};
+  }
+  saved.checksum = checksum_of(saved);
+  std::memcpy(out.data, &saved, sizeof(saved));
+  return Status::ok;
+}
+
+Status restore(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<const std::byte> bytes,
+               SelfTest& out) {
+  if (bytes.size < kSavedSelfTestBytes) return Status::truncated;
+  SavedSelfTest saved;
+  std::memcpy(&saved, bytes.data, sizeof(saved));
+  if (saved.magic != kSavedMagic) return Status::bad_magic;
+  if (saved.version != kSavedVersion) return Status::bad_version;
+  if (saved.checksum != checksum_of(saved)) return Status::bad_checksum;
+  SelfTest test;
+  test.key = saved.key;
+  for (std::size_t i = 0; i < kPathCount; ++i) {
+    const SavedPath& from = saved.paths[i];
+    if (!is_good(from)) return Status::bad_data;
+    test.paths[i] = {static_cast<Verdict>(from.verdict), from.numbers[0], from.numbers[1], from.numbers[2]};
+  }
+  if (saved.key != self_test_key(api, caps, options)) return Status::mismatch;
+  out = test;
+  return Status::ok;
+}
+
+}  // namespace marrow::gles3

@@ -1,0 +1,112 @@
+// Which paths of gles3_skinner.h a device can be trusted with, found out by trying them once at start-up: drivers
+// miscompile, lose uploads, crash, or are slow at what others are fast at.
+//
+//   start            restore() what was stored; unless that is ok, self_test(), then save() and store the bytes
+//   once a mesh      choose() → SkinnerOptions::path
+//
+// Every path skins two small meshes, by each deformer asked for, as two characters in two frames. Each vertex is drawn
+// as a point into a texture of integers and read back, so that no path is needed to see what another does, and compared
+// with skin_ssd() and skin_as(). The conventions are those of gles3.h.
+#pragma once
+
+#include "marrow/gles3_skinner.h"
+
+namespace marrow::gles3 {
+
+// What the self-test says of a path.
+enum class Verdict : std::uint8_t {
+  usable,
+  not_tried,    // not among SelfTestOptions::paths
+  crashed,      // among SelfTestOptions::crashed
+  unsupported,  // the caps rule it out
+  refused,      // the driver refuses its programs or its buffers
+  gl_error,     // GL reports an error while it skins
+  wrong,        // its vertices differ from the CPU's
+  slow,         // right, but SelfTestOptions::slow times slower than the fastest that skins on the GPU
+};
+inline constexpr std::uint32_t kVerdictCount = 8;
+// Why a path is ruled out, in a few words; "" for usable.
+const char* to_string(Verdict verdict);
+
+struct PathResult {
+  Verdict verdict = Verdict::not_tried;
+  // The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+  // and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+  // kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+  float position_error = 0;
+  float normal_error = 0;
+  float ns_per_vertex = 0;  // to skin and draw once; 0: not timed
+};
+inline constexpr float kMostPositionError = 0.001f;
+inline constexpr float kMostNormalError = 0.005f;
+
+struct SelfTest {
+  PathResult paths[kPathCount];  // by Path
+  std::uint64_t key = 0;         // of driver, caps, options and this library's shader texts
+};
+
+constexpr std::uint32_t bit_of(Path path) {
+  return 1u << static_cast<std::uint32_t>(path);
+}
+inline constexpr std::uint32_t kAllPaths = (1u << kPathCount) - 1;
+
+struct SelfTestOptions {
+  std::uint32_t paths = kAllPaths;  // bit_of() of those to try
+  // Paths during which the process came to its end: they are not tried again. See about_to_try.
+  std::uint32_t crashed = 0;
+  bool ssd = true;  // the deformers that the game uses
+  bool as = true;
+  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+  double (*seconds)(void* user) = nullptr;
+  float slow = 4;
+  // Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
+  // forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
+  // with what has been there before.
+  void (*about_to_try)(void* user, Path path) = nullptr;
+  void* user = nullptr;
+};
+
+// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+std::size_t self_test_bytes(const SelfTestOptions& options);
+
+// Tries the paths, in the order of Path. memory: at least self_test_bytes(), 16-byte aligned, free again afterwards.
+// Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing can be read
+// back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+//
+// Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
+// framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
+// GL_UNIFORM_BUFFER, the pixel buffers, colour mask, scissor test and rasterizer discard. Leaves at 0 uniform buffer
+// binding 0 and what preskin() says.
+// Cost: some twenty programs compiled, and a wait for each frame; only where nothing is stored.
+Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<std::byte> memory,
+                 SelfTest& out);
+
+// What a mesh is to be drawn for.
+struct PathNeed {
+  std::uint32_t passes = 1;      // that draw it in a frame: colour, depth, shadows
+  std::uint32_t characters = 1;  // in one Skinner
+  std::uint32_t joints = 0;      // Mesh::palette_size()
+};
+inline constexpr std::uint32_t kManyCharacters = 8;
+
+// The first usable path in this order:
+//
+//                                one pass                           several passes
+//   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
+//   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+//
+// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
+// Errors: unsupported (none is usable). `out` is written only on success.
+Status choose(const SelfTest& test, const PathNeed& need, Path& out);
+
+// A result as bytes that a game stores. Errors: bad_argument (too short).
+inline constexpr std::size_t kSavedSelfTestBytes = 104;
+Status save(const SelfTest& test, Span<std::byte> out);
+
+// The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,
+// bad_checksum, bad_data; mismatch (another driver, version of it, library, or other caps or options): then test anew,
+// and with another driver without what had crashed. `out` is written only on success.
+Status restore(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<const std::byte> saved,
+               SelfTest& out);
+
+}  // namespace marrow::gles3

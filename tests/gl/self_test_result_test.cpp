@@ -1,0 +1,216 @@
+// Which path is taken of those that work, and what is kept of a self-test from one start to the next.
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "asset/format.h"
+#include "marrow/gles3_self_test.h"
+
+namespace marrow::test {
+namespace {
+
+using gles3::Path;
+using gles3::Verdict;
+
+gles3::SelfTest usable(std::uint32_t paths) {
+  gles3::SelfTest out;
+  for (std::uint32_t i = 0; i < gles3::kPathCount; ++i)
+    out.paths[i].verdict = (paths >> i & 1) != 0 ? Verdict::usable : Verdict::wrong;
+  return out;
+}
+
+// The tables of docs/architecture.md, word by word.
+TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
+  struct Row {
+    gles3::PathNeed need;
+    const char* order;
+  };
+  const Row rows[] = {{{1, 1, 341}, "ubo texture compute feedback cpu"},
+                      {{1, 7, 0}, "ubo texture compute feedback cpu"},
+                      {{2, 1, 341}, "compute feedback ubo texture cpu"},
+                      {{5, 7, 1}, "compute feedback ubo texture cpu"},
+                      {{1, 8, 341}, "texture ubo compute feedback cpu"},
+                      {{1, 1000, 20}, "texture ubo compute feedback cpu"},
+                      {{2, 8, 341}, "texture compute feedback ubo cpu"},
+                      {{1, 1, 342}, "texture cpu"},
+                      {{3, 1, 342}, "texture cpu"},
+                      {{1, 8, 1000}, "texture cpu"},
+                      {{3, 8, 32767}, "texture cpu"}};
+  for (const Row& row : rows)
+    for (std::uint32_t paths = 0; paths < 32; ++paths) {
+      std::string expected;
+      const std::string order = row.order;
+      for (std::size_t at = 0; at < order.size() && expected.empty();) {
+        const std::size_t end = std::min(order.find(' ', at), order.size());
+        const std::string name = order.substr(at, end - at);
+        for (std::uint32_t i = 0; i < gles3::kPathCount; ++i)
+          if (name == to_string(static_cast<Path>(i)) && (paths >> i & 1) != 0) expected = name;
+        at = end + 1;
+      }
+      Path path = Path::feedback;
+      const Status status = gles3::choose(usable(paths), row.need, path);
+      EXPECT_EQ(status, expected.empty() ? Status::unsupported : Status::ok);
+      EXPECT_EQ(to_string(path), expected.empty() ? "feedback" : expected) << row.order << ", usable " << paths;
+    }
+}
+
+TEST(SelfTestResult, NothingIsChosenBeforeATest) {
+  Path path = Path::compute;
+  EXPECT_EQ(gles3::choose({}, {}, path), Status::unsupported);
+  EXPECT_EQ(path, Path::compute);
+}
+
+TEST(SelfTestResult, EveryVerdictHasAReason) {
+  std::set<std::string> reasons;
+  for (std::uint32_t i = 0; i < gles3::kVerdictCount; ++i) reasons.insert(to_string(static_cast<Verdict>(i)));
+  EXPECT_EQ(reasons.size(), gles3::kVerdictCount);
+  EXPECT_STREQ(to_string(Verdict::usable), "");
+  EXPECT_STREQ(to_string(Verdict::crashed), "crashed when last tried");
+}
+
+const char* strings[3] = {};  // vendor, renderer, version
+gles3::Api named_driver() {
+  strings[0] = "Somebody";
+  strings[1] = "Shader Core 7";
+  strings[2] = "OpenGL ES 3.2 build 4711";
+  gles3::Api api;
+  api.GetString = [](unsigned name) { return reinterpret_cast<const unsigned char*>(strings[name - 0x1F00]); };
+  return api;
+}
+
+// A result and all that it depends on.
+struct Kept {
+  gles3::Api api = named_driver();
+  gles3::Caps caps;
+  gles3::SelfTestOptions options;
+  gles3::SelfTest test;
+  std::byte bytes[gles3::kSavedSelfTestBytes];
+
+  Status restore(gles3::SelfTest& out) const { return gles3::restore(api, caps, options, {bytes, sizeof(bytes)}, out); }
+};
+
+template <class Function>
+struct Nothing;
+template <class Result, class... Arguments>
+struct Nothing<Result (*)(Arguments...)> {
+  static Result call(Arguments...) { return Result(); }
+};
+
+// A driver whose functions do nothing but read back what was cleared.
+unsigned cleared = 0;
+gles3::Api hollow_driver() {
+  gles3::Api api = named_driver();
+#define MARROW_HOLLOW(Result, Name, Parameters) \
+  if (api.Name == nullptr) api.Name = Nothing<decltype(gles3::Api::Name)>::call;
+  MARROW_GLES3_FUNCTIONS(MARROW_HOLLOW)
+#undef MARROW_HOLLOW
+  api.CheckFramebufferStatus = [](unsigned) { return 0x8CD5u; };
+  api.ClearBufferuiv = [](unsigned, int, const unsigned* value) { cleared = *value; };
+  api.ReadPixels = [](int, int, int width, int height, unsigned, unsigned, void* out) {
+    for (int i = 0; i < 4 * width * height; ++i) static_cast<unsigned*>(out)[i] = cleared;
+  };
+  return api;
+}
+
+Kept kept() {
+  Kept out;
+  out.api = hollow_driver();
+  out.options.crashed = gles3::bit_of(Path::feedback);
+  std::vector<SoaTransform> memory(gles3::self_test_bytes(out.options) / sizeof(SoaTransform) + 1);
+  EXPECT_EQ(
+      gles3::self_test(out.api, out.caps, out.options,
+                       {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)}, out.test),
+      Status::ok);
+  out.test.paths[0] = {Verdict::usable, 0.25f, 0.5f, 12};
+  EXPECT_EQ(gles3::save(out.test, {out.bytes, sizeof(out.bytes)}), Status::ok);
+  return out;
+}
+
+TEST(SelfTestResult, ComesBackFromItsBytes) {
+  const Kept k = kept();
+  gles3::SelfTest out;
+  ASSERT_EQ(k.restore(out), Status::ok);
+  const Verdict expected[] = {Verdict::usable, Verdict::refused, Verdict::crashed, Verdict::unsupported,
+                              Verdict::refused};
+  for (std::size_t i = 0; i < gles3::kPathCount; ++i) EXPECT_EQ(out.paths[i].verdict, expected[i]) << i;
+  EXPECT_EQ(out.paths[0].position_error, 0.25f);
+  EXPECT_EQ(out.paths[0].normal_error, 0.5f);
+  EXPECT_EQ(out.paths[0].ns_per_vertex, 12.0f);
+  EXPECT_EQ(out.key, k.test.key);
+  std::byte shorter[gles3::kSavedSelfTestBytes - 1];
+  EXPECT_EQ(gles3::save(k.test, {shorter, sizeof(shorter)}), Status::bad_argument);
+}
+
+TEST(SelfTestResult, HoldsForOneDriverAndOneQuestion) {
+  Kept k = kept();
+  const auto refuses = [&](const char* what, const std::function<void(Kept&)>& change) {
+    Kept other = k;
+    change(other);
+    gles3::SelfTest out;
+    EXPECT_EQ(other.restore(out), Status::mismatch) << what;
+    EXPECT_EQ(out.key, 0u) << "written on failure";
+  };
+  const char* const others[3] = {"Somebody else", "Shader Core 8", "OpenGL ES 3.2 build 4712"};
+  for (int i = 0; i < 3; ++i) {
+    const char* const before = strings[i];
+    refuses("another driver", [&](Kept&) { strings[i] = others[i]; });
+    refuses("a driver without a name", [&](Kept&) { strings[i] = nullptr; });
+    strings[i] = before;
+  }
+  refuses("paths", [](Kept& o) { o.options.paths = 3; });
+  refuses("crashed", [](Kept& o) { o.options.crashed = 0; });
+  refuses("ssd", [](Kept& o) { o.options.ssd = false; });
+  refuses("as", [](Kept& o) { o.options.as = false; });
+  refuses("timed", [](Kept& o) { o.options.seconds = [](void*) { return 0.0; }; });
+  refuses("compute", [](Kept& o) { o.caps.compute = true; });
+  refuses("alignment", [](Kept& o) { o.caps.uniform_offset_alignment = 64; });
+  refuses("block", [](Kept& o) { o.caps.uniform_block_bytes = 65536; });
+  refuses("attributes", [](Kept& o) { o.caps.vertex_attributes = 32; });
+  refuses("texture", [](Kept& o) { o.caps.texture_size = 4096; });
+  gles3::SelfTest out;
+  EXPECT_EQ(k.restore(out), Status::ok) << "as it was";
+}
+
+TEST(SelfTestResult, DamageIsNoticed) {
+  Kept k = kept();
+  gles3::SelfTest out;
+  for (std::size_t bit = 0; bit < 8 * sizeof(k.bytes); ++bit) {
+    const auto flip = std::byte(1u << bit % 8);
+    k.bytes[bit / 8] ^= flip;
+    const Status status = k.restore(out);
+    EXPECT_EQ(status, bit < 32 ? Status::bad_magic : bit < 64 ? Status::bad_version : Status::bad_checksum) << bit;
+    k.bytes[bit / 8] ^= flip;
+  }
+  for (std::size_t size = 0; size < sizeof(k.bytes); ++size)
+    EXPECT_EQ(gles3::restore(k.api, k.caps, k.options, {k.bytes, size}, out), Status::truncated);
+  EXPECT_EQ(out.key, 0u) << "written on failure";
+}
+
+// Bytes that somebody has made up.
+TEST(SelfTestResult, NonsenseIsRefused) {
+  const Kept good = kept();
+  const auto restored = [&](std::size_t at, auto value) {
+    Kept k = good;
+    std::memcpy(k.bytes + at, &value, sizeof(value));
+    const std::uint64_t sum = format::checksum(k.bytes, sizeof(k.bytes) - 8);
+    std::memcpy(k.bytes + sizeof(k.bytes) - 8, &sum, sizeof(sum));
+    gles3::SelfTest out;
+    return k.restore(out);
+  };
+  constexpr std::size_t kVerdict = 16, kNumber = 20;  // of the first path
+  EXPECT_EQ(restored(kVerdict, gles3::kVerdictCount - 1), Status::ok);
+  EXPECT_EQ(restored(kVerdict, gles3::kVerdictCount), Status::bad_data);
+  EXPECT_EQ(restored(kVerdict, 256u), Status::bad_data);
+  EXPECT_EQ(restored(kNumber, 3.0f), Status::ok);
+  EXPECT_EQ(restored(kNumber, -3.0f), Status::bad_data);
+  EXPECT_EQ(restored(kNumber + 4, std::numeric_limits<float>::quiet_NaN()), Status::bad_data);
+  EXPECT_EQ(restored(kNumber + 8, std::numeric_limits<float>::infinity()), Status::bad_data);
+}
+
+}  // namespace
+}  // namespace marrow::test
