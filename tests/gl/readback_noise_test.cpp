@@ -175,11 +175,32 @@ TEST(Noise, SurfaceNormalsFallBackOnTheBlend) {
   EXPECT_EQ(features & gles3::kSurfaceNormals, 0);
 }
 
-TEST(Noise, OneJointMoreIsRefused) {
+TEST(Noise, OneJointMoreGoesIntoATextureAlone) {
   const TestCharacter character = make_character(15, gles3::kPaletteJoints + 1, 2, false);
-  Feedback feedback(with_box(character.mesh));
-  EXPECT_EQ(feedback.prepared(), Status::unsupported);
-  EXPECT_EQ(feedback.gpu().ssd_array, 0u);
+  const Mesh mesh = with_box(character.mesh);
+  gles3::PaletteRing ring;
+  ASSERT_EQ(gles3::create_palette_ring(gl(), {}, 1000, 1, ring), Status::ok);
+  const std::vector<Affine> palette(mesh.palette_size());
+  std::uint32_t offset = 0;
+  EXPECT_EQ(gles3::push_palette(gl(), ring, palette, offset), Status::bad_argument);
+  gles3::destroy(gl(), ring);
+  for (const gles3::Path path : {gles3::Path::ubo, gles3::Path::texture, gles3::Path::cpu}) {
+    gles3::ProgramSet programs;
+    programs.roles[0] = {"void main() { gl_Position = vec4(marrow_skin().position, 1.0); }",
+                         "precision highp float; out vec4 colour; void main() { colour = vec4(1.0); }",
+                         {}};
+    gles3::SkinnerOptions options;
+    options.path = path;
+    std::vector<SoaTransform> memory(gles3::skinner_bytes(mesh, options) / sizeof(SoaTransform) + 1);
+    gles3::Skinner skinner;
+    EXPECT_EQ(gles3::create_skinner(gl(), {}, mesh, options, programs,
+                                    {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)},
+                                    skinner),
+              path == gles3::Path::ubo ? Status::unsupported : Status::ok)
+        << gles3::to_string(path);
+    gles3::destroy(gl(), skinner);
+    gles3::destroy(gl(), programs);
+  }
 }
 
 }  // namespace

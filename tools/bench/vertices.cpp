@@ -77,9 +77,9 @@ GeneratedMesh::GeneratedMesh(std::uint32_t vertex_count, std::uint32_t influence
     inverse_bind_.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
   }
   const auto width = static_cast<std::uint32_t>(std::sqrt(static_cast<float>(slots)));
-  for (std::uint32_t i = 0; i + width + 1 < slots; ++i)
+  for (std::uint32_t i = 0; i + width + 1 < slots && slots <= 65536; ++i)
     for (const std::uint32_t corner : {i, i + 1, i + width, i + 1, i + width + 1, i + width})
-      indices_.push_back(corner);
+      indices_.push_back(static_cast<std::uint16_t>(corner));
   mesh_.joint_count = joints;
   mesh_.joints = joints_.data();
   mesh_.inverse_bind = inverse_bind_.data();
@@ -88,7 +88,6 @@ GeneratedMesh::GeneratedMesh(std::uint32_t vertex_count, std::uint32_t influence
   g.vertex_count = vertex_count;
   g.joint_count = joints;
   g.index_count = static_cast<std::uint32_t>(indices_.size());
-  g.index_bytes = 4;
   g.indices = indices_.data();
   for (std::size_t c = 0; c < 3; ++c) {
     g.box_min[c] = -1;
