@@ -171,6 +171,23 @@ bool Checker::lods(Span<const MeshLod> lods, const format::MeshHeader& h) {
   return true;
 }
 
+// Whoever puts a primitive together again from its parts leans on what they have in common.
+bool Checker::next_part(const File::Section& s, const format::MeshHeader& h) {
+  if ((h.flags & format::kNextPart) == 0) return true;
+  const File::Section* const before = &s == sections_.data ? nullptr : &s - 1;
+  if (before == nullptr || before->type != format::kTypes[format::kMeshes])
+    return fail(&h.flags, "a next part follows a mesh");
+  const auto* const first = at<format::MeshHeader>(*before, 0);
+  const auto* const a = at<format::GeometryHeader>(nth(format::kGeometries, first->geometry), 0);
+  const auto* const b = at<format::GeometryHeader>(nth(format::kGeometries, h.geometry), 0);
+  constexpr std::uint32_t kSurface =
+      format::kHasNormals | format::kHasTangents | format::kHasUvs | format::kHasColours | format::kHasSourceSlots;
+  return (h.skeleton == first->skeleton && h.target_count == first->target_count &&
+          ((a->flags ^ b->flags) & kSurface) == 0 && a->source_vertex_count == b->source_vertex_count) ||
+         fail(&h.flags,
+              "a next part has the skeleton, attributes, morph targets and source vertices of the part before it");
+}
+
 bool Checker::mesh(const File::Section& s) {
   const auto* h = header<format::MeshHeader>(s);
   if (h == nullptr) return false;
@@ -178,6 +195,7 @@ bool Checker::mesh(const File::Section& s) {
   if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
   if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
+  if (!next_part(s, *h)) return false;
   const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
   if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->half_joint_count !=
                                  at<format::GeometryHeader>(nth(format::kGeometries, h->geometry), 0)->joint_count)

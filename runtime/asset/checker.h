@@ -80,6 +80,7 @@ class Checker {
   std::uint32_t target_count(std::uint32_t of_geometry) const;
   bool lods(Span<const MeshLod> lods, const format::MeshHeader& h);
   bool mesh(const File::Section& s);
+  bool next_part(const File::Section& s, const format::MeshHeader& h);
   bool material(const File::Section& s);
   bool texture(const Texture& t, std::uint32_t& roles);
   bool image(const File::Section& s);

@@ -176,7 +176,7 @@ struct PoseSpaceHeader {
 static_assert(sizeof(PoseSpaceHeader) == 16);
 inline constexpr float kLeastSigma = 1e-3f, kMostSigma = 1e3f;
 
-enum MeshFlags : std::uint32_t { kDoubleSided = 1, kAllMeshFlags = 1 };
+enum MeshFlags : std::uint32_t { kDoubleSided = 1, kNextPart = 2, kAllMeshFlags = 3 };
 
 struct MeshHeader {
   std::uint32_t name;

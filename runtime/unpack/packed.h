@@ -35,13 +35,14 @@ inline constexpr std::uint32_t kJointChildrenShift = 6, kJointManyChildren = 3;
 
 // Of a compact MESH.
 enum PackedMeshFlags : std::uint32_t {
-  kMeshIsDoubleSided = format::kDoubleSided,
+  kMeshIsDoubleSided = 1,
   kMeshHasColour = 2,
   kMeshHasPlace = 4,    // scene_from_mesh is not the identity
   kMeshGivesBinds = 8,  // not all inverse binds follow from the rest pose
   kMeshHasHalfJoints = 16,
   kMeshHasLods = 32,
-  kAllPackedMeshFlags = 63,
+  kMeshIsNextPart = 64,
+  kAllPackedMeshFlags = 127,
 };
 
 // Of a compact CLIP.

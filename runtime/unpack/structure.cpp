@@ -168,7 +168,8 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   Reader reader(record.data, record.size);
   const std::uint32_t flags = reader.take_varint();
   format::MeshHeader h{};
-  h.flags = static_cast<std::uint16_t>(flags & packed::kMeshIsDoubleSided);
+  h.flags = static_cast<std::uint8_t>(((flags & packed::kMeshIsDoubleSided) != 0 ? format::kDoubleSided : 0u) |
+                                      ((flags & packed::kMeshIsNextPart) != 0 ? format::kNextPart : 0u));
   h.name = reader.take_varint();
   h.material = reader.take_varint();
   h.material_section = reader.take_varint();

@@ -235,6 +235,7 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
   cook::CookOptions options;
   options.learn = contestant.cooked;
   options.raw_clips = true;
+  options.most_entries = kMaxJoints;  // a mesh a primitive
   const cook::CookResult cooked = cook::cook_scene(study.scene, options);
   const AlignedBytes unpacked = tools::unpacked(cooked.file, study.scene.source);
   File file;

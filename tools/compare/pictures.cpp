@@ -27,6 +27,7 @@ class Stage {
     options.mesh_codec = cook::MeshCodec::none;
     options.keep_vertex_order = true;
     options.raw_clips = true;
+    options.most_entries = kMaxJoints;  // a mesh a primitive
     cooked_ = cook::cook_scene(study.scene, options).file;
     bytes_ = AlignedBytes{std::span<const std::byte>(cooked_)};
     check(load({bytes_.data(), bytes_.size()}, file_));

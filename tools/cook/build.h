@@ -71,6 +71,7 @@ struct CookOptions {
   MeshPrecision precision;
   LearnOptions learn;                            // animation space
   std::vector<LodRule> lod;                      // levels of detail, ever coarser
+  std::size_t most_entries = 341;                // palette entries of a mesh; primitives with more are split
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
@@ -119,6 +120,15 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out);
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                              std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
                              const DeformerData& deformers = {});
+// Of a primitive in parts: quantised as a whole, so that parts still touch where they do, and the rest part by part.
+struct GeometryPart {
+  std::vector<std::uint32_t> vertices, indices;  // as PrimitivePart's
+  std::vector<std::uint16_t> entries;            // of the palette, ascending
+};
+std::vector<BuiltGeometry> build_geometries(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                                            std::size_t joint_count, const std::vector<GeometryPart>& parts,
+                                            const MeshGrid& grid, const CookOptions& options,
+                                            const DeformerData& deformers);
 // Of meshes built before.
 void build_materials(RawScene& scene, Images images, BuiltScene& out);
 void build_nodes(RawScene& scene, const std::vector<std::string>& keep, BuiltScene& out);

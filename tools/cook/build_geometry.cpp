@@ -2,8 +2,10 @@
 #include <algorithm>
 
 #include "common/failure.h"
+#include "common/parallel.h"
 #include "cook/build.h"
 #include "cook/mesh/encode.h"
+#include "cook/mesh/part.h"
 #include "cook/mesh/record.h"
 #include "marrow/draco.h"
 #include "marrow/meshopt.h"
@@ -45,20 +47,25 @@ tools::AlignedBytes unpack_record(const BuiltGeometry& g, const MeshDecoder& dec
   return section;
 }
 
-}  // namespace
+bool is_packed(const CookOptions& options) {
+  return options.mesh_codec != MeshCodec::none;
+}
 
-BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
-                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
-                             const DeformerData& deformers) {
-  BuiltGeometry out;
-  const bool is_packed = options.mesh_codec != MeshCodec::none;
-  OwnedStreams streams = is_packed
-                             ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, out.error)
-                             : verbatim_streams(primitive, bindings, joint_count);
-  add_deformers(primitive, bindings, deformers, is_packed ? grid : MeshGrid{}, streams, out.error);
-  weld(streams, options.keep_vertex_order);
+// Vertices as numbers; writes error.
+OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings, std::size_t joint_count,
+                          const MeshGrid& grid, const CookOptions& options, const DeformerData& deformers,
+                          MeshError& error) {
+  OwnedStreams out = is_packed(options)
+                         ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, error)
+                         : verbatim_streams(primitive, bindings, joint_count);
+  add_deformers(primitive, bindings, deformers, is_packed(options) ? grid : MeshGrid{}, out, error);
+  return out;
+}
+
+// Of welded streams.
+void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& options, BuiltGeometry& out) {
   optimise_order(streams);
-  if (is_packed) {
+  if (is_packed(options)) {
     const bool draco = options.mesh_codec == MeshCodec::draco;
     const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
     out.codec = draco ? packed::kDraco : packed::kMeshopt;
@@ -71,12 +78,44 @@ BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Bi
   out.influences = streams.mesh.influences;
   out.target_count = streams.mesh.target_count;
   std::memcpy(&out.header, out.section.data(), sizeof out.header);
-  if (is_packed) {
-    const MeshDecoder decoder = out.codec == packed::kDraco ? draco_decoder() : meshopt_decoder();
-    const tools::AlignedBytes again = unpack_record(out, decoder, out.section.size());
-    if (std::memcmp(again.data(), out.section.data(), out.section.size()) != 0)
-      throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "the record does not unpack to itself");
-  }
+  if (!is_packed(options)) return;
+  const MeshDecoder decoder = out.codec == packed::kDraco ? draco_decoder() : meshopt_decoder();
+  const tools::AlignedBytes again = unpack_record(out, decoder, out.section.size());
+  if (std::memcmp(again.data(), out.section.data(), out.section.size()) != 0)
+    throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "the record does not unpack to itself");
+}
+
+}  // namespace
+
+BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
+                             const DeformerData& deformers) {
+  BuiltGeometry out;
+  OwnedStreams streams = make_streams(primitive, bindings, joint_count, grid, options, deformers, out.error);
+  weld(streams, options.keep_vertex_order);
+  finish(streams, grid, options, out);
+  return out;
+}
+
+std::vector<BuiltGeometry> build_geometries(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                                            std::size_t joint_count, const std::vector<GeometryPart>& parts,
+                                            const MeshGrid& grid, const CookOptions& options,
+                                            const DeformerData& deformers) {
+  MeshError error;
+  const OwnedStreams whole = make_streams(primitive, bindings, joint_count, grid, options, deformers, error);
+  std::vector<BuiltGeometry> out(parts.size());
+  tools::for_each_in_parallel(parts.size(), [&](std::size_t i) {
+    const GeometryPart& part = parts[i];
+    OwnedStreams streams = part_of_streams(whole, part.vertices, part.indices, part.entries);
+    weld(streams, options.keep_vertex_order);
+    if (options.keep_vertex_order) {
+      std::vector<std::uint32_t> source_map(primitive.positions.size(), kNoSlot);
+      for (std::size_t v = 0; v < part.vertices.size(); ++v) source_map[part.vertices[v]] = streams.source_map[v];
+      streams.source_map = std::move(source_map);
+    }
+    out[i].error = error;
+    finish(streams, grid, options, out[i]);
+  });
   return out;
 }
 

@@ -11,22 +11,18 @@
 #include "cook/build.h"
 #include "cook/deform_source.h"
 #include "cook/learn_deformers.h"
+#include "cook/palette.h"
 #include "cook/skin_binding.h"
+#include "cook/split.h"
 #include "cook/subdivide.h"
 
 namespace marrow::cook {
 namespace {
 
-// What a primitive's vertices are bound to.
-struct Palette {
-  std::vector<std::uint16_t> joints;
-  std::vector<Affine> inverse_bind;
-  std::vector<HalfJoint> half_joints;
-};
-
 // A primitive bound to a skin, or to one joint when `skin` is kNone: done once, however many nodes draw it.
 struct Bound {
-  Palette palette;  // unused for one joint: each node has its own
+  std::vector<Palette> palettes;  // a part; unused for one joint: each node has its own
+  std::size_t doubled = 0;        // as BuiltMesh's
   std::uint32_t task = 0;
   int learnt = kNone;          // index into BuiltScene::learnt
   std::vector<BuiltLod> lods;  // their geometries are tasks
@@ -34,48 +30,6 @@ struct Bound {
 using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
 using SkinBindings = std::map<std::pair<int, int>, SkinBinding>;             // mesh, skin
 using Levels = std::map<std::pair<int, int>, std::vector<MeshLevel>>;        // mesh, skin; without one kNone
-
-// The joints that vertices and their deformers use, and those that half-joints stand between; entries in the skin's
-// order.
-Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
-                     const std::vector<int>& joint_of_node, std::vector<std::uint16_t>& entry_of) {
-  const std::size_t joints = skin.joints.size();
-  entry_of.assign(joints + binding.half_joints.size(), 0);
-  for (const std::uint32_t j : joints_of_deformers(binding.deformers, vertices)) entry_of[j] = 1;
-  for (const BoundVertex& vertex : vertices)
-    for (const BoundInfluence& i : vertex) entry_of[i.joint] = 1;
-  for (std::size_t h = 0; h < binding.half_joints.size(); ++h)
-    if (entry_of[joints + h] != 0) entry_of[binding.half_joints[h].parent] = entry_of[binding.half_joints[h].joint] = 1;
-  Palette out;
-  for (std::size_t j = 0; j < joints; ++j) {
-    if (entry_of[j] == 0) continue;
-    entry_of[j] = static_cast<std::uint16_t>(out.joints.size());
-    out.joints.push_back(static_cast<std::uint16_t>(joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
-    out.inverse_bind.push_back(to_affine(skin.inverse_bind[j]));
-  }
-  for (std::size_t h = 0; h < binding.half_joints.size(); ++h) {
-    if (entry_of[joints + h] == 0) continue;
-    const deform::HalfJoint& half = binding.half_joints[h];
-    entry_of[joints + h] = static_cast<std::uint16_t>(out.joints.size() + out.half_joints.size());
-    out.half_joints.push_back({entry_of[half.parent], entry_of[half.joint], static_cast<float>(half.share)});
-  }
-  return out;
-}
-
-std::vector<Binding> bind_vertices(const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
-                                   const std::vector<std::uint16_t>& entry_of) {
-  std::vector<Binding> out;
-  for (const BoundVertex& vertex : vertices) {
-    Binding b;
-    for (const BoundInfluence& i : vertex) {
-      b.set.push_back(entry_of[i.joint]);
-      b.weights.push_back(i.weight);
-      if (binding.residual_step_m > 0) b.residual.push_back(i.residual);
-    }
-    out.push_back(std::move(b));
-  }
-  return out;
-}
 
 // Hung rigidly: one joint, the nearest at or above the node.
 Palette bind_to_node(const NearestJoint& nearest) {
@@ -109,38 +63,100 @@ MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
 struct Task {
   const RawPrimitive* primitive = nullptr;
   std::vector<Binding> bindings;
-  DeformerData deformers;  // of the full mesh alone
+  std::vector<GeometryPart> parts;  // none: the primitive is whole
+  DeformerData deformers;           // of the full mesh alone
   std::size_t joint_count = 0;
   MeshGrid grid;
   bool is_lod = false;
 };
 
-// Adds what is to be built of one primitive, in full and at each level. skin, binding: null if it hangs on a node.
-Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const RawSkin* skin, const SkinBinding* binding,
+// The palette entries of each part, out of the whole primitive's.
+std::vector<std::vector<std::uint16_t>> entries_of_parts(const RawPrimitive& primitive, std::size_t number,
+                                                         const RawSkin& skin, const SkinBinding& binding,
+                                                         const std::vector<std::uint16_t>& entry_of) {
+  std::vector<std::vector<std::uint16_t>> out;
+  for (const PrimitivePart& part : parts_of(primitive, binding.part_of[number])) {
+    std::vector<std::uint16_t>& entries = out.emplace_back();
+    for (const std::uint32_t v : part.vertices)
+      for (const std::uint32_t joint : palette_needs(binding, skin.joints.size(), binding.primitives[number][v]))
+        entries.push_back(entry_of[joint]);
+    std::ranges::sort(entries);
+    const auto rest = std::ranges::unique(entries);
+    entries.erase(rest.begin(), rest.end());
+  }
+  return out;
+}
+
+std::vector<GeometryPart> geometry_parts(const RawPrimitive& primitive, const std::vector<std::uint32_t>& part_of,
+                                         const std::vector<std::vector<std::uint16_t>>& entries) {
+  std::vector<GeometryPart> out;
+  if (part_of.empty()) return out;
+  for (PrimitivePart& part : parts_of(primitive, part_of))
+    out.push_back({std::move(part.vertices), std::move(part.indices), entries[out.size()]});
+  return out;
+}
+
+// How many vertices are in several parts, one counted for each part but the first.
+std::size_t doubled_vertices(const std::vector<GeometryPart>& parts) {
+  std::size_t all = 0;
+  std::set<std::uint32_t> distinct;
+  for (const GeometryPart& part : parts) {
+    all += part.vertices.size();
+    distinct.insert(part.vertices.begin(), part.vertices.end());
+  }
+  return all - distinct.size();
+}
+
+// What hangs on a node: each vertex on one joint.
+Bound hang_primitive(const RawPrimitive& primitive, std::size_t number, const std::vector<MeshLevel>& levels, Task task,
+                     std::vector<Task>& tasks) {
+  Bound bound;
+  task.joint_count = 1;
+  const auto add = [&](const RawPrimitive& part) {
+    task.primitive = &part;
+    task.bindings.assign(part.positions.size(), {{0}, {1.0}, {}});
+    tasks.push_back(task);
+    task.is_lod = true;
+    return static_cast<std::uint32_t>(tasks.size() - 1);
+  };
+  bound.task = add(primitive);
+  for (const MeshLevel& level : levels)
+    bound.lods.push_back({add(level.primitives[number]), level.rms_error_m, level.max_error_m});
+  return bound;
+}
+
+// Adds what is to be built of one primitive, in full and at each level.
+Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const RawSkin& skin, const SkinBinding& binding,
                      const std::vector<MeshLevel>& levels, const std::vector<int>& joint_of_node, Task task,
                      std::vector<Task>& tasks) {
   Bound bound;
   std::vector<std::uint16_t> entry_of;
-  if (skin != nullptr) {
-    bound.palette = make_palette(*skin, *binding, binding->primitives[number], joint_of_node, entry_of);
-    task.deformers =
-        deformer_data(*binding, number, entry_of, bound.palette.joints.size() + bound.palette.half_joints.size());
-    task.grid.residual_step = binding->residual_step_m;
-    task.grid.residual_weight_step = binding->residual_weight_step;
+  const Palette palette = make_palette(skin, binding, binding.primitives[number], joint_of_node, entry_of);
+  std::vector<std::vector<std::uint16_t>> entries;
+  if (binding.part_of[number].empty()) {
+    bound.palettes.push_back(palette);
+  } else {
+    entries = entries_of_parts(primitive, number, skin, binding, entry_of);
+    for (const std::vector<std::uint16_t>& part : entries) bound.palettes.push_back(some_of(palette, part));
   }
-  task.joint_count = skin != nullptr ? bound.palette.joints.size() + bound.palette.half_joints.size() : 1;
-  const auto add = [&](const RawPrimitive& part, const std::vector<BoundVertex>* vertices) {
+  task.deformers = deformer_data(binding, number, entry_of, palette.size());
+  task.grid.residual_step = binding.residual_step_m;
+  task.grid.residual_weight_step = binding.residual_weight_step;
+  task.joint_count = palette.size();
+  const auto add = [&](const RawPrimitive& part, const std::vector<BoundVertex>& vertices,
+                       const std::vector<std::uint32_t>& part_of) {
     task.primitive = &part;
-    task.bindings = skin != nullptr ? bind_vertices(*binding, *vertices, entry_of)
-                                    : std::vector<Binding>(part.positions.size(), {{0}, {1.0}, {}});
+    task.bindings = bind_vertices(binding, vertices, entry_of);
+    task.parts = geometry_parts(part, part_of, entries);
     tasks.push_back(task);
     task.is_lod = true;
     task.deformers = {};
     return static_cast<std::uint32_t>(tasks.size() - 1);
   };
-  bound.task = add(primitive, skin != nullptr ? &binding->primitives[number] : nullptr);
+  bound.task = add(primitive, binding.primitives[number], binding.part_of[number]);
+  bound.doubled = doubled_vertices(tasks.back().parts);
   for (const MeshLevel& level : levels)
-    bound.lods.push_back({add(level.primitives[number], skin != nullptr ? &level.vertices[number] : nullptr),
+    bound.lods.push_back({add(level.primitives[number], level.vertices[number], level.part_of[number]),
                           level.rms_error_m, level.max_error_m});
   return bound;
 }
@@ -210,41 +226,53 @@ bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
   return a.section.size() == b.section.size() && std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
 }
 
-// On all cores; returns for each task which geometry it has become, of those that differ.
-std::vector<std::uint32_t> build_geometries(const std::string& source, const std::vector<Task>& tasks,
-                                            const CookOptions& options, BuiltScene& out) {
-  std::vector<BuiltGeometry> built(tasks.size());
+// On all cores; returns for each task which geometries its parts have become, of those that differ.
+std::vector<std::vector<std::uint32_t>> build_tasks(const std::string& source, const std::vector<Task>& tasks,
+                                                    const CookOptions& options, BuiltScene& out) {
+  std::vector<std::vector<BuiltGeometry>> built(tasks.size());
   tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
     const Task& task = tasks[i];
     try {
       CookOptions with = options;
       with.keep_vertex_order = options.keep_vertex_order && !task.is_lod;
-      built[i] = build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, with, task.deformers);
+      if (task.parts.empty()) {
+        built[i].push_back(
+            build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, with, task.deformers));
+      } else {
+        built[i] = build_geometries(*task.primitive, task.bindings, task.joint_count, task.parts, task.grid, with,
+                                    task.deformers);
+      }
     } catch (const tools::Failure& failure) {
       throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
     }
   });
-  std::vector<std::uint32_t> number;
-  for (BuiltGeometry& geometry : built) {
-    const auto twin = std::find_if(out.geometries.begin(), out.geometries.end(),
-                                   [&](const BuiltGeometry& g) { return same(g, geometry); });
-    number.push_back(static_cast<std::uint32_t>(twin - out.geometries.begin()));
-    if (twin == out.geometries.end()) out.geometries.push_back(std::move(geometry));
+  std::vector<std::vector<std::uint32_t>> numbers;
+  for (std::vector<BuiltGeometry>& parts : built) {
+    std::vector<std::uint32_t>& number = numbers.emplace_back();
+    for (BuiltGeometry& geometry : parts) {
+      const auto twin = std::find_if(out.geometries.begin(), out.geometries.end(),
+                                     [&](const BuiltGeometry& g) { return same(g, geometry); });
+      number.push_back(static_cast<std::uint32_t>(twin - out.geometries.begin()));
+      if (twin == out.geometries.end()) out.geometries.push_back(std::move(geometry));
+    }
   }
-  return number;
+  return numbers;
 }
 
 BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
-                     const Bound& bound, int skin, int subdivide, const BuiltScene& built) {
+                     const Bound& bound, std::uint32_t part, int skin, int subdivide, const BuiltScene& built) {
   // All joints of a skin are of one skeleton.
   const int follows = skin == kNone ? instance.node : scene.skins[static_cast<std::size_t>(skin)].joints.front();
   const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(follows)];
-  const Palette palette = skin == kNone ? bind_to_node(nearest) : bound.palette;
+  const Palette palette = skin == kNone ? bind_to_node(nearest) : bound.palettes[part];
   BuiltMesh mesh;
   mesh.skeleton = static_cast<std::uint32_t>(nearest.skeleton);
   mesh.name = scene.meshes[static_cast<std::size_t>(instance.mesh)].name;
   if (mesh.name.empty()) mesh.name = scene.nodes[static_cast<std::size_t>(instance.node)].name;
   mesh.geometry = bound.task;
+  mesh.part = part;
+  mesh.parts = static_cast<std::uint32_t>(std::max<std::size_t>(1, bound.palettes.size()));
+  mesh.doubled = bound.doubled;
   mesh.learnt = bound.learnt;
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
@@ -267,6 +295,9 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
 void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
   SkinBindings bindings = bind_meshes(scene, options, out);
   if (options.subdivide > 0) subdivide_meshes(scene, options.subdivide, out, bindings);
+  for (auto& [of, binding] : bindings)
+    split_primitives(scene, scene.meshes[static_cast<std::size_t>(of.first)],
+                     scene.skins[static_cast<std::size_t>(of.second)].joints.size(), options.most_entries, binding);
   BoundPrimitives bound;
   Levels levels;
   std::vector<Task> tasks;
@@ -282,19 +313,21 @@ void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) 
         task.grid = mesh_grid(source, options);
         const SkinBinding* const binding = skin == kNone ? nullptr : &bindings.at({instance.mesh, skin});
         const std::vector<MeshLevel>& lods = levels_of(scene, instance.mesh, skin, binding, options, out, levels);
-        Bound fresh =
-            bind_primitive(primitive, i, skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)],
-                           binding, lods, out.joint_of_node, std::move(task), tasks);
+        Bound fresh = binding == nullptr ? hang_primitive(primitive, i, lods, std::move(task), tasks)
+                                         : bind_primitive(primitive, i, scene.skins[static_cast<std::size_t>(skin)],
+                                                          *binding, lods, out.joint_of_node, std::move(task), tasks);
         fresh.learnt = binding == nullptr ? kNone : binding->report;
         found = bound.emplace(key, std::move(fresh)).first;
       }
-      out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, skin, options.subdivide, out));
+      const std::size_t parts = std::max<std::size_t>(1, found->second.palettes.size());
+      for (std::uint32_t part = 0; part < parts; ++part)
+        out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, part, skin, options.subdivide, out));
     }
   }
-  const std::vector<std::uint32_t> geometries = build_geometries(scene.source, tasks, options, out);
+  const std::vector<std::vector<std::uint32_t>> geometries = build_tasks(scene.source, tasks, options, out);
   for (BuiltMesh& mesh : out.meshes) {
-    mesh.geometry = geometries[mesh.geometry];
-    for (BuiltLod& lod : mesh.lods) lod.geometry = geometries[lod.geometry];
+    mesh.geometry = geometries[mesh.geometry][mesh.part];
+    for (BuiltLod& lod : mesh.lods) lod.geometry = geometries[lod.geometry][mesh.part];
     mesh.targets.resize(out.geometries[mesh.geometry].target_count);
   }
 }

@@ -110,6 +110,8 @@ struct BuiltMesh {
   int raw_material = kNone;            // index into RawScene::materials
   std::uint32_t material_section = 0;  // as in format::MeshHeader
   std::uint32_t geometry = 0;
+  std::uint32_t part = 0, parts = 1;  // of a primitive that one palette was too small for; its parts stand in a row
+  std::size_t doubled = 0;            // vertices that stand in several of them, one counted for each but the first
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
   Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
@@ -153,7 +155,7 @@ struct BuiltScene {
   std::vector<BuiltClip> clips;           // clip by clip of the source, in each skeleton by skeleton
   std::vector<BuiltGeometry> geometries;  // no two the same
   std::vector<LearnReport> learnt;
-  std::vector<BuiltMesh> meshes;         // node by node, primitive by primitive
+  std::vector<BuiltMesh> meshes;         // node by node, primitive by primitive, part by part
   std::vector<BuiltMaterial> materials;  // those with more than MESH says; no two the same
   std::vector<RawImage> images;          // no two the same
   std::vector<BuiltNode> nodes;          // in the source's order

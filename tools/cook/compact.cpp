@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <span>
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
@@ -52,36 +54,73 @@ double displacement(const Affine& given, const Affine& derived, const format::Ge
   return most;
 }
 
+// The bind poses of a mesh, or of all parts of one, each joint once.
+struct Binds {
+  std::vector<std::uint16_t> joints;
+  std::vector<Affine> inverse_bind;
+};
+
 // Where the mesh would stand for most of its inverse binds to follow from the rest pose, and which of them do not.
-void derive(const std::vector<Affine>& model, double allowed_m, const format::GeometryHeader& box, BuiltMesh& mesh,
-            double& moved_m) {
+struct Derived {
+  Affine place = kIdentityMap;
+  std::vector<Affine> inverse_bind;
+  std::vector<char> is_given;
+  double moved_m = 0;
+};
+
+Derived derive(const std::vector<Affine>& model, double allowed_m, const format::GeometryHeader& box,
+               const Binds& mesh) {
   std::vector<Affine> places = {kIdentityMap};
   for (std::size_t i = 0; i < std::min(mesh.joints.size(), kTries); ++i)
     places.push_back(to_affine(to_matrix(model[mesh.joints[i]]) * to_matrix(mesh.inverse_bind[i])));
   std::size_t fewest = mesh.joints.size() + 1;
-  std::vector<Affine> derived;
-  double most = 0;
+  Derived best;
   for (const Affine& place : places) {
-    std::vector<Affine> binds;
-    std::vector<char> given;
-    double worst = 0;
+    Derived out;
+    out.place = place;
     for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
-      binds.push_back(derived_inverse_bind(model[mesh.joints[i]], place));
-      const double moved = displacement(mesh.inverse_bind[i], binds.back(), box);
-      given.push_back(moved > allowed_m);
-      if (given.back() == 0) worst = std::max(worst, moved);
+      out.inverse_bind.push_back(derived_inverse_bind(model[mesh.joints[i]], place));
+      const double moved = displacement(mesh.inverse_bind[i], out.inverse_bind.back(), box);
+      out.is_given.push_back(moved > allowed_m);
+      if (out.is_given.back() == 0) out.moved_m = std::max(out.moved_m, moved);
     }
-    const auto count = static_cast<std::size_t>(std::count(given.begin(), given.end(), 1));
+    const auto count = static_cast<std::size_t>(std::count(out.is_given.begin(), out.is_given.end(), 1));
     if (count >= fewest) continue;
     fewest = count;
-    mesh.scene_from_mesh = place;
-    mesh.bind_is_given = std::move(given);
-    derived = std::move(binds);
-    most = worst;
+    best = std::move(out);
   }
-  for (std::size_t i = 0; i < mesh.joints.size(); ++i)
-    if (mesh.bind_is_given[i] == 0) mesh.inverse_bind[i] = derived[i];
-  moved_m = std::max(moved_m, most);
+  return best;
+}
+
+// Parts in a row, decided together, so that a joint is where it is in all of them.
+void derive_parts(const std::vector<Affine>& model, std::span<BuiltMesh> parts, BuiltScene& scene,
+                  std::vector<double>& moved_m) {
+  Binds binds;
+  std::map<std::uint16_t, std::size_t> at;
+  format::GeometryHeader box = scene.geometries[parts.front().geometry].header;
+  for (const BuiltMesh& part : parts) {
+    const format::GeometryHeader& h = scene.geometries[part.geometry].header;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.box_min[axis] = std::min(box.box_min[axis], h.box_min[axis]);
+      box.box_max[axis] = std::max(box.box_max[axis], h.box_max[axis]);
+    }
+    for (std::size_t i = 0; i < part.joints.size(); ++i) {
+      if (!at.try_emplace(part.joints[i], binds.joints.size()).second) continue;
+      binds.joints.push_back(part.joints[i]);
+      binds.inverse_bind.push_back(part.inverse_bind[i]);
+    }
+  }
+  const Derived derived = derive(model, scene.geometries[parts.front().geometry].position_step_m / 8, box, binds);
+  for (BuiltMesh& part : parts) {
+    part.scene_from_mesh = derived.place;
+    part.bind_is_given.clear();
+    for (std::size_t i = 0; i < part.joints.size(); ++i) {
+      const std::size_t joint = at.at(part.joints[i]);
+      part.bind_is_given.push_back(derived.is_given[joint]);
+      if (derived.is_given[joint] == 0) part.inverse_bind[i] = derived.inverse_bind[joint];
+    }
+    moved_m[part.geometry] = std::max(moved_m[part.geometry], derived.moved_m);
+  }
 }
 
 void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
@@ -100,10 +139,9 @@ void derive_inverse_binds(BuiltScene& scene) {
   std::vector<std::vector<Affine>> models;
   for (const BuiltSkeleton& skeleton : scene.skeletons) models.push_back(rest_in_model_space(skeleton));
   std::vector<double> moved_m(scene.geometries.size(), 0);
-  for (BuiltMesh& mesh : scene.meshes) {
-    const BuiltGeometry& g = scene.geometries[mesh.geometry];
-    derive(models[mesh.skeleton], g.position_step_m / 8, g.header, mesh, moved_m[mesh.geometry]);
-  }
+  for (std::size_t m = 0; m < scene.meshes.size(); m += scene.meshes[m].parts)
+    derive_parts(models[scene.meshes[m].skeleton], std::span(scene.meshes).subspan(m, scene.meshes[m].parts), scene,
+                 moved_m);
   for (std::size_t i = 0; i < scene.geometries.size(); ++i) scene.geometries[i].error.position_m += moved_m[i];
 }
 
@@ -208,7 +246,8 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
   const bool halves = !mesh.half_joints.empty();
   const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
   std::vector<std::byte> out;
-  add_varint(std::uint32_t{h.flags} | (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
+  add_varint((mesh.double_sided ? packed::kMeshIsDoubleSided : 0u) | (mesh.part > 0 ? packed::kMeshIsNextPart : 0u) |
+                 (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
                  (gives ? packed::kMeshGivesBinds : 0u) | (halves ? packed::kMeshHasHalfJoints : 0u) |
                  (mesh.lods.empty() ? 0u : packed::kMeshHasLods),
              out);

@@ -85,6 +85,8 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"max_weight_error", geometry.error.weight},
                    {"max_target_error_m", geometry.error.target_m}});
     if (mesh.source_triangles > 0) out.back()["source_triangles"] = mesh.source_triangles;
+    if (mesh.parts > 1)
+      out.back()["split"] = {{"part", mesh.part}, {"parts", mesh.parts}, {"doubled_vertices", mesh.doubled}};
     if (!mesh.lods.empty()) out.back()["lods"] = report_lods(built, mesh, written);
     if (mesh.learnt != kNone)
       report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry, out.back());

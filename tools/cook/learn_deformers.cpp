@@ -107,15 +107,13 @@ void learn_deformers(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, 
   }
 }
 
-std::vector<std::uint32_t> joints_of_deformers(const BoundDeformers& deformers,
-                                               const std::vector<BoundVertex>& vertices) {
+std::vector<std::uint32_t> joints_of_deformers(const BoundDeformers& deformers, const BoundVertex& vertex) {
   std::vector<std::uint32_t> out;
   if (!deformers.multi_weights.empty()) out.push_back(deformers.root);
   if (deformers.pose_space.examples.empty()) return out;
-  for (const BoundVertex& vertex : vertices)
-    for (const BoundInfluence& i : vertex)
-      if (i.weight > 0 && deformers.pose_space.parents[i.joint] != kNone)
-        out.push_back(static_cast<std::uint32_t>(deformers.pose_space.parents[i.joint]));
+  for (const BoundInfluence& i : vertex)
+    if (i.weight > 0 && deformers.pose_space.parents[i.joint] != kNone)
+      out.push_back(static_cast<std::uint32_t>(deformers.pose_space.parents[i.joint]));
   return out;
 }
 

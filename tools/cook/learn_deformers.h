@@ -15,9 +15,8 @@ std::uint32_t multi_weight_root(const DeformSource& source);
 void learn_deformers(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
                      const CookOptions& options, MeshGrid grid, SkinBinding& binding, LearnReport& report);
 
-// Joints that a primitive's palette must have beside those that its vertices follow.
-std::vector<std::uint32_t> joints_of_deformers(const BoundDeformers& deformers,
-                                               const std::vector<BoundVertex>& vertices);
+// Joints that a palette must have for a vertex beside those that it follows.
+std::vector<std::uint32_t> joints_of_deformers(const BoundDeformers& deformers, const BoundVertex& vertex);
 
 // What build_geometry() takes of a primitive; joint j, if the palette has it, is entry entry_of[j] of palette_size.
 DeformerData deformer_data(const SkinBinding& binding, std::size_t primitive,

@@ -12,6 +12,7 @@
 #include "common/parallel.h"
 #include "cook/deform_source.h"
 #include "cook/fewer_joints.h"
+#include "cook/split.h"
 #include "deform/pose_metric.h"
 #include "deform/representative.h"
 #include "deform/surface_error.h"
@@ -25,11 +26,16 @@ constexpr double kEnough = 1.02;          // of the triangles asked for, before 
 
 // The mesh as simplification takes it; vertices that differ in nothing are one.
 struct Source {
+  struct Vertex {
+    std::size_t primitive;
+    std::uint32_t vertex;  // the first of the primitive that is the same
+    std::uint32_t part;    // of the primitive
+  };
   deform::SeamedSurface surface;
-  std::vector<std::pair<std::size_t, std::uint32_t>> vertices;  // of the surface: the first of a primitive
-  deform::Coordinates coordinates;                              // of points
-  std::vector<deform::Pose> poses;                              // the bind pose first
-  std::vector<deform::Positions> targets;                       // morph targets at 1, in the bind pose
+  std::vector<Vertex> vertices;            // of the surface
+  deform::Coordinates coordinates;         // of points
+  std::vector<deform::Pose> poses;         // the bind pose first
+  std::vector<deform::Positions> targets;  // morph targets at 1, in the bind pose
 };
 
 template <class T>
@@ -38,35 +44,54 @@ void append(const std::vector<T>& values, std::size_t v, std::vector<float>& key
   for (int c = 0; c < T::length(); ++c) key.push_back(values[v][c]);
 }
 
-void add_vertices(const RawMesh& mesh, const std::vector<std::vector<std::uint32_t>>& point_of, Source& out) {
-  using Key = std::tuple<std::size_t, std::uint32_t, std::vector<float>>;
+// Numbers for vertices that differ, and for those that differ in what stands in the way of a collapse.
+struct VertexNumbers {
+  using Key = std::tuple<std::size_t, std::uint32_t, std::uint32_t, std::vector<float>>;  // primitive, part, point
   std::map<Key, std::uint32_t> charts, vertices;
+};
+
+std::uint32_t add_vertex(const RawPrimitive& primitive, const Source::Vertex& vertex, std::uint32_t point,
+                         VertexNumbers& numbers, Source& out) {
+  const std::uint32_t v = vertex.vertex;
+  std::vector<float> key;
+  append(primitive.uvs, v, key);
+  append(primitive.colours, v, key);
+  const auto chart =
+      numbers.charts
+          .try_emplace({vertex.primitive, vertex.part, point, key}, static_cast<std::uint32_t>(numbers.charts.size()))
+          .first;
+  append(primitive.normals, v, key);
+  append(primitive.tangents, v, key);
+  for (const RawTarget& target : primitive.targets) {
+    append(target.positions, v, key);
+    append(target.normals, v, key);
+    append(target.tangents, v, key);
+  }
+  const auto [at, is_new] = numbers.vertices.try_emplace({vertex.primitive, vertex.part, point, std::move(key)},
+                                                         static_cast<std::uint32_t>(out.vertices.size()));
+  if (!is_new) return at->second;
+  out.vertices.push_back(vertex);
+  out.surface.point_of.push_back(point);
+  out.surface.chart_of.push_back(chart->second);
+  out.surface.normals.emplace_back(primitive.normals.empty() ? glm::vec3(0) : primitive.normals[v]);
+  return at->second;
+}
+
+void add_vertices(const RawMesh& mesh, const std::vector<std::vector<std::uint32_t>>& point_of,
+                  const SkinBinding* binding, Source& out) {
+  VertexNumbers numbers;
   for (std::size_t p = 0; p < point_of.size(); ++p) {
     if (point_of[p].empty()) continue;  // not skinned
     const RawPrimitive& primitive = mesh.primitives[p];
-    std::vector<std::uint32_t> number;
-    for (std::size_t v = 0; v < point_of[p].size(); ++v) {
-      std::vector<float> key;
-      append(primitive.uvs, v, key);
-      append(primitive.colours, v, key);
-      const auto chart = charts.try_emplace({p, point_of[p][v], key}, static_cast<std::uint32_t>(charts.size())).first;
-      append(primitive.normals, v, key);
-      append(primitive.tangents, v, key);
-      for (const RawTarget& target : primitive.targets) {
-        append(target.positions, v, key);
-        append(target.normals, v, key);
-        append(target.tangents, v, key);
-      }
-      const auto [at, is_new] =
-          vertices.try_emplace({p, point_of[p][v], std::move(key)}, static_cast<std::uint32_t>(out.vertices.size()));
-      number.push_back(at->second);
-      if (!is_new) continue;
-      out.vertices.emplace_back(p, static_cast<std::uint32_t>(v));
-      out.surface.point_of.push_back(point_of[p][v]);
-      out.surface.chart_of.push_back(chart->second);
-      out.surface.normals.emplace_back(primitive.normals.empty() ? glm::vec3(0) : primitive.normals[v]);
+    std::vector<std::uint32_t> number(point_of[p].size());
+    std::uint32_t part_number = 0;
+    for (const PrimitivePart& part :
+         parts_of(primitive, binding == nullptr ? std::vector<std::uint32_t>() : binding->part_of[p])) {
+      for (const std::uint32_t v : part.vertices)
+        number[v] = add_vertex(primitive, {p, v, part_number}, point_of[p][v], numbers, out);
+      for (const std::uint32_t i : part.indices) out.surface.indices.push_back(number[i]);
+      ++part_number;
     }
-    for (const std::uint32_t i : primitive.indices) out.surface.indices.push_back(number[i]);
   }
 }
 
@@ -76,10 +101,10 @@ void add_targets(const RawMesh& mesh, const deform::Positions& bind, Source& out
   for (std::size_t t = 0; t < std::min(count, kMostTargets); ++t) {
     deform::Positions& at = out.targets.emplace_back(bind);
     for (std::size_t v = 0; v < out.vertices.size(); ++v) {
-      const auto [p, number] = out.vertices[v];
-      const std::vector<RawTarget>& targets = mesh.primitives[p].targets;
+      const Source::Vertex& from = out.vertices[v];
+      const std::vector<RawTarget>& targets = mesh.primitives[from.primitive].targets;
       if (t < targets.size() && !targets[t].positions.empty())
-        at[out.surface.point_of[v]] = bind[out.surface.point_of[v]] + glm::dvec3(targets[t].positions[number]);
+        at[out.surface.point_of[v]] = bind[out.surface.point_of[v]] + glm::dvec3(targets[t].positions[from.vertex]);
     }
   }
 }
@@ -100,7 +125,7 @@ Source hung_source(const RawMesh& mesh) {
       to.push_back(at->second);
     }
   }
-  add_vertices(mesh, point_of, out);
+  add_vertices(mesh, point_of, nullptr, out);
   add_targets(mesh, bind, out);
   out.poses.assign(1, deform::Pose(1, deform::Matrix(1.0)));
   return out;
@@ -109,14 +134,15 @@ Source hung_source(const RawMesh& mesh) {
 Source skinned_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding, const BuiltScene& built) {
   const DeformSource source = deform_source(mesh, skin, binding, built);
   Source out;
-  add_vertices(mesh, source.vertex_of, out);
+  add_vertices(mesh, source.vertex_of, &binding, out);
   add_targets(mesh, source.mesh.positions, out);
   out.coordinates.resize(source.mesh.positions.size());
   for (std::size_t v = 0; v < out.vertices.size(); ++v) {
-    const auto [p, number] = out.vertices[v];
+    const Source::Vertex& from = out.vertices[v];
     const std::uint32_t point = out.surface.point_of[v];
     if (!out.coordinates[point].empty()) continue;
-    out.coordinates[point] = coordinates_of(binding.primitives[p][number], source.mesh.positions[point]);
+    out.coordinates[point] =
+        coordinates_of(binding.primitives[from.primitive][from.vertex], source.mesh.positions[point]);
   }
   out.poses = poses_of_clips(source, binding, built);
   return out;
@@ -144,8 +170,8 @@ void pick(std::vector<T>& values, const std::vector<std::uint32_t>& which) {
 }
 
 // A primitive with some of its vertices, and triangles of those.
-RawPrimitive part_of(const RawPrimitive& primitive, const std::vector<std::uint32_t>& vertices,
-                     std::vector<std::uint32_t> indices) {
+RawPrimitive with_vertices(const RawPrimitive& primitive, const std::vector<std::uint32_t>& vertices,
+                           std::vector<std::uint32_t> indices) {
   RawPrimitive out = primitive;
   pick(out.positions, vertices);
   pick(out.normals, vertices);
@@ -162,30 +188,58 @@ RawPrimitive part_of(const RawPrimitive& primitive, const std::vector<std::uint3
   return out;
 }
 
+// Which vertices and triangles of a primitive a level has.
+struct Kept {
+  std::vector<std::uint32_t> vertices, indices, part_of;
+};
+
+// Parts that have lost all their triangles get one without area.
+void keep_parts(const RawPrimitive& primitive, const std::vector<std::uint32_t>& part_of, Kept& kept) {
+  if (part_of.empty()) return;
+  std::vector<char> has(std::size_t{1} + std::ranges::max(part_of), 0);
+  for (const std::uint32_t part : kept.part_of) has[part] = 1;
+  for (std::size_t t = 0; t < part_of.size(); ++t) {
+    if (has[part_of[t]] != 0) continue;
+    has[part_of[t]] = 1;
+    kept.indices.insert(kept.indices.end(), 3, static_cast<std::uint32_t>(kept.vertices.size()));
+    kept.vertices.push_back(primitive.indices[3 * t]);
+    kept.part_of.push_back(part_of[t]);
+  }
+}
+
+std::vector<Kept> kept_of(const Source& source, const deform::SimplerSurface& surface, std::size_t primitives) {
+  std::vector<Kept> out(primitives);
+  std::vector<std::uint32_t> number;
+  for (const deform::Combination& v : surface.vertices) {
+    const Source::Vertex& from = source.vertices[v.front().vertex];
+    std::vector<std::uint32_t>& vertices = out[from.primitive].vertices;
+    number.push_back(static_cast<std::uint32_t>(vertices.size()));
+    vertices.push_back(from.vertex);
+  }
+  for (std::size_t i = 0; i < surface.indices.size(); ++i) {
+    const std::uint32_t v = surface.indices[i];
+    const Source::Vertex& from = source.vertices[surface.vertices[v].front().vertex];
+    out[from.primitive].indices.push_back(number[v]);
+    if (i % 3 == 0) out[from.primitive].part_of.push_back(from.part);
+  }
+  return out;
+}
+
 // before: what a primitive that has lost all its triangles keeps.
 MeshLevel level_of(const RawMesh& mesh, const SkinBinding* binding, const Source& source,
                    const deform::SimplerSurface& surface, const MeshLevel& before) {
-  const std::size_t count = mesh.primitives.size();
-  std::vector<std::vector<std::uint32_t>> vertices(count), indices(count);
-  std::vector<std::uint32_t> number;
-  for (const deform::Combination& v : surface.vertices) {
-    const auto [p, at] = source.vertices[v.front().vertex];
-    number.push_back(static_cast<std::uint32_t>(vertices[p].size()));
-    vertices[p].push_back(at);
-  }
-  for (const std::uint32_t v : surface.indices)
-    indices[source.vertices[surface.vertices[v].front().vertex].first].push_back(number[v]);
+  std::vector<Kept> kept = kept_of(source, surface, mesh.primitives.size());
   MeshLevel out;
-  for (std::size_t p = 0; p < count; ++p) {
-    if (indices[p].empty()) {
-      out.primitives.push_back(before.primitives[p]);
-      if (binding != nullptr) out.vertices.push_back(before.vertices[p]);
-      continue;
-    }
-    out.primitives.push_back(part_of(mesh.primitives[p], vertices[p], std::move(indices[p])));
+  for (std::size_t p = 0; p < kept.size(); ++p) {
+    const bool lost = kept[p].indices.empty();
+    if (!lost && binding != nullptr) keep_parts(mesh.primitives[p], binding->part_of[p], kept[p]);
+    out.primitives.push_back(lost ? before.primitives[p]
+                                  : with_vertices(mesh.primitives[p], kept[p].vertices, std::move(kept[p].indices)));
     if (binding == nullptr) continue;
-    out.vertices.push_back(binding->primitives[p]);
-    pick(out.vertices.back(), vertices[p]);
+    out.vertices.push_back(lost ? before.vertices[p] : binding->primitives[p]);
+    if (!lost) pick(out.vertices.back(), kept[p].vertices);
+    if (!lost && binding->part_of[p].empty()) kept[p].part_of.clear();
+    out.part_of.push_back(lost ? before.part_of[p] : std::move(kept[p].part_of));
   }
   return out;
 }
@@ -205,7 +259,7 @@ void measure(const Source& source, const std::vector<deform::Shape>& shapes, con
   std::vector<std::uint32_t> from, next(level.primitives.size(), 0);  // a point of the level: which of the source
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     const std::uint32_t point = surface.point_of[v], first = surface.vertices[v].front().vertex;
-    const std::size_t p = source.vertices[first].first;
+    const std::size_t p = source.vertices[first].primitive;
     from.resize(std::max<std::size_t>(from.size(), point + 1));
     coordinates.resize(from.size());
     from[point] = source.surface.point_of[first];
@@ -245,8 +299,9 @@ std::vector<MeshLevel> make_levels(RawScene& scene, const RawMesh& mesh, const R
   const std::vector<deform::Shape> shapes = shapes_of(source);
   const std::vector<deform::SimplerSurface> surfaces =
       deform::simplify(source.surface, shapes, targets, deform::Placement::ends);
-  MeshLevel full{mesh.primitives, {}};
+  MeshLevel full{mesh.primitives, {}, {}};
   if (binding != nullptr) full.vertices = binding->primitives;
+  if (binding != nullptr) full.part_of = binding->part_of;
   std::optional<deform::PoseMetric> metric;
   if (binding != nullptr &&
       std::ranges::any_of(rules, [](const LodRule& rule) { return rule.influences < kMaxInfluences; }))

@@ -19,14 +19,16 @@ struct LodRule {
 // A mesh at one level, as if the source had it so.
 struct MeshLevel {
   std::vector<RawPrimitive> primitives;
-  std::vector<std::vector<BoundVertex>> vertices;  // of each primitive; none without a skin
+  std::vector<std::vector<BoundVertex>> vertices;   // of each primitive; none without a skin
+  std::vector<std::vector<std::uint32_t>> part_of;  // as SkinBinding's; none without a skin
   // Of the full mesh's vertices from the nearest of this level, over all clips; without clips over poses made up.
   double rms_error_m = 0, max_error_m = 0;
 };
 
 // One a rule. Every vertex is one of the mesh's own, so that what moves it, how it looks and its morph targets are as
-// they were; joints are some of those that it had. skin, binding: null for a mesh that hangs on a node. Adds a warning
-// where there are more triangles than a rule asks for.
+// they were; joints are some of those that it had. Where a primitive is in parts, each part's triangles are its own at
+// every level; a part that has lost them all keeps one without area. skin, binding: null for a mesh that hangs on a
+// node. Adds a warning where there are more triangles than a rule asks for.
 std::vector<MeshLevel> make_levels(RawScene& scene, const RawMesh& mesh, const RawSkin* skin,
                                    const SkinBinding* binding, const BuiltScene& built,
                                    const std::vector<LodRule>& rules);

@@ -170,6 +170,11 @@ void set_pose_space(CookOptions& options, const Value& given) {
   options.learn.pose_examples = whole_number(given, 0, kMaxPoseExamples);
 }
 
+// At least what a triangle can follow.
+void set_palette(CookOptions& options, const Value& given) {
+  options.most_entries = static_cast<std::size_t>(whole_number(given, 3 * kMaxInfluences, kMaxJoints));
+}
+
 void set_smooth_weights(CookOptions& options, const Value& given) {
   options.weights.smooth_steps = whole_number(given, 0, deform::kMostSmoothSteps);
   options.weights.smooth_origin = given.origin;
@@ -352,6 +357,13 @@ const std::vector<Option>& option_table() {
        "influences a vertex",
        {},
        set_lod},
+      {"palette",
+       OptionKind::text,
+       "N",
+       "joints and half-joints that a mesh may have, 24 to 32767; what has more is split into several meshes; the "
+       "default, 341, is what the GPU paths take",
+       {},
+       set_palette},
       {"auto-weights",
        OptionKind::text,
        "TEXT",

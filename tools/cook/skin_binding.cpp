@@ -48,6 +48,7 @@ SkinBinding bind_to_skin(RawScene& scene, const RawMesh& mesh) {
           {primitive.pointer, "weights-zero",
            std::to_string(unbound) + " vertices had no weight above 0; they follow the skin's first joint"});
   }
+  out.part_of.resize(mesh.primitives.size());
   return out;
 }
 

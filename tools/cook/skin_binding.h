@@ -30,6 +30,8 @@ struct BoundDeformers {
 // A mesh bound to a skin: all its primitives, since they may share vertices where they touch.
 struct SkinBinding {
   std::vector<std::vector<BoundVertex>> primitives;  // vertex by vertex
+  // Of each primitive that one palette is too small for, for each triangle which part it goes to; of others nothing.
+  std::vector<std::vector<std::uint32_t>> part_of;
   std::vector<deform::HalfJoint> half_joints;
   // How finely residuals are to be stored; 0: there are none.
   double residual_step_m = 0;

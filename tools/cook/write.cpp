@@ -133,7 +133,8 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.geometry = m.geometry;
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.material_section = m.material_section;
-  h.flags = m.double_sided ? std::uint8_t{format::kDoubleSided} : std::uint8_t{0};
+  h.flags =
+      static_cast<std::uint8_t>((m.double_sided ? format::kDoubleSided : 0u) | (m.part > 0 ? format::kNextPart : 0u));
   h.lod_count = static_cast<std::uint8_t>(m.lods.size());
   h.half_joint_count = static_cast<std::uint16_t>(m.half_joints.size());
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);

@@ -54,7 +54,6 @@ struct Rows {
   std::array<std::vector<Image>, 3> cells;  // SSD, AS, difference
   float largest_m = 0;
   float full_scale_m = 0;
-  bool on_gpu = true;
 };
 
 // The largest distance over all moments first: one ramp serves the whole row.
@@ -74,7 +73,6 @@ Rows shoot_rows(const Gl& gl, const File& file, const Play& play) {
   Figure figure(gl, file, nullptr, AsNormals::tangents);
   Studio studio(gl, kCellWidth, kCellHeight);
   Rows rows;
-  rows.on_gpu = !figure.too_large();
   rows.largest_m = largest_over(file, character, play);
   rows.full_scale_m = sensible_scale(rows.largest_m, performance.diagonal());
   for (int column = 0; column < kMoments; ++column) {
@@ -85,11 +83,8 @@ Rows shoot_rows(const Gl& gl, const File& file, const Play& play) {
     Shot shot = performance.shot(character, as_float(kCellWidth) / kCellHeight, 0.05f, moment.turn_rad);
     shot.palettes = &figure.palettes();
     shot.box = box_of(ssd);
-    const auto shoot = [&](Deformer deformer, const std::vector<PosedMesh>& posed) {
-      return studio.shoot(shot, rows.on_gpu ? figure.on_gpu(character, deformer) : figure.from_cpu(posed));
-    };
-    rows.cells[0].push_back(shoot(Deformer::ssd, ssd));
-    rows.cells[1].push_back(shoot(Deformer::as, as));
+    rows.cells[0].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::ssd)));
+    rows.cells[1].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::as)));
     shot.shading = 0.25f;
     rows.cells[2].push_back(studio.shoot(shot, figure.from_cpu(ssd, compare(ssd, as, rows.full_scale_m).colours)));
   }
@@ -155,7 +150,7 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) vertices += file.mesh(i).geometry.vertex_count;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;
 
-  Sheet sheet{Image(kWidth, kHeight, kPaper), rows.largest_m, rows.on_gpu};
+  Sheet sheet{Image(kWidth, kHeight, kPaper), rows.largest_m};
   Image& image = sheet.image;
   const float title_end = draw_text(image, kEdge, 50, 24, kBright, title);
   const std::string scene =
@@ -164,13 +159,11 @@ Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> cl
   draw_text(image, title_end + 24, 50, 13, kQuiet, scene);
   draw_right(image, kWidth - kEdge, 50, 13, kQuiet, fmt::format("{} joints   {} vertices", joints, vertices));
 
-  const std::string where =
-      rows.on_gpu ? "by the vertex shader" : "by the processor: too many joints for one uniform block";
   int y = kTitleHeight;
   for (std::size_t row = 0; row < 3; ++row) {
     const int baseline = y + kStripHeight - 14;
-    if (row == 0) draw_strip(image, baseline, "SSD", "skeletal subspace deformation, " + where, "");
-    if (row == 1) draw_strip(image, baseline, "AS", "animation space, " + where, "");
+    if (row == 0) draw_strip(image, baseline, "SSD", "skeletal subspace deformation, by the vertex shader", "");
+    if (row == 1) draw_strip(image, baseline, "AS", "animation space, by the vertex shader", "");
     if (row == 2) {
       draw_strip(image, baseline, "Difference", "largest distance between SSD and AS: " + length_text(rows.largest_m),
                  "");

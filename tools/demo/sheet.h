@@ -14,7 +14,6 @@ namespace marrow::tools {
 struct Sheet {
   Image image;
   float largest_m = 0;  // distance between SSD and AS over the moments shown, scene units
-  bool on_gpu = true;   // false: a mesh has too many joints for a uniform block, so the CPU skinned
 };
 
 // The clip that bends joints most, the one worth showing; nullopt if the file has none.

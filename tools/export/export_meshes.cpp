@@ -1,10 +1,13 @@
 // Meshes become primitives of skinned meshes, or, bound to one joint, of meshes on a node below it.
+#include <algorithm>
 #include <optional>
+#include <span>
 
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
 #include "common/failure.h"
+#include "common/vertex_order.h"
 #include "export/affine_parts.h"
 #include "export/export_looks.h"
 #include "export/export_parts.h"
@@ -67,15 +70,21 @@ class Meshes {
   explicit Meshes(ExportScene& scene) : scene_(scene), looks_(scene) {}
 
   void run() {
-    for (std::uint32_t i = 0; i < scene_.file.mesh_count(); ++i) add(i, scene_.file.mesh(i));
+    for (std::uint32_t i = 0; i < scene_.file.mesh_count();) {
+      const std::vector<Mesh> parts = parts_at(scene_.file, i);
+      add(i, parts);
+      i += static_cast<std::uint32_t>(parts.size());
+    }
     if (part_) place();
     for (const Skin& skin : skins_) add_skin(skin);
   }
 
  private:
-  void add(std::uint32_t number, const Mesh& mesh) {
+  // parts: of one primitive.
+  void add(std::uint32_t number, std::span<const Mesh> parts) {
+    const Mesh& mesh = parts.front();
     Part next{mesh.name, mesh.skeleton, std::nullopt, mesh.joints[0], mesh.inverse_bind[0], targets_of(mesh)};
-    if (mesh.joint_count > 1) next.skin = skin_for(number, mesh);
+    if (parts.size() > 1 || mesh.joint_count > 1) next.skin = skin_for(number, parts);
     const bool goes_on = part_ && part_->holds(next);
     if (part_ && !goes_on) place();
     if (!goes_on) {
@@ -83,20 +92,19 @@ class Meshes {
     } else if (part_->targets.empty()) {
       part_->targets = std::move(next.targets);
     }
-    part_->primitives.push_back(primitive(mesh));
-    warn_of_deformers(number, mesh);
+    part_->primitives.push_back(primitive(parts));
+    warn_of_deformers(number, parts);
   }
 
-  void warn_of_deformers(std::uint32_t number, const Mesh& mesh) {
-    const Geometry& g = mesh.geometry;
-    const auto left_out = [&](bool has, const char* what) {
-      if (has)
-        scene_.warnings.push_back("mesh " + std::to_string(number) + " \"" + mesh.name + "\": glTF has no " + what +
+  void warn_of_deformers(std::uint32_t number, std::span<const Mesh> parts) {
+    const auto left_out = [&](const auto& has, const char* what) {
+      if (std::ranges::any_of(parts, [&](const Mesh& part) { return has(part.geometry); }))
+        scene_.warnings.push_back("mesh " + std::to_string(number) + " \"" + parts[0].name + "\": glTF has no " + what +
                                   " is left out, so it is deformed by linear blend skinning");
     };
-    left_out(g.as_residual != nullptr, "animation space; its residual");
-    left_out(g.mwe_residual != nullptr, "multi-weight enveloping; it");
-    left_out(!g.pose_space.examples.empty(), "pose space; it");
+    left_out([](const Geometry& g) { return g.as_residual != nullptr; }, "animation space; its residual");
+    left_out([](const Geometry& g) { return g.mwe_residual != nullptr; }, "multi-weight enveloping; it");
+    left_out([](const Geometry& g) { return !g.pose_space.examples.empty(); }, "pose space; it");
   }
 
   std::vector<PartTarget> targets_of(const Mesh& mesh) const {
@@ -107,8 +115,8 @@ class Meshes {
   }
 
   // The first skin that agrees with the mesh on the inverse binds of the joints that both have; a new one if none does.
-  std::size_t skin_for(std::uint32_t number, const Mesh& mesh) {
-    const auto fits = [&](const Skin& skin) {
+  std::size_t skin_for(std::uint32_t number, std::span<const Mesh> parts) {
+    const auto agrees = [](const Skin& skin, const Mesh& mesh) {
       if (skin.skeleton != mesh.skeleton) return false;
       for (std::uint32_t i = 0; i < mesh.joint_count; ++i) {
         const auto found = skin.at.find(mesh.joints[i]);
@@ -116,15 +124,18 @@ class Meshes {
       }
       return true;
     };
+    const auto fits = [&](const Skin& skin) {
+      return std::ranges::all_of(parts, [&](const Mesh& part) { return agrees(skin, part); });
+    };
     std::size_t s = 0;
     while (s < skins_.size() && !fits(skins_[s])) ++s;
-    if (s == skins_.size()) skins_.push_back({mesh.skeleton, {}, {}, {}});
-    for (std::uint32_t i = 0; i < mesh.joint_count; ++i) add_to_skin(skins_[s], mesh.joints[i], mesh.inverse_bind[i]);
-    for (std::uint32_t i = 0; i < mesh.joint_count; ++i)
-      if (!same(skins_[s].inverse_bind[skins_[s].at[mesh.joints[i]]], mesh.inverse_bind[i]))
-        throw Failure(Exit::unsupported, scene_.name, "",
-                      "mesh " + std::to_string(number) + " binds a joint twice, in two ways",
-                      "glTF's skins name a joint once");
+    if (s == skins_.size()) skins_.push_back({parts[0].skeleton, {}, {}, {}});
+    for (const Mesh& mesh : parts)
+      for (std::uint32_t i = 0; i < mesh.joint_count; ++i) add_to_skin(skins_[s], mesh.joints[i], mesh.inverse_bind[i]);
+    if (!fits(skins_[s]))
+      throw Failure(Exit::unsupported, scene_.name, "",
+                    "mesh " + std::to_string(number) + " binds a joint twice, in two ways",
+                    "glTF's skins name a joint once");
     return s;
   }
 
@@ -134,25 +145,33 @@ class Meshes {
     skin.inverse_bind.push_back(inverse_bind);
   }
 
-  Json primitive(const Mesh& mesh) {
-    auto found = vertices_.find(mesh.geometry_index);
+  Json primitive(std::span<const Mesh> parts) {
+    const std::vector<Geometry> geometries = geometries_of(parts);
+    std::vector<std::uint32_t> numbers;
+    for (const Mesh& part : parts) numbers.push_back(part.geometry_index);
+    auto found = vertices_.find(numbers);
     if (found == vertices_.end()) {
-      found = vertices_.emplace(mesh.geometry_index, export_vertices(scene_.glb, mesh.geometry)).first;
-      if (!mesh.geometry.targets.empty()) found->second["targets"] = export_targets(scene_.glb, mesh.geometry);
+      found = vertices_.emplace(numbers, export_vertices(scene_.glb, geometries)).first;
+      if (!geometries[0].targets.empty()) found->second["targets"] = export_targets(scene_.glb, geometries);
     }
     Json out = found->second;
     if (part_->skin) {
       const Skin& skin = skins_[*part_->skin];
-      std::vector<std::uint16_t> numbers;
-      for (std::uint32_t i = 0; i < mesh.joint_count; ++i)
-        numbers.push_back(static_cast<std::uint16_t>(skin.at.at(mesh.joints[i])));
-      Json& weights = weights_[{mesh.geometry_index, numbers}];
+      std::vector<std::vector<std::uint16_t>> joints;
+      for (const Mesh& part : parts) {
+        joints.emplace_back();
+        for (std::uint32_t i = 0; i < part.joint_count; ++i)
+          joints.back().push_back(static_cast<std::uint16_t>(skin.at.at(part.joints[i])));
+        // Half-joints have no weights but what rounding leaves.
+        for (const HalfJoint& half : part.half_joints) joints.back().push_back(joints.back()[half.joint]);
+      }
+      Json& weights = weights_[{numbers, joints}];
       if (weights.is_null())
-        export_weights(scene_.glb, mesh.geometry, numbers, scene_.file.skeleton(mesh.skeleton).joint_count > 256,
+        export_weights(scene_.glb, geometries, joints, scene_.file.skeleton(parts[0].skeleton).joint_count > 256,
                        weights);
       out["attributes"].update(weights);
     }
-    if (const std::optional<std::size_t> number = material(mesh)) out["material"] = *number;
+    if (const std::optional<std::size_t> number = material(parts[0])) out["material"] = *number;
     return out;
   }
 
@@ -276,8 +295,9 @@ class Meshes {
   Looks looks_;
   std::optional<Part> part_;
   std::vector<Skin> skins_;
-  std::map<std::uint32_t, Json> vertices_;                                        // a geometry
-  std::map<std::pair<std::uint32_t, std::vector<std::uint16_t>>, Json> weights_;  // a geometry and a palette
+  using Numbers = std::vector<std::uint32_t>;
+  std::map<Numbers, Json> vertices_;                                                     // geometries of parts
+  std::map<std::pair<Numbers, std::vector<std::vector<std::uint16_t>>>, Json> weights_;  // and their palettes
   std::map<std::string, std::size_t> known_;
   std::map<std::uint32_t, bool> complete_;  // skeletons
 };

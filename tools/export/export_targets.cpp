@@ -25,20 +25,6 @@ std::size_t add_changes(Glb& glb, const std::vector<float>& changes) {
   return glb.add_sparse(changes.size() / 3, at, moving, kVec3);
 }
 
-// records: for each block the target's first record or null. which: of the block's records.
-std::vector<float> changes_of(const std::vector<const std::int16_t*>& records, int which, float step,
-                              const std::vector<std::uint32_t>& order) {
-  std::vector<float> out;
-  out.reserve(order.size() * 3);
-  for (const std::uint32_t slot : order)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::int16_t* const record = records[slot / 4];
-      const float whole = record == nullptr ? 0.0f : record[12 * which + static_cast<int>(4 * c + slot % 4)];
-      out.push_back(whole == 0 ? 0.0f : whole * step);
-    }
-  return out;
-}
-
 std::vector<const std::int16_t*> records_of(const Geometry& g, const MorphTarget& target) {
   std::vector<const std::int16_t*> out(g.slot_count / 4, nullptr);
   const auto each = static_cast<std::size_t>(std::popcount(target.attributes));
@@ -51,24 +37,46 @@ std::vector<const std::int16_t*> records_of(const Geometry& g, const MorphTarget
   return out;
 }
 
+// What a target does to one of its attributes, in all parts.
+std::vector<float> changes_of(std::span<const Geometry> parts, std::size_t target, std::uint32_t attribute,
+                              const std::vector<PartSlot>& order) {
+  struct Records {
+    std::vector<const std::int16_t*> of_block;  // null: the block stays
+    int which = 0;                              // of a block's records
+    float step = 0;
+  };
+  std::vector<Records> records(parts.size());
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const MorphTarget& t = parts[part].targets[target];
+    if ((t.attributes >> attribute & 1u) == 0) continue;
+    const float steps[] = {t.position_step, t.normal_step, t.tangent_step};
+    records[part] = {records_of(parts[part], t), std::popcount(t.attributes & ((1u << attribute) - 1)),
+                     steps[attribute]};
+  }
+  std::vector<float> out;
+  out.reserve(order.size() * 3);
+  for (const auto& [part, slot] : order)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Records& from = records[part];
+      const std::int16_t* const record = from.of_block.empty() ? nullptr : from.of_block[slot / 4];
+      const float whole = record == nullptr ? 0.0f : record[12 * from.which + static_cast<int>(4 * c + slot % 4)];
+      out.push_back(whole == 0 ? 0.0f : whole * from.step);
+    }
+  return out;
+}
+
 }  // namespace
 
-Json export_targets(Glb& glb, const Geometry& g) {
-  const std::vector<std::uint32_t> order = vertex_order(g);
+Json export_targets(Glb& glb, std::span<const Geometry> parts) {
+  const std::vector<PartSlot> order = vertex_order(parts);
   std::uint32_t attributes = kMorphsPositions;
-  for (const MorphTarget& target : g.targets) attributes |= target.attributes;
+  for (const Geometry& g : parts)
+    for (const MorphTarget& target : g.targets) attributes |= target.attributes;
   Json out = Json::array();
-  for (const MorphTarget& target : g.targets) {
-    const std::vector<const std::int16_t*> records = records_of(g, target);
-    const float steps[] = {target.position_step, target.normal_step, target.tangent_step};
+  for (std::size_t t = 0; t < parts[0].targets.size; ++t) {
     Json changes = Json::object();
-    int record = 0;
-    for (std::uint32_t a = 0; a < 3; ++a) {
-      if ((attributes >> a & 1u) == 0) continue;
-      const bool moved = (target.attributes >> a & 1u) != 0;
-      changes[kAttributes[a]] = add_changes(
-          glb, moved ? changes_of(records, record++, steps[a], order) : std::vector<float>(order.size() * 3, 0.0f));
-    }
+    for (std::uint32_t a = 0; a < 3; ++a)
+      if ((attributes >> a & 1u) != 0) changes[kAttributes[a]] = add_changes(glb, changes_of(parts, t, a, order));
     out.push_back(changes);
   }
   return out;

@@ -14,12 +14,14 @@ struct Influence {
   float weight = 0;
 };
 
-// Of an array of blocks of `parts` components, the vertices in `order`.
-std::vector<float> unpack(const float* blocks, std::size_t parts, const std::vector<std::uint32_t>& order) {
+// Of arrays of blocks of `components` components, a part each, the vertices in `order`.
+std::vector<float> unpack(std::span<const Geometry> parts, const float* Geometry::*blocks, std::size_t components,
+                          const std::vector<PartSlot>& order) {
   std::vector<float> out;
-  out.reserve(order.size() * parts);
-  for (const std::uint32_t slot : order)
-    for (std::size_t c = 0; c < parts; ++c) out.push_back(blocks[(slot / 4 * parts + c) * 4 + slot % 4]);
+  out.reserve(order.size() * components);
+  for (const auto& [part, slot] : order)
+    for (std::size_t c = 0; c < components; ++c)
+      out.push_back((parts[part].*blocks)[(slot / 4 * components + c) * 4 + slot % 4]);
   return out;
 }
 
@@ -85,64 +87,72 @@ std::size_t add_joints(Glb& glb, const std::vector<std::uint16_t>& joints, Compo
   return glb.add_accessor(std::vector<T>(joints.begin(), joints.end()), component, kVec4, Target::vertices);
 }
 
-std::size_t add_indices(Glb& glb, const Geometry& g, const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> number(g.slot_count, 0), indices;
-  for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<std::uint32_t>(i);
-  for (std::uint32_t i = 0; i < g.index_count; ++i) indices.push_back(number[index_at(g, i)]);
-  if (order.size() > 65535) return glb.add_accessor(indices, Component::u32, kScalar, Target::indices);
+std::size_t add_indices(Glb& glb, std::span<const Geometry> parts, std::size_t vertices) {
+  const std::vector<std::uint32_t> indices = indices_in_order(parts);
+  if (vertices > 65535) return glb.add_accessor(indices, Component::u32, kScalar, Target::indices);
   const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
   return glb.add_accessor(narrow, Component::u16, kScalar, Target::indices);
 }
 
-}  // namespace
-
-Json export_vertices(Glb& glb, const Geometry& g) {
-  const std::vector<std::uint32_t> order = vertex_order(g);
-  const std::vector<Block> blocks = blocks_of(g);
-  std::vector<float> positions;
-  for (const std::uint32_t slot : order)
-    for (std::size_t c = 0; c < 3; ++c) positions.push_back(blocks[slot / 4].skin[c * 4 + slot % 4]);
-  Json out;
-  Json& attributes = out["attributes"];
-  attributes["POSITION"] = glb.add_bounded(positions, kVec3, Target::vertices);
-  if (g.normals != nullptr) {
-    std::vector<float> normals = unpack(g.normals, 3, order);
-    normalise(normals, 3);
-    attributes["NORMAL"] = glb.add_accessor(normals, Component::f32, kVec3, Target::vertices);
-  }
-  if (g.tangents != nullptr) {
-    std::vector<float> tangents = unpack(g.tangents, 4, order);
-    normalise(tangents, 4);
-    attributes["TANGENT"] = glb.add_accessor(tangents, Component::f32, kVec4, Target::vertices);
-  }
-  if (g.uvs != nullptr) {
-    std::vector<float> uvs;
-    for (const std::uint32_t slot : order) uvs.insert(uvs.end(), {g.uvs[2 * slot], g.uvs[2 * slot + 1]});
-    attributes["TEXCOORD_0"] = glb.add_accessor(uvs, Component::f32, kVec2, Target::vertices);
-  }
-  if (g.colours != nullptr) {
-    std::vector<std::uint8_t> colours;
-    for (const std::uint32_t slot : order)
-      colours.insert(colours.end(), g.colours + 4 * slot, g.colours + 4 * slot + 4);
-    attributes["COLOR_0"] = glb.add_accessor(colours, Component::u8, kVec4, Target::vertices, true);
-  }
-  if (g.index_count > 0) out["indices"] = add_indices(glb, g, order);
+std::vector<std::vector<Block>> blocks_of_all(std::span<const Geometry> parts) {
+  std::vector<std::vector<Block>> out;
+  for (const Geometry& g : parts) out.push_back(blocks_of(g));
   return out;
 }
 
-void export_weights(Glb& glb, const Geometry& g, const std::vector<std::uint16_t>& skin_joints, bool wide,
-                    Json& attributes) {
-  const std::vector<Block> blocks = blocks_of(g);
+}  // namespace
+
+Json export_vertices(Glb& glb, std::span<const Geometry> parts) {
+  const std::vector<PartSlot> order = vertex_order(parts);
+  const std::vector<std::vector<Block>> blocks = blocks_of_all(parts);
+  const Geometry& first = parts[0];  // the others have the same attributes
+  std::vector<float> positions;
+  for (const auto& [part, slot] : order)
+    for (std::size_t c = 0; c < 3; ++c) positions.push_back(blocks[part][slot / 4].skin[c * 4 + slot % 4]);
+  Json out;
+  Json& attributes = out["attributes"];
+  attributes["POSITION"] = glb.add_bounded(positions, kVec3, Target::vertices);
+  if (first.normals != nullptr) {
+    std::vector<float> normals = unpack(parts, &Geometry::normals, 3, order);
+    normalise(normals, 3);
+    attributes["NORMAL"] = glb.add_accessor(normals, Component::f32, kVec3, Target::vertices);
+  }
+  if (first.tangents != nullptr) {
+    std::vector<float> tangents = unpack(parts, &Geometry::tangents, 4, order);
+    normalise(tangents, 4);
+    attributes["TANGENT"] = glb.add_accessor(tangents, Component::f32, kVec4, Target::vertices);
+  }
+  if (first.uvs != nullptr) {
+    std::vector<float> uvs;
+    for (const auto& [part, slot] : order)
+      uvs.insert(uvs.end(), {parts[part].uvs[2 * slot], parts[part].uvs[2 * slot + 1]});
+    attributes["TEXCOORD_0"] = glb.add_accessor(uvs, Component::f32, kVec2, Target::vertices);
+  }
+  if (first.colours != nullptr) {
+    std::vector<std::uint8_t> colours;
+    for (const auto& [part, slot] : order)
+      colours.insert(colours.end(), parts[part].colours + 4 * slot, parts[part].colours + 4 * slot + 4);
+    attributes["COLOR_0"] = glb.add_accessor(colours, Component::u8, kVec4, Target::vertices, true);
+  }
+  if (std::ranges::any_of(parts, [](const Geometry& g) { return g.index_count > 0; }))
+    out["indices"] = add_indices(glb, parts, order.size());
+  return out;
+}
+
+void export_weights(Glb& glb, std::span<const Geometry> parts,
+                    const std::vector<std::vector<std::uint16_t>>& skin_joints, bool wide, Json& attributes) {
+  const std::vector<std::vector<Block>> blocks = blocks_of_all(parts);
   std::size_t most = 0;
-  for (const Block& block : blocks) most = std::max<std::size_t>(most, block.influences);
+  for (const std::vector<Block>& of_part : blocks)
+    for (const Block& block : of_part) most = std::max<std::size_t>(most, block.influences);
   const std::size_t sets = (most + 3) / 4;
   std::vector<std::vector<std::uint16_t>> joints(sets);
   std::vector<std::vector<float>> weights(sets);
-  for (const std::uint32_t slot : vertex_order(g)) {
-    std::vector<Influence> influences = influences_of(blocks[slot / 4], slot % 4);
+  for (const auto& [part, slot] : vertex_order(parts)) {
+    std::vector<Influence> influences = influences_of(blocks[part][slot / 4], slot % 4);
     for (std::size_t i = 0; i < sets * 4; ++i) {
       const bool used = i < influences.size();
-      joints[i / 4].push_back(used ? skin_joints[influences[i].entry] : std::uint16_t{0});
+      joints[i / 4].push_back(used ? skin_joints[part][influences[i].entry] : std::uint16_t{0});
       weights[i / 4].push_back(used ? influences[i].weight : 0.0f);
     }
   }

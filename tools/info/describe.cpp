@@ -84,6 +84,7 @@ ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File:
           {"pose_examples", g.pose_space.examples.size},
           {"targets", g.targets.size},
           {"source_order", !g.source_slots.empty()},
+          {"next_part", mesh.is_next_part},
           {"geometry", mesh.geometry_index},
           {"codec", mesh_codec_name(geometry.codec)},
           {"bytes", mesh_bytes + (first_of_geometry ? geometry.bytes : 0)},

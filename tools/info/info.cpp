@@ -87,13 +87,13 @@ class Tree {
       const auto& m = r_["meshes"][i];
       leaf(i + 1 == r_["meshes"].size(), fmt::format("mesh {} \"{}\"", i, text(m["name"])), size_of(m["bytes"]),
            source_bytes("mesh_bytes", m["name"]),
-           fmt::format(
-               "{} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}, {:.1f} B a vertex, {}",
-               m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(), m["joints"].get<int>(),
-               m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
-               m["bytes_per_vertex"].get<double>(), text(m["codec"]),
-               m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
-               of_skeleton(m)));
+           fmt::format("{} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}, {:.1f} B a "
+                       "vertex, {}{}{}{}",
+                       m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
+                       m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
+                       m["bytes_per_vertex"].get<double>(), text(m["codec"]),
+                       m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
+                       m["next_part"].get<bool>() ? ", next part" : "", of_skeleton(m)));
     }
   }
 

@@ -1,6 +1,7 @@
 #include "pose/pose.h"
 
 #include <cstring>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -13,52 +14,64 @@
 namespace marrow::tools {
 namespace {
 
-// Little-endian float32 x y z a vertex.
-std::string to_bin(const File& file, const Character& character, Deformer deformer) {
-  std::string out;
-  PosedMesh posed;
-  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
-    character.skin(m, deformer, posed);
-    for (const std::uint32_t slot : vertex_order(file.mesh(m).geometry))
-      out.append(reinterpret_cast<const char*>(&posed.positions[3 * slot]), 12);
+// A primitive of the source, posed: a mesh or the parts of one.
+struct PosedParts {
+  std::vector<Mesh> meshes;
+  std::vector<Geometry> geometries;
+  std::vector<PosedMesh> posed;
+};
+
+std::vector<PosedParts> pose_parts(const File& file, const Character& character, Deformer deformer) {
+  std::vector<PosedParts> out;
+  for (std::uint32_t m = 0; m < file.mesh_count();) {
+    PosedParts& parts = out.emplace_back();
+    parts.meshes = parts_at(file, m);
+    parts.geometries = geometries_of(parts.meshes);
+    for (std::size_t i = 0; i < parts.meshes.size(); ++i) character.skin(m++, deformer, parts.posed.emplace_back());
   }
   return out;
 }
 
-// Padding slots repeat a real one, but no index names them: numbering by written vertex is enough.
-void append_faces(const Geometry& g, const std::vector<std::uint32_t>& order, std::uint32_t first, bool normals,
-                  std::string& out) {
-  std::vector<std::uint32_t> number(g.slot_count, 0);
-  for (std::uint32_t i = 0; i < order.size(); ++i) number[order[i]] = first + i;
-  for (std::uint32_t i = 0; i < g.index_count; i += 3) {
-    out += 'f';
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t n = number[index_at(g, i + c)];
-      out += normals ? fmt::format(" {}//{}", n, n) : fmt::format(" {}", n);
-    }
-    out += '\n';
+// Little-endian float32 x y z a vertex.
+std::string to_bin(const File& file, const Character& character, Deformer deformer) {
+  std::string out;
+  for (const PosedParts& parts : pose_parts(file, character, deformer))
+    for (const auto& [part, slot] : vertex_order(parts.geometries))
+      out.append(reinterpret_cast<const char*>(&parts.posed[part].positions[std::size_t{3} * slot]), 12);
+  return out;
+}
+
+void append_faces(std::span<const Geometry> parts, std::uint32_t first, bool normals, std::string& out) {
+  const std::vector<std::uint32_t> indices = indices_in_order(parts);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (i % 3 == 0) out += 'f';
+    const std::uint32_t n = first + indices[i];
+    out += normals ? fmt::format(" {}//{}", n, n) : fmt::format(" {}", n);
+    if (i % 3 == 2) out += '\n';
   }
 }
 
 std::string to_obj(const File& file, const Character& character, Deformer deformer) {
   std::string out;
-  PosedMesh posed;
-  std::uint32_t first = 1;
-  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
-    const Mesh mesh = file.mesh(m);
-    character.skin(m, deformer, posed);
-    const std::vector<std::uint32_t> order = vertex_order(mesh.geometry);
-    out += fmt::format("o {}\n", *mesh.name != '\0' ? mesh.name : fmt::format("mesh{}", m).c_str());
-    for (const std::uint32_t s : order)
-      out +=
-          fmt::format("v {} {} {}\n", posed.positions[3 * s], posed.positions[3 * s + 1], posed.positions[3 * s + 2]);
+  std::uint32_t first = 1, number = 0;
+  for (const PosedParts& parts : pose_parts(file, character, deformer)) {
+    const std::vector<PartSlot> order = vertex_order(parts.geometries);
+    const char* const name = parts.meshes[0].name;
+    out += fmt::format("o {}\n", *name != '\0' ? name : fmt::format("mesh{}", number).c_str());
+    for (const auto& [part, s] : order) {
+      const std::vector<float>& at = parts.posed[part].positions;
+      out += fmt::format("v {} {} {}\n", at[3 * s], at[3 * s + 1], at[3 * s + 2]);
+    }
     // Normals are numbered with the positions, so a mesh without them still takes its numbers.
-    for (const std::uint32_t s : order)
-      out += posed.normals.empty() ? std::string("vn 0 0 0\n")
-                                   : fmt::format("vn {} {} {}\n", posed.normals[3 * s], posed.normals[3 * s + 1],
-                                                 posed.normals[3 * s + 2]);
-    append_faces(mesh.geometry, order, first, !posed.normals.empty(), out);
+    const bool normals = !parts.posed[0].normals.empty();
+    for (const auto& [part, s] : order) {
+      const std::vector<float>& at = parts.posed[part].normals;
+      out +=
+          normals ? fmt::format("vn {} {} {}\n", at[3 * s], at[3 * s + 1], at[3 * s + 2]) : std::string("vn 0 0 0\n");
+    }
+    append_faces(parts.geometries, first, normals, out);
     first += static_cast<std::uint32_t>(order.size());
+    number += static_cast<std::uint32_t>(parts.meshes.size());
   }
   return out;
 }

@@ -58,7 +58,7 @@ std::vector<Drawable> drawables_of(const std::string& path, const File& file, co
   if (const std::optional<std::uint32_t> mesh = figure.too_large()) {
     throw Failure(Exit::unsupported, path, "mesh " + std::to_string(*mesh),
                   "more joints than one uniform block holds (" + std::to_string(gles3::kPaletteJoints) + ")",
-                  "use --path cpu");
+                  "use --path cpu or texture, or cook it without --palette");
   }
   return figure.on_gpu(character, manner.deformer);
 }

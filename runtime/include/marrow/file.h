@@ -161,7 +161,8 @@ struct Geometry {
   std::uint32_t mwe_root = 0;             // palette entry whose frame they are meant in
   const float* uvs = nullptr;             // a slot: u v; null if absent
   const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
-  // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it.
+  // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
+  // part of a primitive in parts.
   Span<const std::uint32_t> source_slots;
   Span<const MorphTarget> targets;
   const void* target_blocks = nullptr;           // as wide as indices; for each target the blocks it moves, ascending
@@ -273,6 +274,9 @@ struct Mesh {
   const Affine* inverse_bind = nullptr;        // joint_count; joint_from_mesh in the bind pose
   float base_colour[4] = {1, 1, 1, 1};         // linear RGBA
   bool double_sided = false;
+  // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
+  // vertex order needs to know: see Geometry::source_slots.
+  bool is_next_part = false;
   Span<const HalfJoint> half_joints;  // palette entries behind those of the joints
   Span<const MeshTarget> targets;     // as many as the geometry's
   Span<const MeshLod> lods;           // levels 1, 2, …, ever coarser; level 0 is the mesh in full
