@@ -4,7 +4,7 @@ set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/
   unit/cook/gltf_scene_test.cpp unit/cook/keep_test.cpp unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp unit/cook/bind_weights_test.cpp unit/cook/deformers_test.cpp
-  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/lod_test.cpp
+  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/lod_test.cpp unit/cook/split_test.cpp
   unit/cook/examples_test.cpp unit/cook/subdivide_test.cpp unit/cook/subdivide_mesh_test.cpp)
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
 target_compile_options(marrow_cook_tests PRIVATE -O0)
@@ -41,14 +41,15 @@ target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVA
 marrow_warnings(marrow_reference)
 
 marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/cooked.cpp road/characters_test.cpp)
+  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp
+  ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_export)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
-  cli/atomic_test.cpp cli/compare_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/view_test.cpp)
+  cli/atomic_test.cpp cli/compare_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/split_test.cpp cli/view_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   MARROW_PROGRAM="$<TARGET_FILE:marrow>")

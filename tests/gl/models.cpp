@@ -7,6 +7,7 @@
 
 #include "common/failure.h"
 #include "cook/cook.h"
+#include "cook/gltf/read.h"
 
 namespace marrow::test {
 namespace {
@@ -37,16 +38,22 @@ std::vector<std::string> model_paths() {
   return paths;
 }
 
+std::optional<Model> cook_model(cook::RawScene scene) {
+  const std::string path = scene.source;
+  cook::CookOptions options;
+  options.mesh_codec = cook::MeshCodec::none;
+  options.raw_clips = true;  // poses are all that matters here, and compressing takes most of the time
+  const cook::CookResult cooked = cook::cook_scene(std::move(scene), options);
+  Model model{fs::path(path).filename().string(), tools::AlignedBytes(cooked.file), {}};
+  DataError error;
+  if (load({model.bytes.data(), model.bytes.size()}, model.file, &error) == Status::ok) return model;
+  std::fprintf(stderr, "%s: @%u: %s\n", path.c_str(), error.offset, error.rule);
+  return std::nullopt;
+}
+
 std::optional<Model> cook_model(const std::string& path) {
   try {
-    cook::CookOptions options;
-    options.mesh_codec = cook::MeshCodec::none;
-    options.raw_clips = true;  // poses are all that matters here, and compressing takes most of the time
-    const cook::CookResult cooked = cook::cook_file(path, options);
-    Model model{fs::path(path).filename().string(), tools::AlignedBytes(cooked.file), {}};
-    DataError error;
-    if (load({model.bytes.data(), model.bytes.size()}, model.file, &error) == Status::ok) return model;
-    std::fprintf(stderr, "%s: @%u: %s\n", path.c_str(), error.offset, error.rule);
+    return cook_model(cook::read_gltf(path));
   } catch (const tools::Failure& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/aligned_bytes.h"
+#include "cook/raw.h"
 #include "marrow/file.h"
 #include "support/rig.h"
 
@@ -24,6 +25,7 @@ bool have_assets();
 
 // Cooks and loads; nullopt if the cooker refuses, with why on stderr.
 std::optional<Model> cook_model(const std::string& path);
+std::optional<Model> cook_model(cook::RawScene scene);
 
 // A mesh in memory, which lacks the box that prepare() needs.
 Mesh with_box(const TestMesh& source);

@@ -49,19 +49,21 @@ CookedPose Cooked::pose(std::uint32_t clip, float time_s, Deformer deformer, con
   CookedPose out;
   for (std::uint32_t m = 0; m < file_.mesh_count(); ++m) {
     const PosedMesh posed = pose_mesh(file_, clip, time_s, m, deformer, cycle);
-    for (const std::size_t slot : file_.mesh(m).geometry.source_slots) {
-      out.used.push_back(slot != kNoSlot);
-      if (slot == kNoSlot) {
-        out.positions.emplace_back();
-        out.normals.emplace_back();
-        out.tangents.emplace_back();
-        out.tangent_signs.push_back(0);
-        continue;
-      }
-      out.positions.push_back(three(posed.positions, slot * 3));
-      out.normals.push_back(three(posed.normals, slot * 3));
-      out.tangents.push_back(three(posed.tangents, slot * 4));
-      out.tangent_signs.push_back(posed.tangents.empty() ? 0 : static_cast<double>(posed.tangents[slot * 4 + 3]));
+    const auto slots = file_.mesh(m).geometry.source_slots;
+    const std::size_t first = out.used.size() - (file_.mesh(m).is_next_part ? slots.size : 0);
+    out.used.resize(first + slots.size, false);
+    out.positions.resize(out.used.size());
+    out.normals.resize(out.used.size());
+    out.tangents.resize(out.used.size());
+    out.tangent_signs.resize(out.used.size(), 0);
+    for (std::size_t v = 0; v < slots.size; ++v) {
+      const std::size_t slot = slots[v];
+      if (slot == kNoSlot) continue;
+      out.used[first + v] = true;
+      out.positions[first + v] = three(posed.positions, slot * 3);
+      out.normals[first + v] = three(posed.normals, slot * 3);
+      out.tangents[first + v] = three(posed.tangents, slot * 4);
+      if (!posed.tangents.empty()) out.tangent_signs[first + v] = static_cast<double>(posed.tangents[slot * 4 + 3]);
     }
   }
   return out;

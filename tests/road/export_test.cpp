@@ -64,8 +64,13 @@ class Export : public ::testing::TestWithParam<std::string> {
 // Of the source's vertices in their order: whether a triangle uses them, for others are not cooked.
 std::vector<bool> used_vertices(const File& file) {
   std::vector<bool> used;
-  for (std::uint32_t m = 0; m < file.mesh_count(); ++m)
-    for (const std::uint32_t slot : file.mesh(m).geometry.source_slots) used.push_back(slot != kNoSlot);
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
+    const auto slots = file.mesh(m).geometry.source_slots;
+    const std::size_t first = used.size() - (file.mesh(m).is_next_part ? slots.size : 0);
+    used.resize(first + slots.size, false);
+    for (std::size_t v = 0; v < slots.size; ++v)
+      if (slots[v] != kNoSlot) used[first + v] = true;
+  }
   return used;
 }
 

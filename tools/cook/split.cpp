@@ -69,7 +69,7 @@ class Splitter {
     has_next_ = false;
     while (!near_.empty() || !far_.empty()) {
       // What shares something with the part comes first.
-      const Queue& from = !near_.empty() && size + near_.begin()->first <= most_ ? near_ : far_;
+      const Queue& from = !near_.empty() ? near_ : far_;
       if (from.empty() || size + from.begin()->first > most_) break;
       take(from.begin()->second, part, size);
     }

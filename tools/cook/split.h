@@ -11,8 +11,9 @@
 namespace marrow::cook {
 
 // For each triangle which part it goes to, so that what the vertices of a part need is at most `most`. needs: of each
-// vertex, ascending. Greedy: a part takes the triangle that adds least to what it needs, for as long as one fits; so
-// no two parts would fit into one. Precondition: each triangle fits by itself.
+// vertex, ascending. Greedy: a part takes the triangles that add least to what it needs until they do not fit, one that
+// has nothing in common with it only if no other is left; the next part begins there. Precondition: each triangle fits
+// by itself.
 std::vector<std::uint32_t> split_triangles(const std::vector<std::uint32_t>& indices,
                                            const std::vector<std::vector<std::uint32_t>>& needs, std::size_t most);
 

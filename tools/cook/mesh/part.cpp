@@ -71,16 +71,19 @@ void take_palette(const OwnedStreams& whole, const std::vector<std::uint16_t>& e
   out.mesh.joint_count = static_cast<std::uint32_t>(entries.size());
   if ((whole.mesh.flags & format::kHasMwe) != 0)
     out.mesh.mwe_root = place_of(entries, static_cast<std::uint16_t>(whole.mesh.mwe_root));
-  for (std::size_t k = 0; k < whole.mesh.example_count; ++k)
-    for (const std::uint16_t entry : entries) {
-      const auto from = whole.rotations.begin() + static_cast<std::ptrdiff_t>((k * whole.mesh.joint_count + entry) * 4);
-      out.rotations.insert(out.rotations.end(), from, from + 4);
-    }
-  // An entry whose parent the part lacks has no weight in it.
-  for (std::size_t j = 0; whole.mesh.example_count > 0 && j < entries.size(); ++j) {
-    const std::uint16_t parent = whole.parents[entries[j]];
+  if (whole.mesh.example_count == 0) return;
+  // An entry whose parent the part lacks has no weight in it; without a parent nothing turns.
+  for (const std::uint16_t entry : entries) {
+    const std::uint16_t parent = whole.parents[entry];
     out.parents.push_back(std::ranges::binary_search(entries, parent) ? place_of(entries, parent) : kNoParent);
   }
+  constexpr std::int16_t kIdentity[] = {0, 0, 0, 32767};
+  for (std::size_t k = 0; k < whole.mesh.example_count; ++k)
+    for (std::size_t j = 0; j < entries.size(); ++j) {
+      const std::size_t at = (k * whole.mesh.joint_count + entries[j]) * 4;
+      const std::int16_t* const from = out.parents[j] == kNoParent ? kIdentity : &whole.rotations[at];
+      out.rotations.insert(out.rotations.end(), from, from + 4);
+    }
 }
 
 }  // namespace
