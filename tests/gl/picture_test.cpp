@@ -11,6 +11,10 @@
 #include <png.h>
 #include <unistd.h>
 
+#include "cook/cook.h"
+#include "marrow/gles3.h"
+#include "support/millipede.h"
+
 namespace marrow::test {
 namespace {
 
@@ -95,6 +99,29 @@ TEST_F(Picture, IsTheSameForAnyNumberOfThreads) {
   EXPECT_FALSE(bytes("one.png").empty());
   EXPECT_TRUE(bytes("one.png") == bytes("again.png"));
   EXPECT_TRUE(bytes("one.png") == bytes("four.png"));
+}
+
+// The cooker splits what a uniform block cannot hold; what is cooked whole all the same is left to the CPU.
+TEST_F(Picture, ShowsMoreJointsThanAPaletteTakes) {
+  for (const std::size_t entries : {std::size_t{gles3::kPaletteJoints}, std::size_t{kMaxJoints}}) {
+    cook::CookOptions options;
+    options.most_entries = entries;
+    options.mesh_codec = cook::MeshCodec::none;
+    const std::vector<std::byte> file = cook::cook_scene(Millipede(150).scene, options).file;
+    std::ofstream(path("millipede.mrw"), std::ios::binary)
+        .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+    const auto shoot = [&](const std::string& way) {
+      return run("render " + path("millipede.mrw") + " --clip 0 --time 0.8 --size 400x160 --path " + way + " -o " +
+                     path(way + ".png"),
+                 "exec 2>/dev/null;");
+    };
+    EXPECT_EQ(shoot("cpu"), 0);
+    const bool fits = entries == gles3::kPaletteJoints;
+    EXPECT_EQ(shoot("ubo"), fits ? 0 : 4);
+    if (fits) {
+      EXPECT_LE(difference(pixels("cpu.png"), pixels("ubo.png")), 0.01);
+    }
+  }
 }
 
 TEST_F(Picture, BadArgumentsLeaveNoFile) {

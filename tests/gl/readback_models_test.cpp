@@ -61,10 +61,6 @@ struct Subject {
   Subject(const File& file, std::uint32_t m, Span<const float> of_surface)
       : mesh(file.mesh(m)), index(m), tangents(of_surface), blended(mesh), surface(mesh, of_surface) {}
   bool has_surface() const { return (surface.gpu().features & gles3::kSurfaceNormals) != 0; }
-  // A uniform block does not hold every palette.
-  bool can_go(Way way) const {
-    return can(way) && (way == Way::texture || mesh.palette_size() <= gles3::kPaletteJoints);
-  }
 
   Mesh mesh;
   std::uint32_t index;
