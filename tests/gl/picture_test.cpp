@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "cook/cook.h"
+#include "gl/feedback.h"
 #include "marrow/gles3.h"
 #include "support/millipede.h"
 
@@ -90,6 +91,15 @@ TEST_F(Picture, ShowsTheCharacterTheSameOnEveryPath) {
   EXPECT_LE(difference(ubo, pixels("cpu.png")), 0.01);
   EXPECT_LE(difference(ubo, pixels("as.png")), 0.01);
   EXPECT_GT(difference(ubo, pixels("rigid.png")), 0.002) << "rigid must look otherwise";
+  for (const std::string way : {"texture", "feedback", "compute"}) {
+    const int code = render("--deformer ssd --path " + way, way + ".png");
+    if (way == "compute" && !gl().caps().compute) {
+      EXPECT_NE(code, 0);
+      continue;
+    }
+    ASSERT_EQ(code, 0) << way;
+    EXPECT_LE(difference(ubo, pixels(way + ".png")), 0.001) << way;
+  }
 }
 
 TEST_F(Picture, IsTheSameForAnyNumberOfThreads) {
@@ -101,7 +111,8 @@ TEST_F(Picture, IsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(bytes("one.png") == bytes("four.png"));
 }
 
-// The cooker splits what a uniform block cannot hold; what is cooked whole all the same is left to the CPU.
+// The cooker splits what a uniform block cannot hold; what is cooked whole all the same is left to a texture and the
+// CPU.
 TEST_F(Picture, ShowsMoreJointsThanAPaletteTakes) {
   for (const std::size_t entries : {std::size_t{gles3::kPaletteJoints}, std::size_t{kMaxJoints}}) {
     cook::CookOptions options;
@@ -117,7 +128,10 @@ TEST_F(Picture, ShowsMoreJointsThanAPaletteTakes) {
     };
     EXPECT_EQ(shoot("cpu"), 0);
     const bool fits = entries == gles3::kPaletteJoints;
+    EXPECT_EQ(shoot("texture"), 0);
+    EXPECT_LE(difference(pixels("cpu.png"), pixels("texture.png")), 0.01);
     EXPECT_EQ(shoot("ubo"), fits ? 0 : 4);
+    EXPECT_EQ(shoot("feedback"), fits ? 0 : 4);
     if (fits) {
       EXPECT_LE(difference(pixels("cpu.png"), pixels("ubo.png")), 0.01);
     }

@@ -67,23 +67,25 @@ Figure::Figure(const Gl& gl, const File& file, const Textures* textures, AsNorma
     gles3::PrepareOptions options;
     options.as_tangents = tangents[i];
     scratch.resize(std::max(scratch.size(), gles3::prepare_scratch_bytes(mesh, options)));
-    const Status status = gles3::prepare(gl, gl.caps(), mesh, options, scratch, part.bind, part.gpu);
-    if (status == Status::unsupported) {
-      if (!too_large_) too_large_ = i;
-    } else {
-      marrow::tools::check(status);
-    }
+    marrow::tools::check(gles3::prepare(gl, gl.caps(), mesh, options, scratch, part.bind, part.gpu));
+    if (mesh.palette_size() > gles3::kPaletteJoints && !too_large_) too_large_ = i;
     make_streams(mesh, part);
     joints += mesh.palette_size();
   }
   const std::uint32_t meshes = std::max(1u, file.mesh_count());
   marrow::tools::check(gles3::create_palette_ring(gl, gl.caps(), std::max(1u, joints), meshes, ring_));
+  marrow::tools::check(gles3::create_palette_texture(gl, gl.caps(), std::max(1u, joints), texture_));
   gl.check("preparing a character");
 }
 
 Figure::~Figure() {
-  for (Part& part : parts_) gles3::destroy(gl_, part.gpu);
+  for (Part& part : parts_) {
+    gles3::destroy(gl_, part.skinned);
+    gles3::destroy(gl_, part.gpu);
+  }
+  for (auto& [key, program] : preskins_) gles3::destroy(gl_, program);
   gles3::destroy(gl_, ring_);
+  gles3::destroy(gl_, texture_);
 }
 
 void Figure::make_streams(const Mesh& mesh, Part& part) {
@@ -116,34 +118,79 @@ void Figure::set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const 
   d.base_colour = base_colour(mesh, d.look.texture != 0);
 }
 
-std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deformer) {
+// Its palette goes behind `palettes`.
+Drawable Figure::posed(std::uint32_t index, const Character& character, Deformer deformer,
+                       std::vector<Affine>& palettes) {
+  const Mesh mesh = file_.mesh(index, level_);
+  const Part& part = parts_[index];
+  const std::size_t first = palettes.size();
+  palettes.resize(first + mesh.palette_size());
+  const Span<const std::uint16_t> joints(mesh.joints, mesh.joint_count);
+  marrow::tools::check(build_palette(joints, part.bind, character.scene_from_joint(mesh.skeleton),
+                                     {palettes.data() + first, mesh.palette_size()}, mesh.half_joints));
+  Drawable d;
+  d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;
+  d.index_count = part.gpu.index_count;
+  d.index_type = part.gpu.index_type;
+  const int features =
+      part.gpu.features & (gles3::kNormals | gles3::kColours | gles3::kMorphs | gles3::kSurfaceNormals);
+  d.program = {gpu_deformer(deformer), part.gpu.influences, static_cast<std::uint8_t>(features)};
+  d.coordinate_scale = part.gpu.coordinate_scale;
+  d.morph_weights.assign(character.weights(index).begin(), character.weights(index).end());
+  d.mesh = mesh;
+  d.gpu = &part.gpu;
+  d.first_matrix = static_cast<std::uint32_t>(first);
+  set_look(index, mesh, d);
+  d.centre = carried_centre(mesh, character.scene_from_joint(mesh.skeleton));
+  return d;
+}
+
+std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deformer, SkinPath path) {
   std::vector<Drawable> drawables;
-  std::vector<Affine> palette;
-  gles3::begin_frame(gl_, ring_);
-  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Mesh mesh = file_.mesh(i, level_);
-    const Part& part = parts_[i];
-    palette.resize(mesh.palette_size());
-    const Span<const std::uint16_t> joints(mesh.joints, mesh.joint_count);
-    marrow::tools::check(
-        build_palette(joints, part.bind, character.scene_from_joint(mesh.skeleton), palette, mesh.half_joints));
-    Drawable d;
-    marrow::tools::check(gles3::push_palette(gl_, ring_, palette, d.palette_offset));
-    d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;
-    d.index_count = part.gpu.index_count;
-    d.index_type = part.gpu.index_type;
-    const int features =
-        part.gpu.features & (gles3::kNormals | gles3::kColours | gles3::kMorphs | gles3::kSurfaceNormals);
-    d.program = {gpu_deformer(deformer), part.gpu.influences, static_cast<std::uint8_t>(features)};
-    d.coordinate_scale = part.gpu.coordinate_scale;
-    d.morph_weights.assign(character.weights(i).begin(), character.weights(i).end());
-    d.mesh = mesh;
-    d.gpu = &part.gpu;
-    set_look(i, mesh, d);
-    d.centre = carried_centre(mesh, character.scene_from_joint(mesh.skeleton));
-    drawables.push_back(d);
+  std::vector<Affine> palettes;
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) drawables.push_back(posed(i, character, deformer, palettes));
+  if (path == SkinPath::texture) {
+    if (!palettes.empty()) marrow::tools::check(gles3::upload_palettes(gl_, texture_, palettes));
+    for (Drawable& d : drawables) {
+      d.program.palettes = gles3::Palettes::texture;
+      d.palette_texture = &texture_;
+    }
+    return drawables;
   }
+  gles3::begin_frame(gl_, ring_);
+  for (Drawable& d : drawables)
+    marrow::tools::check(
+        gles3::push_palette(gl_, ring_, {palettes.data() + d.first_matrix, d.mesh.palette_size()}, d.palette_offset));
+  if (path == SkinPath::ubo) return drawables;
+  const gles3::Preskin method = path == SkinPath::compute ? gles3::Preskin::compute : gles3::Preskin::feedback;
+  for (std::size_t i = 0; i < drawables.size(); ++i) preskin(parts_[i], method, drawables[i]);
   return drawables;
+}
+
+// `d` draws afterwards what was skinned.
+void Figure::preskin(Part& part, gles3::Preskin method, Drawable& d) {
+  if (part.skinned.array == 0) marrow::tools::check(gles3::create_skinned(gl_, part.gpu, part.skinned));
+  gles3::ProgramKey key = d.program;
+  key.features = static_cast<std::uint8_t>(part.gpu.features & ~(gles3::kUvs | gles3::kColours));
+  const auto [at, is_new] = preskins_.try_emplace({method, key.deformer, key.influences, key.features});
+  if (is_new) {
+    std::vector<char> log(1024);
+    const Status status = gles3::build_preskin(gl_, gl_.caps(), key, method, kPaletteBinding, at->second, log);
+    if (status == Status::unsupported)
+      throw Failure(Exit::unsupported, "--path compute", "", "no compute shaders: " + gl_.driver(),
+                    "take another path");
+    if (status != Status::ok)
+      throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl_.driver());
+  }
+  gl_.UseProgram(at->second.id);
+  gles3::bind_palette(gl_, ring_, d.palette_offset, kPaletteBinding);
+  if (!d.morph_weights.empty())
+    marrow::tools::check(gles3::set_morphs(gl_, d.mesh, part.gpu, d.morph_weights, kMorphUnit, at->second));
+  marrow::tools::check(gles3::preskin(gl_, part.gpu, key.deformer, at->second, part.skinned));
+  d.vertex_array = part.skinned.array;
+  d.program = {gles3::Deformer::none, 4,
+               static_cast<std::uint8_t>(d.program.features & (gles3::kNormals | gles3::kUvs | gles3::kColours))};
+  d.morph_weights.clear();
 }
 
 std::vector<Drawable> Figure::from_cpu(std::span<const PosedMesh> posed, std::span<const std::vector<float>> colours) {

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
+#include "marrow/gles3_skinned.h"
 #include "pose/evaluate.h"
+#include "render/paths.h"
 #include "render/studio.h"
 
 namespace marrow::tools {
@@ -25,8 +29,9 @@ class Figure {
   // Index of the first mesh whose palette is too large for a uniform block, if there is one.
   std::optional<std::uint32_t> too_large() const { return too_large_; }
 
-  // Skinned by the vertex shader; palettes go up now. Precondition: !too_large().
-  std::vector<Drawable> on_gpu(const Character& character, Deformer deformer);
+  // By any path but the CPU's; palettes go up now, and what skins once does so. Precondition: !too_large(), unless
+  // palettes are in a texture. Throws Failure (unsupported) without compute shaders, if they are asked for.
+  std::vector<Drawable> on_gpu(const Character& character, Deformer deformer, SkinPath path = SkinPath::ubo);
 
   // Skinned already, a PosedMesh a mesh; positions and normals go up now. colours: if not empty, 4 floats a slot and
   // mesh, linear, instead of the mesh's own.
@@ -37,13 +42,16 @@ class Figure {
 
  private:
   struct Part {
-    gles3::GpuMesh gpu;        // empty where the palette is too large
-    std::vector<Affine> bind;  // what palettes are built with
+    gles3::GpuMesh gpu;
+    std::vector<Affine> bind;    // what palettes are built with
+    gles3::SkinnedMesh skinned;  // by paths that skin once; empty before
     GlBuffer indices, positions, normals, uvs, colours;
     GlVertexArray array;
   };
 
   void make_streams(const Mesh& mesh, Part& part);
+  Drawable posed(std::uint32_t index, const Character& character, Deformer deformer, std::vector<Affine>& palettes);
+  void preskin(Part& part, gles3::Preskin method, Drawable& d);
   void set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const;
 
   const Gl& gl_;
@@ -52,6 +60,8 @@ class Figure {
   std::uint32_t level_;
   std::vector<Part> parts_;
   gles3::PaletteRing ring_;
+  gles3::PaletteTexture texture_;
+  std::map<std::tuple<gles3::Preskin, gles3::Deformer, int, int>, gles3::Program> preskins_;
   std::optional<std::uint32_t> too_large_;
 };
 

@@ -17,7 +17,6 @@ extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_
 namespace marrow::tools {
 namespace {
 
-constexpr std::uint32_t kPaletteBinding = 0;
 constexpr int kKeyMapSize = 2048;
 constexpr int kSkyMapSize = 1024;
 constexpr float kPenumbra = 0.2f;  // of the radius: room round a shadow map, more than the widest softness
@@ -25,7 +24,6 @@ constexpr GLint kKeyShadowUnit = 0;
 constexpr GLint kKeyDepthUnit = 1;
 constexpr GLint kSkyDepthUnit = 2;
 constexpr GLint kBaseTextureUnit = 3;
-constexpr std::uint32_t kMorphUnit = 4;
 
 // Of a blended surface, texels that are all but opaque are drawn as opaque, so that they hide what is behind them
 // within the same mesh; only the rest is blended.
@@ -157,8 +155,10 @@ void Studio::make_shadow_map(ShadowMap& map, int size) {
 }
 
 const gles3::Program& Studio::program(Role role, const gles3::ProgramKey& key) {
-  const std::uint32_t number = static_cast<std::uint32_t>(role) << 24 | static_cast<std::uint32_t>(key.deformer) << 16 |
-                               static_cast<std::uint32_t>(key.influences) << 8 | key.features;
+  std::uint64_t number = 0;
+  for (const int part : {static_cast<int>(role), static_cast<int>(key.palettes), static_cast<int>(key.deformer),
+                         int{key.influences}, int{key.features}})
+    number = number << 8 | static_cast<std::uint64_t>(part);
   const auto found = programs_.find(number);
   if (found != programs_.end()) return found->second;
   const gles3::Program made =
@@ -169,7 +169,11 @@ const gles3::Program& Studio::program(Role role, const gles3::ProgramKey& key) {
 }
 
 void Studio::draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program) {
-  if (drawable.program.deformer != gles3::Deformer::none) {
+  if (drawable.palette_texture != nullptr) {
+    if (gles3::bind_palette(gl_, *drawable.palette_texture, drawable.first_matrix, drawable.mesh.palette_size(),
+                            kPaletteUnit, program) != Status::ok)
+      throw Failure(Exit::internal, "marrow", "", "a palette is refused", "please report this");
+  } else if (drawable.program.deformer != gles3::Deformer::none) {
     gles3::bind_palette(gl_, *shot.palettes, drawable.palette_offset, kPaletteBinding);
   }
   if (program.coordinate_scale >= 0) gl_.Uniform1f(program.coordinate_scale, drawable.coordinate_scale);

@@ -22,8 +22,10 @@ struct Drawable {
   GLenum index_type = GL_UNSIGNED_SHORT;
   gles3::ProgramKey program;
   float coordinate_scale = 1;
-  std::uint32_t palette_offset = 0;  // in the palette ring
-  glm::vec4 base_colour{1};          // linear
+  std::uint32_t palette_offset = 0;                        // in the palette ring
+  const gles3::PaletteTexture* palette_texture = nullptr;  // of programs that read palettes from one
+  std::uint32_t first_matrix = 0;                          // in it
+  glm::vec4 base_colour{1};                                // linear
   // Where the vertex shader morphs; empty otherwise.
   std::vector<float> morph_weights;
   Mesh mesh;
@@ -31,6 +33,11 @@ struct Drawable {
   Look look;            // its texture is drawn where the program has kUvs
   glm::vec3 centre{0};  // scene space; blended surfaces are drawn from the farthest on
 };
+
+// Of uniform buffers and texture units: what skinning takes.
+inline constexpr std::uint32_t kPaletteBinding = 0;
+inline constexpr std::uint32_t kMorphUnit = 4;
+inline constexpr std::uint32_t kPaletteUnit = 5;
 
 struct Shot {
   Camera camera;
@@ -84,7 +91,7 @@ class Studio {
 
   const Gl& gl_;
   int width_, height_;
-  std::map<std::uint32_t, gles3::Program> programs_;
+  std::map<std::uint64_t, gles3::Program> programs_;
   gles3::Program backdrop_, show_;
   ShadowMap key_, sky_;
   LightView key_view_, sky_view_;
