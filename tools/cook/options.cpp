@@ -359,7 +359,7 @@ const std::vector<Option>& option_table() {
        set_lod},
       {"palette",
        OptionKind::text,
-       "N",
+       "ENTRIES",
        "joints and half-joints that a mesh may have, 24 to 32767; what has more is split into several meshes; the "
        "default, 341, is what the GPU paths take",
        {},

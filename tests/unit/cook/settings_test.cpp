@@ -59,6 +59,7 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
                               : !option.choices.empty()                ? '"' + option.choices.back() + '"'
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
                               : shape == "STEPS" || shape == "EXAMPLES" || shape[0] == 'N' ? "\"3\""
+                              : shape == "ENTRIES"                                         ? "\"256\""
                               : shape[0] == 'R'                                            ? "\"0.5,0.25\""
                               : shape == "JOINT=MASK.png"                                  ? "\"hand=hand.png\""
                                                                                            : "\"0.1mm\"";
