@@ -5,6 +5,7 @@
 
 #include "gles3/compile.h"
 #include "gles3/errors.h"
+#include "gles3/texture.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_crowd_vert[], shader_crowd_frag[];
@@ -48,12 +49,7 @@ Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Cr
   Crowd made;
   made.capacity = capacity;
   forget_errors(api);
-  api.GenTextures(1, &made.texture);
-  api.BindTexture(kGlTexture2d, made.texture);
-  api.TexParameteri(kGlTexture2d, kGlTextureMinFilter, kGlNearest);
-  api.TexParameteri(kGlTexture2d, kGlTextureMagFilter, kGlNearest);
-  api.TexImage2D(kGlTexture2d, 0, kGlRgba32ui, static_cast<int>(kWidth), static_cast<int>((capacity - 1) / kLine + 1),
-                 0, kGlRgbaInteger, kGlUnsignedInt, nullptr);
+  made.texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, (capacity - 1) / kLine + 1);
   api.BindTexture(kGlTexture2d, 0);
   if (api.GetError() != kGlNoError) {
     destroy(api, made);

@@ -4,6 +4,7 @@
 #include "gles3/crowd.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/texture.h"
 #include "marrow/palette.h"
 
 namespace marrow::gles3 {
@@ -16,16 +17,6 @@ constexpr std::uint32_t kChunkLines = 3;
 
 std::uint32_t lines_of(std::uint64_t palettes, std::uint32_t joints) {
   return static_cast<std::uint32_t>((3 * palettes * joints + kWidth - 1) / kWidth);
-}
-
-void make_texture(const Api& api, std::uint32_t& texture, GlEnum kind, std::uint32_t lines) {
-  const bool floats = kind == kGlRgba32f;
-  api.GenTextures(1, &texture);
-  api.BindTexture(kGlTexture2d, texture);
-  api.TexParameteri(kGlTexture2d, kGlTextureMinFilter, kGlNearest);
-  api.TexParameteri(kGlTexture2d, kGlTextureMagFilter, kGlNearest);
-  api.TexImage2D(kGlTexture2d, 0, static_cast<int>(kind), static_cast<int>(kWidth), static_cast<int>(lines), 0,
-                 floats ? kGlRgba : kGlRgbaInteger, floats ? kGlFloat : kGlUnsignedInt, nullptr);
 }
 
 void put_lines(const Api& api, std::uint32_t line, std::uint32_t lines, const Affine* matrices) {
@@ -81,9 +72,11 @@ Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Spa
   if (made.frame_count > fit || capacity > fit) return Status::unsupported;
 
   forget_errors(api);
-  make_texture(api, made.frames_texture, kGlRgba32f, lines_of(made.frame_count, made.joints));
+  made.frames_texture =
+      make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kWidth, lines_of(made.frame_count, made.joints));
   put_frames(api, mesh, bind, frames, scratch);
-  make_texture(api, made.blended_texture, kGlRgba32ui, lines_of(capacity, made.joints));
+  made.blended_texture =
+      make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, lines_of(capacity, made.joints));
   api.BindTexture(kGlTexture2d, 0);
   api.GenFramebuffers(1, &made.framebuffer);
   api.BindFramebuffer(kGlFramebuffer, made.framebuffer);

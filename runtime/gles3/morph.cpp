@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "gles3/gl_constants.h"
+#include "gles3/texture.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -104,12 +105,8 @@ Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<st
   api.BindBuffer(kGlArrayBuffer, out.morph_buffer);
   api.BufferData(kGlArrayBuffer, std::ptrdiff_t{4} * g.slot_count, rows, kGlStaticDraw);
   api.BindBuffer(kGlArrayBuffer, 0);
-  api.GenTextures(1, &out.morph_texture);
-  api.BindTexture(kGlTexture2d, out.morph_texture);
-  api.TexParameteri(kGlTexture2d, kGlTextureMinFilter, kGlNearest);
-  api.TexParameteri(kGlTexture2d, kGlTextureMagFilter, kGlNearest);
-  api.TexImage2D(kGlTexture2d, 0, kGlRgba16i, width, height * static_cast<int>(g.targets.size), 0, kGlRgbaInteger,
-                 kGlShort, nullptr);
+  out.morph_texture = make_texture(api, kGlRgba16i, kGlRgbaInteger, kGlShort, static_cast<std::uint32_t>(width),
+                                   static_cast<std::uint32_t>(height) * static_cast<std::uint32_t>(g.targets.size));
   for (std::size_t t = 0; t < g.targets.size; ++t) {
     std::memset(texels, 0, std::size_t{out.morph_texels} * kTexelBytes);
     fill_rectangle(g, g.targets[t], rows, per_row, texels);

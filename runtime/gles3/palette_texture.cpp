@@ -1,6 +1,7 @@
 // Every frame: all palettes into one texture, for meshes of any number of joints and for instanced drawing.
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/texture.h"
 #include "marrow/gles3.h"
 
 namespace marrow::gles3 {
@@ -23,14 +24,8 @@ Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t jo
   PaletteTexture made;
   made.capacity = joints;
   forget_errors(api);
-  api.GenTextures(3, made.textures);
-  for (const std::uint32_t texture : made.textures) {
-    api.BindTexture(kGlTexture2d, texture);
-    api.TexParameteri(kGlTexture2d, kGlTextureMinFilter, kGlNearest);
-    api.TexParameteri(kGlTexture2d, kGlTextureMagFilter, kGlNearest);
-    api.TexImage2D(kGlTexture2d, 0, kGlRgba32f, static_cast<int>(kWidth), static_cast<int>(height), 0, kGlRgba,
-                   kGlFloat, nullptr);
-  }
+  for (std::uint32_t& texture : made.textures)
+    texture = make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kWidth, static_cast<std::uint32_t>(height));
   api.BindTexture(kGlTexture2d, 0);
   if (api.GetError() != kGlNoError) {
     destroy(api, made);

@@ -5,6 +5,7 @@
 
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/texture.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -30,12 +31,7 @@ Status make_probe_target(const Api& api, std::uint32_t width, std::uint32_t heig
   made.width = width;
   made.height = height;
   forget_errors(api);
-  api.GenTextures(1, &made.texture);
-  api.BindTexture(kGlTexture2d, made.texture);
-  api.TexParameteri(kGlTexture2d, kGlTextureMinFilter, kGlNearest);
-  api.TexParameteri(kGlTexture2d, kGlTextureMagFilter, kGlNearest);
-  api.TexImage2D(kGlTexture2d, 0, kGlRgba32ui, static_cast<int>(width), static_cast<int>(height), 0, kGlRgbaInteger,
-                 kGlUnsignedInt, nullptr);
+  made.texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, width, height);
   api.BindTexture(kGlTexture2d, 0);
   api.GenFramebuffers(1, &made.framebuffer);
   api.BindFramebuffer(kGlFramebuffer, made.framebuffer);
