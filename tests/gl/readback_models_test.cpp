@@ -13,14 +13,18 @@
 namespace marrow::test {
 namespace {
 
-// What is promised, see the issue; measured values are printed.
+// What is promised; measured values are printed.
 constexpr double kMostPosition = 2e-4;
 constexpr double kMostNormalDeg = 1;
 // Below this a fold is so flat that one step of a weight turns its normal.
 constexpr double kLeastConditioning = 0.02;
 constexpr double kLeastSurfaceConditioning = 0.01;
-constexpr int kMoments = 4;     // of every clip, by the uniform block
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kWayMoments = 1;  // what it looks for is the same at every moment
+#else
 constexpr int kWayMoments = 8;  // of the first clip, in every way
+#endif
+constexpr int kMoments = 4;  // of every clip, by the uniform block
 
 struct Tally {
   Worst rigid, ssd, as, surface;
@@ -72,7 +76,7 @@ void read_back_ways(const File& file, tools::Character& character, tools::Charac
                     double diagonal, Tally& tally) {
   const tools::Play play = file.clip_count() == 0 ? tools::Play{} : tools::play_together(file, 0);
   for (int moment = 0; moment < kWayMoments; ++moment) {
-    const float time_s = play.duration_s * static_cast<float>(moment) / (kWayMoments - 1);
+    const float time_s = play.duration_s * static_cast<float>(moment + 1) / kWayMoments;
     character.pose(play, time_s);
     if (subject.has_surface()) with_surface.pose(play, time_s);
     for (std::size_t w = 0; w < std::size(kWays); ++w) {
