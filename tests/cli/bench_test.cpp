@@ -197,5 +197,37 @@ TEST(Bench, UnknownRowsAndSillyCountsAreUsageErrors) {
     EXPECT_EQ(run_marrow({"bench", "--only", "palette", "--iterations", count}).code, 1) << count;
 }
 
+#ifdef MARROW_HAS_GLES
+TEST(Bench, DrawsFramesOnEveryPath) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: drivers leak, which the address sanitizer would report";
+#endif
+  const TemporaryFolder folder;
+  const Ran ran = run_marrow({"bench", "--gpu", "--only", "gpu/*/p*/1000x3", "--json", "-o", folder / "chart.svg"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json json = nlohmann::json::parse(ran.out);
+  EXPECT_FALSE(json.at("driver").get<std::string>().empty());
+  std::set<std::string> names;
+  for (const auto& row : json.at("rows")) {
+    names.insert(row.at("name"));
+    EXPECT_GT(row.at("frames_per_s"), 0) << row;
+    EXPECT_GT(row.at("ns_per_vertex"), 0) << row;
+    EXPECT_TRUE(row.at("gpu_ns_per_vertex").is_null() || row.at("gpu_ns_per_vertex") > 0) << row;
+  }
+  for (const char* path : {"ubo", "texture", "feedback", "cpu"})
+    for (const char* shape : {"ssd/p", "ssd/pn", "as/p", "as/pn"})
+      EXPECT_TRUE(names.contains(std::string("gpu/") + path + "/" + shape + "/1000x3")) << path << shape;
+  const std::string chart = read_text(folder / "chart.svg");
+  EXPECT_EQ(chart.find("<svg "), 0u);
+  EXPECT_NE(chart.find("1000 vertices, 3 joints"), std::string::npos);
+
+  const Ran unknown = run_marrow({"bench", "--gpu", "--only", "gpu/magic/*"});
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_NE(unknown.err.find("gpu/{ubo,texture,feedback,compute,cpu}"), std::string::npos) << unknown.err;
+  EXPECT_EQ(run_marrow({"bench", "-o", folder / "no.svg"}).code, 1);
+  EXPECT_EQ(run_marrow({"bench", "--gpu", "--iterations", "5"}).code, 1);
+}
+#endif
+
 }  // namespace
 }  // namespace marrow::test
