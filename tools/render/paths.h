@@ -16,11 +16,11 @@ struct NamedSkinPath {
   const char* about;  // of --help
 };
 inline constexpr NamedSkinPath kSkinPaths[] = {
-    {SkinPath::cpu, "cpu", "skinned by the processor"},
-    {SkinPath::ubo, "ubo", "by the vertex shader, palettes in a uniform block"},
-    {SkinPath::texture, "texture", "the same, palettes in a texture"},
-    {SkinPath::feedback, "feedback", "once, by transform feedback"},
-    {SkinPath::compute, "compute", "once, by a compute shader (OpenGL ES 3.1)"},
+    {SkinPath::cpu, "cpu", "by the processor"},
+    {SkinPath::ubo, "ubo", "vertex shader, uniforms"},
+    {SkinPath::texture, "texture", "the same, a texture"},
+    {SkinPath::feedback, "feedback", "once, by feedback"},
+    {SkinPath::compute, "compute", "once, GLES 3.1"},
 };
 
 constexpr std::optional<SkinPath> parse_skin_path(std::string_view name) {
