@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <span>
 
 #include <CLI/CLI.hpp>
 
@@ -184,10 +185,10 @@ void add_sample(CLI::App& app) {
 }
 
 #ifdef MARROW_HAS_GLES
-void add_skin_path(CLI::App* command, std::string& to) {
+void add_skin_path(CLI::App* command, std::string& to, std::span<const NamedSkinPath> paths) {
   std::vector<std::string> names;
   std::string about;
-  for (const NamedSkinPath& path : kSkinPaths) {
+  for (const NamedSkinPath& path : paths) {
     names.emplace_back(path.name);
     about.append(about.empty() ? "" : "; ").append(path.name).append(": ").append(path.about);
   }
@@ -214,11 +215,11 @@ void add_movie(CLI::App* command, RenderArguments& a) {
       ->needs(movie);
 }
 
-void add_look(CLI::App* command, LookArguments& a) {
+void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath> paths) {
   add_input(command, a.file);
   add_choice(command, a.choice);
   add_deformer(command, a.deformer);
-  add_skin_path(command, a.path);
+  add_skin_path(command, a.path, paths);
   command
       ->add_option(
           "--normals", a.normals,
@@ -240,7 +241,7 @@ void add_look(CLI::App* command, LookArguments& a) {
 void add_render(CLI::App& app) {
   RenderArguments& a = arguments_of<RenderArguments>();
   CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
-  add_look(command, a);
+  add_look(command, a, kSkinPaths);
   add_movie(command, a);
   command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
   command->callback([&a, command] {
@@ -264,7 +265,7 @@ void add_demo(CLI::App& app) {
 void add_view(CLI::App& app) {
   ViewArguments& a = arguments_of<ViewArguments>();
   CLI::App* const command = app.add_subcommand("view", "Show a character in a window, with a panel for all of it");
-  add_look(command, a);
+  add_look(command, a, kPosedPaths);
   command->add_flag("--bones", a.bones, "draw the skeleton over it");
   command->add_option("--weights", a.weights, "colour the weights of this joint")
       ->type_name("JOINT")

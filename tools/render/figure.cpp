@@ -118,16 +118,10 @@ void Figure::set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const 
   d.base_colour = base_colour(mesh, d.look.texture != 0);
 }
 
-// Its palette goes behind `palettes`.
-Drawable Figure::posed(std::uint32_t index, const Character& character, Deformer deformer,
-                       std::vector<Affine>& palettes) {
+// Without a palette.
+Drawable Figure::unposed(std::uint32_t index, const Character& character, Deformer deformer) const {
   const Mesh mesh = file_.mesh(index, level_);
   const Part& part = parts_[index];
-  const std::size_t first = palettes.size();
-  palettes.resize(first + mesh.palette_size());
-  const Span<const std::uint16_t> joints(mesh.joints, mesh.joint_count);
-  marrow::tools::check(build_palette(joints, part.bind, character.scene_from_joint(mesh.skeleton),
-                                     {palettes.data() + first, mesh.palette_size()}, mesh.half_joints));
   Drawable d;
   d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;
   d.index_count = part.gpu.index_count;
@@ -139,10 +133,41 @@ Drawable Figure::posed(std::uint32_t index, const Character& character, Deformer
   d.morph_weights.assign(character.weights(index).begin(), character.weights(index).end());
   d.mesh = mesh;
   d.gpu = &part.gpu;
-  d.first_matrix = static_cast<std::uint32_t>(first);
   set_look(index, mesh, d);
   d.centre = carried_centre(mesh, character.scene_from_joint(mesh.skeleton));
   return d;
+}
+
+// Its palette goes behind `palettes`.
+Drawable Figure::posed(std::uint32_t index, const Character& character, Deformer deformer,
+                       std::vector<Affine>& palettes) {
+  Drawable d = unposed(index, character, deformer);
+  const std::size_t first = palettes.size();
+  palettes.resize(first + d.mesh.palette_size());
+  const Span<const std::uint16_t> joints(d.mesh.joints, d.mesh.joint_count);
+  marrow::tools::check(build_palette(joints, parts_[index].bind, character.scene_from_joint(d.mesh.skeleton),
+                                     {palettes.data() + first, d.mesh.palette_size()}, d.mesh.half_joints));
+  d.first_matrix = static_cast<std::uint32_t>(first);
+  return d;
+}
+
+std::unique_ptr<BakedPlay> Figure::bake(const std::string& path, const Play& play) const {
+  std::vector<std::vector<Affine>> binds;
+  for (const Part& part : parts_) binds.push_back(part.bind);
+  return std::make_unique<BakedPlay>(gl_, path, file_, play, level_, binds);
+}
+
+std::vector<Drawable> Figure::from_crowd(const Character& character, Deformer deformer, const BakedPlay& baked) const {
+  std::vector<Drawable> drawables;
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
+    Drawable& d = drawables.emplace_back(unposed(i, character, deformer));
+    d.program.palettes = gles3::Palettes::crowd;
+    d.program.features = static_cast<std::uint8_t>(d.program.features & ~gles3::kMorphs);
+    d.morph_weights.clear();
+    d.crowd = &baked.crowd(i);
+    d.crowd_mesh = &baked.mesh(i);
+  }
+  return drawables;
 }
 
 std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deformer, SkinPath path) {

@@ -3,13 +3,16 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <tuple>
 #include <vector>
 
 #include "marrow/gles3_skinned.h"
 #include "pose/evaluate.h"
+#include "render/baked_play.h"
 #include "render/paths.h"
 #include "render/studio.h"
 
@@ -29,9 +32,16 @@ class Figure {
   // Index of the first mesh whose palette is too large for a uniform block, if there is one.
   std::optional<std::uint32_t> too_large() const { return too_large_; }
 
-  // By any path but the CPU's; palettes go up now, and what skins once does so. Precondition: !too_large(), unless
-  // palettes are in a texture. Throws Failure (unsupported) without compute shaders, if they are asked for.
+  // What `play` is by the path of crowds. path: of the file, for messages. Throws as BakedPlay does.
+  std::unique_ptr<BakedPlay> bake(const std::string& path, const Play& play) const;
+
+  // By any path but the CPU's and the crowd's; palettes go up now, and what skins once does so. Precondition:
+  // !too_large(), unless palettes are in a texture. Throws Failure (unsupported) without compute shaders, if they are
+  // asked for.
   std::vector<Drawable> on_gpu(const Character& character, Deformer deformer, SkinPath path = SkinPath::ubo);
+
+  // As `baked`, from bake(), was last blended. character: in the same pose, for where surfaces that blend are.
+  std::vector<Drawable> from_crowd(const Character& character, Deformer deformer, const BakedPlay& baked) const;
 
   // Skinned already, a PosedMesh a mesh; positions and normals go up now. colours: if not empty, 4 floats a slot and
   // mesh, linear, instead of the mesh's own.
@@ -50,6 +60,7 @@ class Figure {
   };
 
   void make_streams(const Mesh& mesh, Part& part);
+  Drawable unposed(std::uint32_t index, const Character& character, Deformer deformer) const;
   Drawable posed(std::uint32_t index, const Character& character, Deformer deformer, std::vector<Affine>& palettes);
   void preskin(Part& part, gles3::Preskin method, Drawable& d);
   void set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const;

@@ -55,6 +55,7 @@ std::vector<Drawable> drawables_of(const std::string& path, const File& file, co
     return figure.from_cpu(posed, compare(posed, other, manner.heat_scale).colours);
   }
   if (manner.path == SkinPath::cpu) return figure.from_cpu(posed);
+  if (manner.path == SkinPath::crowd) return figure.from_crowd(character, manner.deformer, *manner.baked);
   if (const std::optional<std::uint32_t> mesh = figure.too_large(); mesh && manner.path != SkinPath::texture) {
     throw Failure(Exit::unsupported, path, "mesh " + std::to_string(*mesh),
                   "more joints than one uniform block holds (" + std::to_string(gles3::kPaletteJoints) + ")",

@@ -37,6 +37,7 @@ struct Manner {
   SkinPath path = SkinPath::ubo;
   std::optional<DeformerPair> heat;  // in place of both
   float heat_scale = 1;              // what the hottest colour stands for, scene units
+  const BakedPlay* baked = nullptr;  // of path crowd, blended
 };
 
 // The figure in the character's pose; completes `shot`, which has a camera already, and with no box gets the exact one.

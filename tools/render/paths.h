@@ -1,14 +1,16 @@
 // Where vertices can be skinned: the one list of it that `marrow render` and `marrow view` offer.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <optional>
+#include <span>
 #include <string_view>
-
-#include "marrow/gles3_skinner.h"
 
 namespace marrow::tools {
 
-using SkinPath = gles3::Path;
+enum class SkinPath : std::uint8_t { cpu, ubo, texture, feedback, compute, crowd };
 
 struct NamedSkinPath {
   SkinPath path;
@@ -21,7 +23,10 @@ inline constexpr NamedSkinPath kSkinPaths[] = {
     {SkinPath::texture, "texture", "the same, a texture"},
     {SkinPath::feedback, "feedback", "once, by feedback"},
     {SkinPath::compute, "compute", "once, GLES 3.1"},
+    {SkinPath::crowd, "crowd", "as crowds are, baked"},
 };
+// Those that take any pose, as a window's blends want it: all but the last.
+inline constexpr std::span<const NamedSkinPath> kPosedPaths(kSkinPaths, std::size(kSkinPaths) - 1);
 
 constexpr std::optional<SkinPath> parse_skin_path(std::string_view name) {
   for (const NamedSkinPath& named : kSkinPaths)

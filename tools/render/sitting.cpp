@@ -24,7 +24,11 @@ Sitting::Sitting(const LookArguments& arguments)
       performance_(loaded_.file, character_, chosen_.play),
       textures_(gl_, arguments.file, loaded_.file, folder_of_images(arguments)),
       figure_(gl_, loaded_.file, &textures_, normals_, arguments.lod),
-      studio_(gl_, size_.first, size_.second) {}
+      studio_(gl_, size_.first, size_.second) {
+  if (manner_.path != SkinPath::crowd || manner_.heat) return;
+  baked_ = figure_.bake(arguments.file, chosen_.play);
+  manner_.baked = baked_.get();
+}
 
 void Sitting::agree_on_heat(std::span<const Instant> instants) {
   if (!manner_.heat) return;
@@ -46,6 +50,7 @@ Image Sitting::shoot(const Instant& instant) {
   const float aspect = static_cast<float>(width()) / static_cast<float>(height());
   Shot shot = instant.turn_rad ? performance_.turned_shot(character_, aspect, kFrameMargin, *instant.turn_rad)
                                : performance_.shot(character_, aspect, kFrameMargin);
+  if (baked_) baked_->blend(instant.time_s);
   const std::vector<Drawable> drawables =
       drawables_of(arguments_.file, loaded_.file, character_, figure_, manner_, shot);
   return studio_.shoot(shot, drawables);

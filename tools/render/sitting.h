@@ -1,6 +1,7 @@
 // A character in the studio, as the options of `marrow render` have it: one picture after the other of any moment.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -44,6 +45,7 @@ class Sitting {
   Textures textures_;
   Figure figure_;
   Studio studio_;
+  std::unique_ptr<BakedPlay> baked_;  // of path crowd
 };
 
 }  // namespace marrow::tools

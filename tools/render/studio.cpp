@@ -169,7 +169,10 @@ const gles3::Program& Studio::program(Role role, const gles3::ProgramKey& key) {
 }
 
 void Studio::draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program) {
-  if (drawable.palette_texture != nullptr) {
+  if (drawable.crowd != nullptr) {
+    if (gles3::bind_crowd(gl_, *drawable.crowd, *drawable.crowd_mesh, 0, 1, kPaletteUnit, program) != Status::ok)
+      throw Failure(Exit::internal, "marrow", "", "a crowd is refused", "please report this");
+  } else if (drawable.palette_texture != nullptr) {
     if (gles3::bind_palette(gl_, *drawable.palette_texture, drawable.first_matrix, drawable.mesh.palette_size(),
                             kPaletteUnit, program) != Status::ok)
       throw Failure(Exit::internal, "marrow", "", "a palette is refused", "please report this");

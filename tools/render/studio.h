@@ -8,6 +8,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "marrow/gles3_crowd.h"
 #include "render/camera.h"
 #include "render/gl.h"
 #include "render/image.h"
@@ -25,7 +26,9 @@ struct Drawable {
   std::uint32_t palette_offset = 0;                        // in the palette ring
   const gles3::PaletteTexture* palette_texture = nullptr;  // of programs that read palettes from one
   std::uint32_t first_matrix = 0;                          // in it
-  glm::vec4 base_colour{1};                                // linear
+  const gles3::Crowd* crowd = nullptr;                     // of programs that read palettes of crowds: instance 0
+  const gles3::CrowdMesh* crowd_mesh = nullptr;
+  glm::vec4 base_colour{1};  // linear
   // Where the vertex shader morphs; empty otherwise.
   std::vector<float> morph_weights;
   Mesh mesh;
@@ -34,7 +37,7 @@ struct Drawable {
   glm::vec3 centre{0};  // scene space; blended surfaces are drawn from the farthest on
 };
 
-// Of uniform buffers and texture units: what skinning takes.
+// Of uniform buffers and texture units: what skinning takes; crowds take the unit behind the palettes too.
 inline constexpr std::uint32_t kPaletteBinding = 0;
 inline constexpr std::uint32_t kMorphUnit = 4;
 inline constexpr std::uint32_t kPaletteUnit = 5;

@@ -120,10 +120,11 @@ void skinning_section(const Actor& actor, float scale, Settings& s) {
   ImGui::EndDisabled();
   ImGui::BeginDisabled(actor.cpu_only() || s.colours != Colours::surface);
   label("path", scale);
-  const auto path = [](std::size_t i) { return fmt::format("{}: {}", kSkinPaths[i].name, kSkinPaths[i].about); };
+  const auto path = [](std::size_t i) { return fmt::format("{}: {}", kPosedPaths[i].name, kPosedPaths[i].about); };
   const SkinPath used = actor.cpu_only() || s.colours != Colours::surface ? SkinPath::cpu : s.path;
-  auto chosen = static_cast<std::size_t>(std::ranges::find(kSkinPaths, used, &NamedSkinPath::path) - kSkinPaths);
-  if (combo("##path", std::size(kSkinPaths), path, chosen)) s.path = kSkinPaths[chosen].path;
+  auto chosen =
+      static_cast<std::size_t>(std::ranges::find(kPosedPaths, used, &NamedSkinPath::path) - kPosedPaths.begin());
+  if (combo("##path", kPosedPaths.size(), path, chosen)) s.path = kPosedPaths[chosen].path;
   ImGui::EndDisabled();
   if (actor.cpu_only()) quiet("A mesh has more joints than one uniform block holds.");
   ImGui::BeginDisabled(s.deformer != Deformer::as || s.colours != Colours::surface);

@@ -1,0 +1,54 @@
+// A play as crowds have it: clips baked into textures, and a crowd of one that plays them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "marrow/gles3_crowd.h"
+#include "pose/evaluate.h"
+#include "render/gl.h"
+
+namespace marrow::tools {
+
+class BakedPlay {
+ public:
+  // Bakes at 30 Hz; skeletons that play nothing rest. binds: of each mesh, as prepare() wrote them for this level.
+  // path: of `file`, for messages. `gl` outlives it. Throws Failure (unsupported): morph targets that the play moves,
+  // an additive clip, more frames than crowds have.
+  BakedPlay(const Gl& gl, const std::string& path, const File& file, const Play& play, std::uint32_t level,
+            const std::vector<std::vector<Affine>>& binds);
+  ~BakedPlay();
+  BakedPlay(const BakedPlay&) = delete;
+  BakedPlay& operator=(const BakedPlay&) = delete;
+
+  // All palettes as they are at this moment of the play, before its start or after its end as there. Leaves GL as
+  // blend_crowd() does, at kPaletteUnit.
+  void blend(float time_s);
+
+  // What bind_crowd() wants to draw a mesh: its instance 0.
+  const gles3::Crowd& crowd(std::uint32_t mesh) const { return reels_[meshes_[mesh].skeleton].crowd; }
+  const gles3::CrowdMesh& mesh(std::uint32_t mesh) const { return meshes_[mesh].gpu; }
+
+ private:
+  // Of a skeleton; empty if no mesh hangs on it.
+  struct Reel {
+    gles3::CrowdClip clip;
+    std::vector<Affine> matrices;
+    gles3::CrowdFrames frames;
+    gles3::Crowd crowd;
+  };
+  struct BakedMesh {
+    std::uint32_t skeleton = 0;
+    gles3::CrowdMesh gpu;
+  };
+
+  void bake(const std::string& path, const Skeleton& skeleton, const Clip* clip, Reel& reel);
+
+  const Gl& gl_;
+  gles3::Program program_;
+  std::vector<Reel> reels_;
+  std::vector<BakedMesh> meshes_;
+};
+
+}  // namespace marrow::tools
