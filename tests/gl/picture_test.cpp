@@ -138,6 +138,68 @@ TEST_F(Picture, ShowsMoreJointsThanAPaletteTakes) {
   }
 }
 
+// The walk is 36 steps of 1/30 s: in its frames a crowd has the clip's own pose, between them the line from one to the
+// next. Beyond its end it stays there, and without a clip it rests.
+TEST_F(Picture, ShowsWhatACrowdShows) {
+  const auto shoot = [&](const std::string& options, const std::string& name) {
+    const std::string to = " --size 200x160 -o " + path(name);
+    EXPECT_EQ(run("render " + path("newt.mrw") + " " + options + to), 0) << options;
+    return pixels(name);
+  };
+  const auto against_ubo = [&](const std::string& options) {
+    return difference(shoot(options + " --path ubo", "ubo.png"), shoot(options + " --path crowd", "crowd.png"));
+  };
+  for (const std::string deformer : {"ssd", "as", "rigid"}) {
+    const std::string moment = "--deformer " + deformer + " --clip walk --time ";
+    EXPECT_LE(against_ubo(moment + "0.4"), 0.001) << deformer;
+    const double between = against_ubo(moment + "0.41666667");
+    EXPECT_LE(between, 0.01) << deformer;
+    EXPECT_GT(between, 0) << deformer << ": not baked";
+  }
+  EXPECT_LE(against_ubo("--clip walk --time 9"), 0.001);
+  EXPECT_LE(against_ubo(""), 0.001);
+  EXPECT_GT(difference(pixels("crowd.png"), shoot("--clip walk --time 0.4 --path crowd", "walk.png")), 0.01)
+      << "nothing moves";
+  EXPECT_EQ(difference(shoot("--heatmap rigid:ssd --path ubo", "ubo.png"),
+                       shoot("--heatmap rigid:ssd --path crowd", "crowd.png")),
+            0);
+}
+
+TEST_F(Picture, OfACrowdIsRefusedWhereCrowdsCannot) {
+  const auto shoot = [&](const std::string& cook, const std::string& options) {
+    EXPECT_EQ(run("cook " + cook + " -o " + path("other.mrw"), "exec 2>/dev/null;"), 0) << cook;
+    return run("render " + path("other.mrw") + " --size 40x40 --path crowd " + options + " -o " + path("other.png"),
+               "exec 2>/dev/null;");
+  };
+  const std::string face = MARROW_GOLDEN "/face.gltf", tiny = MARROW_GOLDEN "/tiny.gltf";
+  EXPECT_EQ(shoot(face, "--clip 0"), 4);
+  EXPECT_FALSE(fs::exists(path("other.png")));
+  EXPECT_EQ(shoot(tiny + " --additive wave=rest", "--clip wave"), 4);
+  EXPECT_FALSE(fs::exists(path("other.png")));
+  EXPECT_EQ(shoot(tiny, "--clip wave"), 0);
+}
+
+// Targets whose weights are 0 are no hindrance in the rest pose; under the clip, which has channels for them, they are.
+TEST_F(Picture, OfACrowdShowsTargetsAtRest) {
+  std::ifstream in(MARROW_GOLDEN "/face.gltf");
+  std::string face{std::istreambuf_iterator<char>(in), {}};
+  for (const std::string weights : {"\"weights\": [0.5, 0]", "\"weights\": [0.25, 0.75]"}) {
+    const std::size_t at = face.find(weights);
+    ASSERT_NE(at, std::string::npos);
+    face.replace(at, weights.size(), "\"weights\": [0, 0]");
+  }
+  std::ofstream(path("still.gltf")) << face;
+  ASSERT_EQ(run("cook " + path("still.gltf") + " -o " + path("still.mrw"), "exec 2>/dev/null;"), 0);
+  const auto shoot = [&](const std::string& way, const std::string& options = "") {
+    return run("render " + path("still.mrw") + " --size 200x160 --path " + way + options + " -o " + path(way + ".png"),
+               "exec 2>/dev/null;");
+  };
+  ASSERT_EQ(shoot("ubo"), 0);
+  ASSERT_EQ(shoot("crowd"), 0);
+  EXPECT_LE(difference(pixels("ubo.png"), pixels("crowd.png")), 0.001);
+  EXPECT_EQ(shoot("crowd", " --clip 0"), 4);
+}
+
 TEST_F(Picture, BadArgumentsLeaveNoFile) {
   EXPECT_EQ(render("--size 0x10", "bad.png", "exec 2>/dev/null;"), 1);
   EXPECT_EQ(render("--heatmap ssd", "bad.png", "exec 2>/dev/null;"), 1);
