@@ -61,9 +61,9 @@ void narrow_influences(OwnedStreams& s) {
 // Of morph targets and examples that move nothing of the part. They remain targets, so that all parts have as many.
 void drop_still(OwnedStreams& s) {
   drop_streams(s, [](const Stream& stream, const std::vector<std::int32_t>& values) {
+    if (stream.kind != StreamKind::target && stream.kind != StreamKind::pose_delta) return false;
     const std::int32_t nothing = 1 << (stream.bits - 1);
-    return (stream.kind == StreamKind::target || stream.kind == StreamKind::pose_delta) &&
-           std::ranges::all_of(values, [&](std::int32_t n) { return n == nothing; });
+    return std::ranges::all_of(values, [&](std::int32_t n) { return n == nothing; });
   });
 }
 
