@@ -13,6 +13,7 @@ struct ShaderTexts {
   const char* compute = nullptr;
   Span<const char* const> feedback_varyings;
   GlEnum feedback_mode = kGlInterleavedAttribs;
+  const char* role = "drawing";  // in the program's label
 };
 
 // #version and defines, then the skinning text (not before the fragment text), then each text; compiled, linked and

@@ -5,6 +5,7 @@
 
 #include "gles3/compile.h"
 #include "gles3/errors.h"
+#include "gles3/label.h"
 #include "gles3/texture.h"
 
 namespace marrow::embedded {
@@ -55,6 +56,7 @@ Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Cr
     destroy(api, made);
     return Status::gl_error;
   }
+  label(api, kGlTexture, made.texture, {"marrow: crowd"});
   out = made;
   return Status::ok;
 }
@@ -100,8 +102,9 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
   key.deformer = Deformer::none;
   key.features = 0;
   const auto text = [](const unsigned char* embedded) { return reinterpret_cast<const char*>(embedded); };
-  return compile_program(api, key, {text(embedded::shader_crowd_vert), text(embedded::shader_crowd_frag), nullptr, {}},
-                         0, out, log);
+  ShaderTexts texts{text(embedded::shader_crowd_vert), text(embedded::shader_crowd_frag), nullptr, {}};
+  texts.role = "blending of crowds";
+  return compile_program(api, key, texts, 0, out, log);
 }
 
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,

@@ -4,6 +4,7 @@
 #include "gles3/crowd.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/label.h"
 #include "gles3/texture.h"
 #include "marrow/palette.h"
 
@@ -87,6 +88,9 @@ Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Spa
     destroy(api, made);
     return Status::gl_error;
   }
+  label(api, kGlTexture, made.frames_texture, {label_of(mesh), ": frames"});
+  label(api, kGlTexture, made.blended_texture, {label_of(mesh), ": blended palettes"});
+  label(api, kGlFramebuffer, made.framebuffer, {label_of(mesh), ": blended palettes"});
   out = made;
   return Status::ok;
 }

@@ -26,6 +26,7 @@ enum GlEnum : unsigned {
   kGlRgba16i = 0x8D88,
   kGlRgbaInteger = 0x8D99,
   kGlVersion = 0x1F02,
+  kGlExtensions = 0x1F03,
   kGlMajorVersion = 0x821B,
   kGlMaxVertexAttribs = 0x8869,
   kGlArrayBuffer = 0x8892,
@@ -70,6 +71,11 @@ enum GlEnum : unsigned {
   kGlDynamicCopy = 0x88EA,
   kGlShaderStorageBuffer = 0x90D2,
   kGlComputeShader = 0x91B9,
+  // What labels name.
+  kGlBuffer = 0x82E0,
+  kGlProgram = 0x82E2,
+  kGlTexture = 0x1702,
+  kGlVertexArray = 0x8074,
 };
 
 }  // namespace marrow::gles3

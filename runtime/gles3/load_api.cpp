@@ -26,6 +26,26 @@ int es_version(const unsigned char* text) {
   return 10 * (text[0] - '0') + (text[2] - '0');
 }
 
+// Whether `word` is among those of a text, which spaces part.
+bool has_word(const unsigned char* text, const char* word) {
+  while (text != nullptr && *text != '\0') {
+    std::size_t i = 0;
+    while (word[i] != '\0' && text[i] == static_cast<unsigned char>(word[i])) ++i;
+    if (word[i] == '\0' && (text[i] == '\0' || text[i] == ' ')) return true;
+    while (*text != '\0' && *text != ' ') ++text;
+    while (*text == ' ') ++text;
+  }
+  return false;
+}
+
+// Loaders may return something for any name, so it is the context that says what there is.
+void load_debug(Api& api, void* (*load_proc)(const char*)) {
+  const int version = es_version(api.GetString(kGlVersion));
+  if (version < 30) return;
+  if (has_word(api.GetString(kGlExtensions), "GL_KHR_debug")) load_one(api.ObjectLabel, load_proc, "glObjectLabelKHR");
+  if (api.ObjectLabel == nullptr && version >= 32) load_one(api.ObjectLabel, load_proc, "glObjectLabel");
+}
+
 }  // namespace
 
 Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing) {
@@ -41,6 +61,7 @@ Status load_api(Api& api, void* (*load_proc)(const char* name), const char** mis
 #define MARROW_LOAD(Result, Name, Parameters) load_one(loaded.Name, load_proc, "gl" #Name);
   MARROW_GLES31_FUNCTIONS(MARROW_LOAD)
 #undef MARROW_LOAD
+  load_debug(loaded, load_proc);
   api = loaded;
   return Status::ok;
 }

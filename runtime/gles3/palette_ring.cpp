@@ -1,6 +1,7 @@
 // Every frame: palettes into one uniform buffer, at offsets that the driver accepts.
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/label.h"
 #include "marrow/gles3.h"
 
 namespace marrow::gles3 {
@@ -35,6 +36,7 @@ Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joint
     destroy(api, ring);
     return Status::gl_error;
   }
+  label(api, kGlBuffer, ring.buffer, {"marrow: palettes"});
   out = ring;
   return Status::ok;
 }

@@ -1,6 +1,7 @@
 // Every frame: all palettes into one texture, for meshes of any number of joints and for instanced drawing.
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/label.h"
 #include "gles3/texture.h"
 #include "marrow/gles3.h"
 
@@ -31,6 +32,7 @@ Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t jo
     destroy(api, made);
     return Status::gl_error;
   }
+  for (const std::uint32_t texture : made.textures) label(api, kGlTexture, texture, {"marrow: palettes"});
   out = made;
   return Status::ok;
 }

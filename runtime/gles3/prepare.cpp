@@ -3,6 +3,7 @@
 #include "gles3/encode.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/label.h"
 #include "gles3/morph.h"
 #include "marrow/gles3.h"
 #include "marrow/skin.h"
@@ -117,6 +118,18 @@ GpuMesh describe(const Mesh& mesh, const VertexLayout& layout, const Quantisatio
   return out;
 }
 
+void label_mesh(const Api& api, const Mesh& mesh, const GpuMesh& gpu) {
+  const char* const name = label_of(mesh);
+  label(api, kGlVertexArray, gpu.ssd_array, {name, ": skin"});
+  label(api, kGlVertexArray, gpu.as_array, {name, ": animation space"});
+  label(api, kGlBuffer, gpu.ssd_buffer, {name, ": skin"});
+  label(api, kGlBuffer, gpu.as_buffer, {name, ": animation space"});
+  label(api, kGlBuffer, gpu.surface_buffer, {name, ": surface"});
+  label(api, kGlBuffer, gpu.index_buffer, {name, ": indices"});
+  label(api, kGlBuffer, gpu.morph_buffer, {name, ": morph rows"});
+  label(api, kGlTexture, gpu.morph_texture, {name, ": morph targets"});
+}
+
 }  // namespace
 
 std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options) {
@@ -159,6 +172,7 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
     return Status::gl_error;
   }
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i) bind[i] = dequantising_bind(mesh.inverse_bind[i], quantisation);
+  label_mesh(api, mesh, made);
   out = made;
   return Status::ok;
 }

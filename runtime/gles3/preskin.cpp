@@ -66,8 +66,9 @@ Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Pr
   of.features = key.features & (kNormals | kTangents | kMorphs | kSurfaceNormals);
   if (method == Preskin::compute) {
     if (!caps.compute) return Status::unsupported;
-    return compile_program(api, of, {nullptr, nullptr, text(embedded::shader_preskin_comp), {}}, palette_binding, out,
-                           log);
+    ShaderTexts texts{nullptr, nullptr, text(embedded::shader_preskin_comp), {}};
+    texts.role = "pre-skinning by compute shader";
+    return compile_program(api, of, texts, palette_binding, out, log);
   }
   const char* varyings[3] = {"out_position"};
   std::size_t count = 1;
@@ -77,7 +78,8 @@ Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Pr
                           text(embedded::shader_nothing_frag),
                           nullptr,
                           {varyings, count},
-                          kGlSeparateAttribs};
+                          kGlSeparateAttribs,
+                          "pre-skinning by feedback"};
   return compile_program(api, of, texts, palette_binding, out, log);
 }
 

@@ -1,5 +1,6 @@
 // Once a context: the skinning text and a role's own text → a linked program.
 #include "gles3/compile.h"
+#include "gles3/label.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_skin[];
@@ -98,6 +99,15 @@ std::uint32_t link(const Api& api, const std::uint32_t* shaders, std::size_t cou
   return 0;
 }
 
+void label_program(const Api& api, const ProgramKey& key, const char* role, std::uint32_t program) {
+  constexpr const char* kDeformers[] = {"", ", rigid", ", ssd", ", as"};
+  constexpr const char* kPlaces[] = {"", ", palettes in a texture", ", palettes of a crowd"};
+  label(api, kGlProgram, program,
+        {"marrow: ", role, kDeformers[static_cast<std::size_t>(key.deformer)],
+         key.influences == 8 ? ", 8 influences" : "", (key.features & kMorphs) != 0 ? ", morph targets" : "",
+         kPlaces[static_cast<std::size_t>(key.palettes)]});
+}
+
 }  // namespace
 
 void clear(Span<char> log) {
@@ -147,6 +157,7 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   made.morph_count = find("marrow_morph_count");
   made.morph_shift = find("marrow_morph_shift");
   made.morph_per_row = find("marrow_morph_per_row");
+  label_program(api, key, texts.role, made.id);
   out = made;
   return Status::ok;
 }

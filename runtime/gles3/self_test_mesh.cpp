@@ -119,6 +119,7 @@ Mesh make_probe_mesh(const ProbeShape& shape, Memory& memory) {
     residual_rows += more * run.influences * 4;
   }
   Mesh mesh;
+  mesh.name = "self-test";
   Geometry& g = mesh.geometry;
   g.slot_count = g.vertex_count = g.index_count = 4 * blocks;
   mesh.joint_count = g.joint_count = shape.joints;

@@ -5,6 +5,7 @@
 
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/label.h"
 #include "gles3/texture.h"
 
 namespace marrow::gles3 {
@@ -42,6 +43,8 @@ Status make_probe_target(const Api& api, std::uint32_t width, std::uint32_t heig
     return Status::gl_error;
   }
   api.Viewport(0, 0, static_cast<int>(width), static_cast<int>(height));
+  label(api, kGlTexture, made.texture, {"marrow: self-test"});
+  label(api, kGlFramebuffer, made.framebuffer, {"marrow: self-test"});
   out = made;
   return Status::ok;
 }

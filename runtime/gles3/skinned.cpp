@@ -3,6 +3,7 @@
 
 #include "gles3/attributes.h"
 #include "gles3/errors.h"
+#include "gles3/label.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -31,6 +32,10 @@ SkinnedBlocks blocks_of(const SkinnedMesh& mesh) {
 }
 
 Status create_skinned(const Api& api, const GpuMesh& mesh, SkinnedMesh& out) {
+  return make_skinned(api, mesh, "marrow", out);
+}
+
+Status make_skinned(const Api& api, const GpuMesh& mesh, const char* name, SkinnedMesh& out) {
   SkinnedMesh made;
   made.slot_count = mesh.slot_count;
   made.features = mesh.features & (kNormals | kTangents | kUvs | kColours);
@@ -53,6 +58,8 @@ Status create_skinned(const Api& api, const GpuMesh& mesh, SkinnedMesh& out) {
     destroy(api, made);
     return Status::gl_error;
   }
+  label(api, kGlVertexArray, made.array, {name, ": skinned vertices"});
+  label(api, kGlBuffer, made.buffer, {name, ": skinned vertices"});
   out = made;
   return Status::ok;
 }

@@ -14,4 +14,7 @@ struct SkinnedBlocks {
 };
 SkinnedBlocks blocks_of(const SkinnedMesh& mesh);
 
+// create_skinned(), with a name for labels.
+Status make_skinned(const Api& api, const GpuMesh& mesh, const char* name, SkinnedMesh& out);
+
 }  // namespace marrow::gles3

@@ -4,8 +4,10 @@
 #include <cstring>
 
 #include "gles3/gl_constants.h"
+#include "gles3/label.h"
 #include "gles3/memory.h"
 #include "gles3/program_set.h"
+#include "gles3/skinned.h"
 #include "marrow/morph.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
@@ -84,7 +86,7 @@ Status make_objects(const Api& api, const Caps& caps, Skinner& s) {
   if (status == Status::ok && (o.path == Path::ubo || o.path == Path::feedback || o.path == Path::compute))
     status = create_palette_ring(api, caps, joints, o.instances, s.ring);
   for (std::size_t i = 0; i < s.skinned.size && status == Status::ok; ++i)
-    status = create_skinned(api, s.gpu, s.skinned[i]);
+    status = make_skinned(api, s.gpu, label_of(s.mesh), s.skinned[i]);
   return status;
 }
 

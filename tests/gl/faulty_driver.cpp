@@ -35,6 +35,7 @@ void generate(int count, unsigned* names) {
   if (!passes("Gen")) return;
   (driver().real.*Member)(count, names);
   driver().live += count;
+  driver().made += count;
 }
 template <auto Member>
 void remove(int count, const unsigned* names) {
@@ -76,6 +77,7 @@ void catch_objects(gles3::Api& api) {
   api.CreateProgram = [] {
     const unsigned name = passes("CreateProgram") ? driver().real.CreateProgram() : 0;
     driver().live += name != 0;
+    driver().made += name != 0;
     return name;
   };
 }
@@ -117,6 +119,16 @@ FaultyDriver& driver() {
   return one;
 }
 
+void record_labels(gles3::Api& api) {
+  api.ObjectLabel = [](unsigned kind, unsigned name, int size, const char* text) {
+    if (!passes("ObjectLabel")) return;
+    FaultyDriver::Label& label = driver().labels[{kind, name}];
+    label.text.assign(text, text + size);
+    ++label.count;
+    ++driver().label_count;
+  };
+}
+
 gles3::Api faulty_api(const gles3::Api& real) {
   driver() = {};
   driver().real = real;
@@ -126,6 +138,7 @@ gles3::Api faulty_api(const gles3::Api& real) {
   if (real.Name != nullptr) api.Name = Through<&gles3::Api::Name, decltype(gles3::Api::Name)>::call;
   MARROW_GLES3_FUNCTIONS(MARROW_THROUGH)
   MARROW_GLES31_FUNCTIONS(MARROW_THROUGH)
+  MARROW_KHR_DEBUG_FUNCTIONS(MARROW_THROUGH)
 #undef MARROW_THROUGH
   catch_objects(api);
   catch_memory(api);

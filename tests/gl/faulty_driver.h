@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "marrow/gles3.h"
 
@@ -20,12 +21,23 @@ struct FaultyDriver {
   unsigned error = 0;                         // that glGetError has not told yet
   std::map<std::string, std::int64_t> count;  // calls by name
   std::int64_t live = 0;                      // objects made and not deleted
+  std::int64_t made = 0;                      // of any kind but shaders
+  std::int64_t label_count = 0;               // since record_labels()
+  // The last label by kind and name of the object, and how many it got.
+  struct Label {
+    std::string text;
+    int count = 0;
+  };
+  std::map<std::pair<unsigned, unsigned>, Label> labels;
 
   bool is_lost() const { return lost_after >= 0 && calls > lost_after; }
 };
 
 // One a process.
 FaultyDriver& driver();
+
+// Notes labels instead of passing them on.
+void record_labels(gles3::Api& api);
 
 // Entry points that go through it to `real`. Its counts start anew.
 gles3::Api faulty_api(const gles3::Api& real);

@@ -1,6 +1,7 @@
 // A mesh as several characters by every path: the same picture, whatever happens to the context and to memory.
 #include <cstring>
 #include <functional>
+#include <set>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -236,7 +237,7 @@ TEST(Skinner, AFrameUploadsPalettesAlone) {
                 kCharacters * (way == Path::cpu ? slots * (scene.mesh.geometry.tangents != nullptr ? 40 : 24)
                                                 : std::int64_t{48} * scene.mesh.palette_size()));
       for (const char* const name : {"Gen", "Delete", "CreateShader", "CreateProgram", "CompileShader", "LinkProgram",
-                                     "GetIntegerv", "GetProgramiv", "GetShaderiv", "GetString"})
+                                     "GetIntegerv", "GetProgramiv", "GetShaderiv", "GetString", "ObjectLabel"})
         EXPECT_EQ(driver().count[name], 0) << name << " on " << to_string(way);
       gles3::destroy(api, player.skinner);
       gles3::destroy(api, player.programs);
@@ -244,6 +245,75 @@ TEST(Skinner, AFrameUploadsPalettesAlone) {
       ++paths;
     }
     EXPECT_GE(paths, 4);
+  });
+}
+
+TEST(Skinner, LabelsEveryObjectOnce) {
+  on_a_thread([] {
+    const Stage stage;
+    const Scene scene(kFace);
+    ASSERT_FALSE(scene.mesh.targets.empty());
+    std::set<std::string> texts;
+    for (const Path way : kPaths) {
+      if (way == Path::compute && !stage.caps().compute) continue;
+      for (const gles3::Deformer deformer : {gles3::Deformer::ssd, gles3::Deformer::as}) {
+        gles3::Api api = faulty_api(stage.real());
+        record_labels(api);
+        Player player(api, stage.caps(), scene, {way, deformer});
+        ASSERT_EQ(player.status, Status::ok);
+        player.pose_all();
+        EXPECT_EQ(player.frame(api), Status::ok);
+        EXPECT_EQ(static_cast<std::int64_t>(driver().labels.size()), driver().live) << to_string(way);
+        for (const auto& [object, label] : driver().labels) {
+          EXPECT_EQ(label.count, 1) << label.text;
+          EXPECT_FALSE(label.text.empty());
+          texts.insert(label.text);
+        }
+        gles3::destroy(api, player.skinner);
+        gles3::destroy(api, player.programs);
+        EXPECT_EQ(driver().live, 0);
+      }
+    }
+    for (const char* const role :
+         {"skin", "animation space", "surface", "indices", "morph rows", "morph targets", "skinned vertices"})
+      EXPECT_EQ(texts.count(std::string(scene.mesh.name) + ": " + role), 1u) << role;
+    for (const char* const text : {"marrow: palettes", "marrow: drawing", "marrow: drawing, ssd, morph targets",
+                                   "marrow: pre-skinning by feedback, as, morph targets",
+                                   "marrow: drawing, as, morph targets, palettes in a texture"})
+      EXPECT_EQ(texts.count(text), 1u) << text;
+  });
+}
+
+TEST(Skinner, LabelsReachTheDriver) {
+  on_a_thread([] {
+    const Stage stage;
+    const Scene scene(kFace);
+    gles3::Api api = stage.real();
+    const bool known =
+        std::strstr(reinterpret_cast<const char*>(api.GetString(GL_EXTENSIONS)), "GL_KHR_debug") != nullptr;
+    std::printf("labels: %s\n", known ? "GL_KHR_debug" : api.ObjectLabel != nullptr ? "OpenGL ES 3.2" : "none");
+    ASSERT_TRUE(!known || api.ObjectLabel != nullptr);
+    using GetObjectLabel = void (*)(GLenum kind, GLuint name, GLsizei size, GLsizei * length, char* text);
+    const auto get = reinterpret_cast<GetObjectLabel>(egl::load_proc("glGetObjectLabelKHR"));
+    for (const Path way : kPaths) {
+      if (way == Path::compute && !stage.caps().compute) continue;
+      Player player(api, stage.caps(), scene, {way});
+      ASSERT_EQ(player.status, Status::ok);
+      EXPECT_EQ(stage.error(), 0u) << to_string(way);
+      if (known && get != nullptr) {
+        char text[256] = {};
+        get(0x82E0, player.skinner.gpu.index_buffer, sizeof(text), nullptr, text);
+        EXPECT_EQ(text, std::string(scene.mesh.name) + ": indices");
+      }
+      gles3::destroy(api, player.skinner);
+      gles3::destroy(api, player.programs);
+    }
+    api.ObjectLabel = nullptr;
+    Player player(api, stage.caps(), scene, {Path::ubo});
+    EXPECT_EQ(player.status, Status::ok);
+    gles3::destroy(api, player.skinner);
+    gles3::destroy(api, player.programs);
+    EXPECT_EQ(stage.error(), 0u);
   });
 }
 

@@ -20,12 +20,16 @@ struct Api {
 #define MARROW_MEMBER(Result, Name, Parameters) Result(*Name) Parameters = nullptr;
   MARROW_GLES3_FUNCTIONS(MARROW_MEMBER)
   MARROW_GLES31_FUNCTIONS(MARROW_MEMBER)
+  MARROW_KHR_DEBUG_FUNCTIONS(MARROW_MEMBER)
 #undef MARROW_MEMBER
 };
 
 // Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
 // Errors: bad_argument without a loader; unsupported if it returns null for a function of OpenGL ES 3.0, whose name is
 // put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
+//
+// ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
+// and drivers' tools ("newt: surface"); set to null, they are not.
 Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
 
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.

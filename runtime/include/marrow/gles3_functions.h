@@ -1,5 +1,5 @@
 // The OpenGL ES functions that marrow::gles3 calls: X(return type, name without "gl", parameters). Those of 3.0 must be
-// there, those of 3.1 may be missing.
+// there, those of 3.1 and of KHR_debug may be missing.
 //
 // Spelt in plain C types, which are what the GL types are on every platform, so that neither Khronos' headers nor a
 // particular loader are needed to include this.
@@ -80,3 +80,5 @@
 #define MARROW_GLES31_FUNCTIONS(X)                               \
   X(void, DispatchCompute, (unsigned x, unsigned y, unsigned z)) \
   X(void, MemoryBarrier, (unsigned barriers))
+
+#define MARROW_KHR_DEBUG_FUNCTIONS(X) X(void, ObjectLabel, (unsigned kind, unsigned name, int size, const char* text))
