@@ -6,9 +6,9 @@ namespace marrow::gles3 {
 namespace {
 
 template <class Function>
-bool load_one(Function& function, void* (*load_proc)(const char*), const char* name) {
-  function = reinterpret_cast<Function>(load_proc(name));
-  return function != nullptr;
+bool load_one(Entry<Function>& entry, void* (*load_proc)(const char*), const char* name) {
+  entry = reinterpret_cast<Function*>(load_proc(name));
+  return entry != nullptr;
 }
 
 bool is_digit(unsigned char c) {

@@ -340,7 +340,7 @@ TEST(Crowd, TenThousandInOneCall) {
   ASSERT_EQ(gles3::build_program(gl(), key, {kDotVertex, kDotFragment, {}}, 0, program), Status::ok);
   gl().UseProgram(program.id);
   gles3::Api counting = gl();
-  real_draw = counting.DrawElementsInstanced;
+  real_draw = counting.DrawElementsInstanced.function;
   instanced_calls = instances_drawn = 0;
   counting.DrawElementsInstanced = [](unsigned mode, int count, unsigned type, const void* at, int number) {
     ++instanced_calls;

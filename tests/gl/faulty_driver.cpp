@@ -20,7 +20,7 @@ bool passes(const char* name) {
 template <auto Member, class Function>
 struct Through;
 template <auto Member, class Result, class... Arguments>
-struct Through<Member, Result (*)(Arguments...)> {
+struct Through<Member, gles3::Entry<Result(Arguments...)>> {
   static inline const char* name = "";
   static Result call(Arguments... arguments) {
     if (!passes(name)) return Result();

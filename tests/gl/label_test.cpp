@@ -51,7 +51,7 @@ TEST(ApiLabels, AreThereIfTheContextSaysSo) {
     pretended_extensions = one.extensions;
     gles3::Api api;
     ASSERT_EQ(gles3::load_api(api, pretended_proc), Status::ok);
-    EXPECT_EQ(reinterpret_cast<void*>(api.ObjectLabel), reinterpret_cast<void*>(one.expected))
+    EXPECT_EQ(reinterpret_cast<void*>(api.ObjectLabel.function), reinterpret_cast<void*>(one.expected))
         << (one.extensions != nullptr ? one.extensions : "none");
   }
 }

@@ -97,7 +97,7 @@ struct Kept {
 template <class Function>
 struct Nothing;
 template <class Result, class... Arguments>
-struct Nothing<Result (*)(Arguments...)> {
+struct Nothing<gles3::Entry<Result(Arguments...)>> {
   static Result call(Arguments...) { return Result(); }
 };
 

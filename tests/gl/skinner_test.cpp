@@ -9,6 +9,7 @@
 #include "gl/faulty_driver.h"
 #include "gl/feedback.h"
 #include "gl/models.h"
+#include "gl/reports.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 
@@ -314,6 +315,31 @@ TEST(Skinner, LabelsReachTheDriver) {
     gles3::destroy(api, player.skinner);
     gles3::destroy(api, player.programs);
     EXPECT_EQ(stage.error(), 0u);
+  });
+}
+
+TEST(Skinner, CausesNoErrorOnAnyPath) {
+  on_a_thread([] {
+    const Stage stage;
+    for (const std::string& path : {model_paths().front(), kFace}) {
+      const Scene scene(path);
+      for (const Path way : kPaths) {
+        if (way == Path::compute && !stage.caps().compute) continue;
+        std::vector<Report> reports;
+        gles3::ErrorWatch watch = watch_into(reports);
+        gles3::Api api = stage.real();
+        gles3::watch_errors(api, &watch);
+        Player player(api, stage.caps(), scene, {way, gles3::Deformer::as});
+        ASSERT_EQ(player.status, Status::ok);
+        player.pose_all();
+        for (int frame = 0; frame < 4; ++frame) EXPECT_EQ(player.frame(api), Status::ok);
+        gles3::destroy(api, player.skinner);
+        gles3::destroy(api, player.programs);
+        for (const Report& report : reports)
+          ADD_FAILURE() << to_string(way) << ": " << report.call << " " << report.error;
+        EXPECT_EQ(watch.pending, 0u);
+      }
+    }
   });
 }
 

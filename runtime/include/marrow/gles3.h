@@ -11,13 +11,14 @@
 #pragma once
 
 #include "marrow/file.h"
+#include "marrow/gles3_entry.h"
 #include "marrow/gles3_functions.h"
 
 namespace marrow::gles3 {
 
 // The driver's entry points.
 struct Api {
-#define MARROW_MEMBER(Result, Name, Parameters) Result(*Name) Parameters = nullptr;
+#define MARROW_MEMBER(Result, Name, Parameters) Entry<Result Parameters> Name{"gl" #Name};
   MARROW_GLES3_FUNCTIONS(MARROW_MEMBER)
   MARROW_GLES31_FUNCTIONS(MARROW_MEMBER)
   MARROW_KHR_DEBUG_FUNCTIONS(MARROW_MEMBER)
@@ -31,6 +32,11 @@ struct Api {
 // ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
 // and drivers' tools ("newt: surface"); set to null, they are not.
 Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
+
+// Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
+// lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For
+// debugging: without a watch a call costs a comparison more, with one two calls of glGetError.
+void watch_errors(Api& api, ErrorWatch* watch);
 
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
 struct Caps {

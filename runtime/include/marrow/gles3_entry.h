@@ -1,0 +1,65 @@
+// An entry point of the driver, and who watches its calls for errors.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+namespace marrow::gles3 {
+
+// Told of every GL error by the call that caused it: for debugging, as each call is then between two of glGetError.
+// One an Api and thread.
+struct ErrorWatch {
+  // call: "glBindBuffer", a static string. May be null.
+  void (*report)(void* user, const char* call, unsigned error) = nullptr;
+  void* user = nullptr;
+  unsigned pending = 0;  // what the Api's GetError has yet to tell, as it would without a watch
+  unsigned (*get_error)() = nullptr;
+};
+
+// What the Api's GetError returns under a watch.
+unsigned take_error(ErrorWatch& watch);
+
+// Errors from before are the caller's, and kept pending; those that it leaves behind are the call's.
+class WatchedCall {
+ public:
+  WatchedCall(ErrorWatch& watch, const char* name);
+  ~WatchedCall();
+  WatchedCall(const WatchedCall&) = delete;
+  WatchedCall& operator=(const WatchedCall&) = delete;
+
+ private:
+  ErrorWatch& watch_;
+  const char* name_;
+  unsigned stuck_;  // what GL told again and again before the call
+};
+
+// A function pointer, called and assigned like one.
+template <class Function>
+struct Entry;
+template <class Result, class... Arguments>
+struct Entry<Result(Arguments...)> {
+  using Pointer = Result (*)(Arguments...);
+
+  Pointer function = nullptr;
+  const char* name;
+  ErrorWatch* watch = nullptr;
+
+  explicit constexpr Entry(const char* of) : name(of) {}
+  Entry& operator=(Pointer to) {
+    function = to;
+    return *this;
+  }
+  bool operator==(std::nullptr_t) const { return function == nullptr; }
+
+  Result operator()(Arguments... arguments) const {
+    if (watch == nullptr) [[likely]]
+      return function(arguments...);
+    if constexpr (std::is_same_v<Pointer, unsigned (*)()>) {
+      if (function == watch->get_error) return take_error(*watch);
+    }
+    const WatchedCall call(*watch, name);
+    return function(arguments...);
+  }
+};
+
+}  // namespace marrow::gles3

@@ -1,0 +1,77 @@
+// GL errors with the call that caused them.
+#include <gtest/gtest.h>
+
+#include "gl/faulty_driver.h"
+#include "gl/feedback.h"
+#include "gl/reports.h"
+
+namespace marrow::test {
+namespace {
+
+TEST(ApiErrors, AreReportedWithTheirCall) {
+  std::vector<Report> first, second;
+  gles3::ErrorWatch watches[] = {watch_into(first), watch_into(second)};
+  gles3::Api a = gl(), b = gl();
+  gles3::watch_errors(a, &watches[0]);
+  gles3::watch_errors(b, &watches[1]);
+  unsigned buffer = 0;
+  a.GenBuffers(1, &buffer);
+  a.BindBufferRange(0x1234, 0, buffer, 0, 16);
+  a.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  EXPECT_EQ(first, (std::vector<Report>{{"glBindBufferRange", GL_INVALID_ENUM}}));
+  EXPECT_EQ(a.GetError(), unsigned{GL_INVALID_ENUM}) << "still told";
+  EXPECT_EQ(a.GetError(), 0u);
+  // The other one's, and a result that comes through.
+  EXPECT_EQ(b.CreateShader(0x1234), 0u);
+  EXPECT_EQ(second, (std::vector<Report>{{"glCreateShader", GL_INVALID_ENUM}}));
+  EXPECT_EQ(a.GetError(), 0u);
+  EXPECT_EQ(b.GetError(), unsigned{GL_INVALID_ENUM});
+  EXPECT_EQ(first.size(), 1u);
+  a.DeleteBuffers(1, &buffer);
+  EXPECT_EQ(gl().GetError(), 0u);
+}
+
+TEST(ApiErrors, OfOthersAreToldButNotReported) {
+  std::vector<Report> reports;
+  gles3::ErrorWatch watch = watch_into(reports);
+  gles3::Api api = gl();
+  gles3::watch_errors(api, &watch);
+  gl().Enable(0x1234);
+  api.BindBuffer(GL_ARRAY_BUFFER, 0);
+  EXPECT_TRUE(reports.empty());
+  EXPECT_EQ(api.GetError(), unsigned{GL_INVALID_ENUM});
+  gles3::watch_errors(api, nullptr);
+  api.Enable(0x1234);
+  EXPECT_TRUE(reports.empty());
+  EXPECT_EQ(gl().GetError(), unsigned{GL_INVALID_ENUM});
+  EXPECT_EQ(gl().GetError(), 0u);
+}
+
+TEST(ApiErrors, ChecksSeeThemUnderAWatch) {
+  std::vector<Report> reports;
+  gles3::Api api = faulty_api(gl());
+  gles3::ErrorWatch watch = watch_into(reports);
+  gles3::watch_errors(api, &watch);
+  driver().full_after = 0;
+  gles3::PaletteRing ring;
+  EXPECT_EQ(gles3::create_palette_ring(api, gl().caps(), 10, 1, ring), Status::gl_error);
+  EXPECT_EQ(reports, (std::vector<Report>{{"glBufferData", GL_OUT_OF_MEMORY}}));
+  EXPECT_EQ(driver().live, 0);
+}
+
+// Which a lost context tells for ever.
+TEST(ApiErrors, ALossIsReportedOnce) {
+  std::vector<Report> reports;
+  gles3::Api api = faulty_api(gl());
+  gles3::ErrorWatch watch = watch_into(reports);
+  gles3::watch_errors(api, &watch);
+  driver().lost_after = 1;
+  gles3::PaletteRing ring;
+  EXPECT_EQ(gles3::create_palette_ring(api, gl().caps(), 10, 1, ring), Status::gl_error);
+  EXPECT_EQ(reports, (std::vector<Report>{{"glBindBuffer", 0x0507}}));  // the second call
+  driver().lost_after = -1;
+  gl().BindBuffer(GL_UNIFORM_BUFFER, 0);
+}
+
+}  // namespace
+}  // namespace marrow::test
