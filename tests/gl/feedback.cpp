@@ -219,12 +219,7 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
   } else {
     capture(deformer);
     const std::vector<float> got = read_feedback(capture_, kFeedbackFloats * slots);
-    for (std::size_t slot = 0; slot < slots; ++slot) {
-      const float* const v = got.data() + kFeedbackFloats * slot;
-      out.positions.insert(out.positions.end(), v, v + 3);
-      out.normals.insert(out.normals.end(), v + 3, v + 6);
-      out.tangents.insert(out.tangents.end(), v + 6, v + 10);
-    }
+    for (std::size_t slot = 0; slot < slots; ++slot) out.add(got.data() + kFeedbackFloats * slot);
   }
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
   return out;

@@ -17,6 +17,13 @@ struct Skinned {
   std::vector<float> positions;  // 3 a slot
   std::vector<float> normals;    // 3 a slot; zero if the mesh has none
   std::vector<float> tangents;   // 4 a slot; zero if the mesh has none
+
+  // A slot more, as feedback_source() captures it.
+  void add(const float* v) {
+    positions.insert(positions.end(), v, v + 3);
+    normals.insert(normals.end(), v + 3, v + 6);
+    tangents.insert(tangents.end(), v + 6, v + 10);
+  }
 };
 
 // A role that has everything captured, interleaved: kFeedbackFloats a vertex, position, normal and tangent.

@@ -102,13 +102,8 @@ std::vector<Skinned> Troop::capture(gles3::Deformer deformer, std::uint32_t firs
 
   const std::vector<float> got = read_feedback(buffer, floats);
   std::vector<Skinned> out(count);
-  for (std::size_t i = 0; i < std::size_t{vertices} * count; ++i) {
-    const float* const v = got.data() + kFeedbackFloats * i;
-    Skinned& one = out[i / vertices];
-    one.positions.insert(one.positions.end(), v, v + 3);
-    one.normals.insert(one.normals.end(), v + 3, v + 6);
-    one.tangents.insert(one.tangents.end(), v + 6, v + 10);
-  }
+  for (std::size_t i = 0; i < std::size_t{vertices} * count; ++i)
+    out[i / vertices].add(got.data() + kFeedbackFloats * i);
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
   return out;
 }
