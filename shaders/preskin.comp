@@ -21,10 +21,6 @@ vec4 marrow_snorm(int at) {
   return vec4(unpackSnorm2x16(marrow_skin_words[at]), unpackSnorm2x16(marrow_skin_words[at + 1]));
 }
 
-vec4 marrow_unorm(int at) {
-  return vec4(unpackUnorm2x16(marrow_skin_words[at]), unpackUnorm2x16(marrow_skin_words[at + 1]));
-}
-
 uvec4 marrow_joints(int at, int group) {
   if (marrow_vertex_layout[5] == 1) {
     uint four = marrow_skin_words[at + group];
@@ -61,12 +57,17 @@ void marrow_load(int vertex) {
   in_second3 = marrow_snorm(tangents + 14);
 #endif
 #else
-  in_position = marrow_snorm(at).xyz;
 #if MARROW_DEFORMER == 2
-  in_weights0 = marrow_unorm(at + marrow_vertex_layout[2]);
+  in_position = marrow_snorm(at);
+  int weights = at + marrow_vertex_layout[2];
 #if MARROW_INFLUENCES == 8
-  in_weights1 = marrow_unorm(at + marrow_vertex_layout[2] + 2);
+  in_weights0 = vec4(unpackUnorm2x16(marrow_skin_words[weights]), unpackUnorm2x16(marrow_skin_words[weights + 1]));
+  in_weights1 = unpackUnorm2x16(marrow_skin_words[weights + 2]);
+#else
+  in_weights0 = unpackUnorm2x16(marrow_skin_words[weights]);
 #endif
+#else
+  in_position = marrow_snorm(at).xyz;
 #endif
 #endif
   in_joints0 = marrow_joints(at + marrow_vertex_layout[4], 0);

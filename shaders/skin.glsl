@@ -46,12 +46,17 @@ MARROW_IN(11) vec4 in_second2;
 MARROW_IN(15) vec4 in_second3;
 #endif
 #else
-MARROW_IN(0) vec3 in_position;
 #if MARROW_DEFORMER == 2
-MARROW_IN(1) vec4 in_weights0;
+// Weights from the second on; the first one's is what they leave.
+MARROW_IN(0) vec4 in_position;  // w: the second
 #if MARROW_INFLUENCES == 8
-MARROW_IN(2) vec4 in_weights1;
+MARROW_IN(1) vec4 in_weights0;
+MARROW_IN(2) vec2 in_weights1;
+#else
+MARROW_IN(1) vec2 in_weights0;
 #endif
+#else
+MARROW_IN(0) vec3 in_position;
 #endif
 #endif
 
@@ -283,18 +288,22 @@ MarrowVertex marrow_skin() {
 #if MARROW_DEFORMER == 1
   marrow_add(1.0, in_joints0.x, x, y, z);
 #else
-  marrow_add(in_weights0.x, in_joints0.x, x, y, z);
-  marrow_add(in_weights0.y, in_joints0.y, x, y, z);
-  marrow_add(in_weights0.z, in_joints0.z, x, y, z);
-  marrow_add(in_weights0.w, in_joints0.w, x, y, z);
+  float others = in_position.w + in_weights0.x + in_weights0.y;
 #if MARROW_INFLUENCES == 8
-  marrow_add(in_weights1.x, in_joints1.x, x, y, z);
-  marrow_add(in_weights1.y, in_joints1.y, x, y, z);
-  marrow_add(in_weights1.z, in_joints1.z, x, y, z);
-  marrow_add(in_weights1.w, in_joints1.w, x, y, z);
+  others += in_weights0.z + in_weights0.w + in_weights1.x + in_weights1.y;
+#endif
+  marrow_add(1.0 - others, in_joints0.x, x, y, z);
+  marrow_add(in_position.w, in_joints0.y, x, y, z);
+  marrow_add(in_weights0.x, in_joints0.z, x, y, z);
+  marrow_add(in_weights0.y, in_joints0.w, x, y, z);
+#if MARROW_INFLUENCES == 8
+  marrow_add(in_weights0.z, in_joints1.x, x, y, z);
+  marrow_add(in_weights0.w, in_joints1.y, x, y, z);
+  marrow_add(in_weights1.x, in_joints1.z, x, y, z);
+  marrow_add(in_weights1.y, in_joints1.w, x, y, z);
 #endif
 #endif
-  vec4 p = vec4(in_position + change, 1.0);
+  vec4 p = vec4(in_position.xyz + change, 1.0);
   v.position = vec3(dot(x, p), dot(y, p), dot(z, p));
 #endif
 

@@ -90,8 +90,10 @@ void put(std::byte* to, T value) {
   std::memcpy(to, &value, sizeof(value));
 }
 
+// A file may hold any finite numbers.
 std::int32_t round_to_int(float value) {
-  return static_cast<std::int32_t>(std::floor(value + 0.5f));
+  constexpr float kMost = 1e6f;
+  return static_cast<std::int32_t>(std::floor((value < -kMost ? -kMost : value > kMost ? kMost : value) + 0.5f));
 }
 
 std::int16_t to_snorm16(float value) {
@@ -175,10 +177,12 @@ void put_tangents(const Vertex& v, const Quantisation& q, bool left_handed, std:
 }  // namespace
 
 void quantise_sum(const float* values, std::uint32_t count, std::int32_t total, std::int32_t* out) {
+  constexpr double kMost = 1e6;
   double remainder[kMaxInfluences];
   std::int32_t missing = total;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const double exact = static_cast<double>(values[i]) * total;
+    const double product = static_cast<double>(values[i]) * total;
+    const double exact = product < -kMost ? -kMost : product > kMost ? kMost : product;
     const double whole = std::floor(exact);
     out[i] = static_cast<std::int32_t>(whole);
     remainder[i] = exact - whole;
@@ -214,7 +218,7 @@ VertexLayout make_layout(const Mesh& mesh, bool as_tangents) {
   }
   layout.joint_bytes = mesh.palette_size() > 256 ? 2 : 1;
   layout.ssd_weights = 8;
-  layout.ssd_joints = layout.ssd_weights + 2 * layout.influences;
+  layout.ssd_joints = layout.ssd_weights + 2 * (layout.influences - 2);
   layout.ssd_stride = layout.ssd_joints + layout.joint_bytes * layout.influences;
   layout.surface_normals = as_tangents && layout.influences == 4 && g.normals != nullptr && g.targets.empty();
   layout.as_tangents = 8 * layout.influences;
@@ -272,11 +276,12 @@ void encode_ssd(const Geometry& geometry, const VertexLayout& layout, const Quan
     std::byte* vertex = out + std::size_t{slot} * layout.ssd_stride;
     std::int16_t position[4] = {};
     for (std::uint32_t c = 0; c < 3; ++c) position[c] = to_snorm16(unit_position(v, quantisation, c));
+    if (v.influences > 1) position[3] = to_snorm16(v.weights[1]);
     std::memcpy(vertex, position, sizeof(position));
-    std::int32_t weights[kMaxInfluences] = {};
-    quantise_sum(v.weights, v.influences, 65535, weights);
-    for (std::uint32_t j = 0; j < layout.influences; ++j) {
-      put(vertex + layout.ssd_weights + 2 * std::size_t{j}, static_cast<std::uint16_t>(weights[j]));
+    for (std::uint32_t j = 2; j < layout.influences; ++j) {
+      const float weight = j < v.influences ? v.weights[j] : 0.0f;
+      put(vertex + layout.ssd_weights + 2 * std::size_t{j - 2},
+          static_cast<std::uint16_t>(round_to_int(weight * 65535.0f)));
     }
     put_joints(v, layout, vertex + layout.ssd_joints);
   });

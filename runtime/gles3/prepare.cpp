@@ -64,9 +64,12 @@ void make_ssd(const Api& api, const Geometry& g, const VertexLayout& layout, con
   encode_ssd(g, layout, q, scratch.data);
   mesh.ssd_array = begin_array(api, mesh);
   mesh.ssd_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.ssd_stride} * g.slot_count);
-  attribute(api, kPositionLocation, 3, kGlShort, true, layout.ssd_stride, 0);
-  for (std::uint32_t i = 0; i < layout.influences / 4; ++i) {
-    attribute(api, kWeightsLocation + i, 4, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights + 8 * i);
+  attribute(api, kPositionLocation, 4, kGlShort, true, layout.ssd_stride, 0);
+  if (layout.influences == 4) {
+    attribute(api, kWeightsLocation, 2, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights);
+  } else {
+    attribute(api, kWeightsLocation, 4, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights);
+    attribute(api, kWeightsLocation + 1, 2, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights + 8);
   }
   describe_joints(api, layout, layout.ssd_stride, layout.ssd_joints);
   describe_surface(api, g, layout, true, mesh);

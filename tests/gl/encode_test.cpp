@@ -49,6 +49,13 @@ TEST(Encode, WeightsThatDoNotSumToOneAreMadeTo) {
   EXPECT_EQ(out[0] + out[1], 1000);
 }
 
+TEST(Encode, HugeWeightsOfADamagedFileSumExactlyToo) {
+  const float weights[] = {3e38f, -3e38f, 1e30f};
+  std::int32_t out[3] = {};
+  gles3::quantise_sum(weights, 3, 32767, out);
+  EXPECT_EQ(out[0] + out[1] + out[2], 32767);
+}
+
 // The specification's decoding, written out again.
 void from_octahedron(const float e[2], float out[3]) {
   out[0] = e[0];

@@ -98,15 +98,17 @@ struct VertexLayout {
 
 // A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
 //
-//   SSD       position snorm16×3 + pad · weights unorm16×4 or ×8, summing to 65535 · joints u8 (u16 above 256 entries)
+//   SSD       position snorm16×3 · weights of the second influence snorm16, of the others unorm16×2 or ×6, the first
+//   has
+//             what they leave of 1 · joints u8 (u16 above 256 entries)
 //   AS        coordinates snorm16×4 an influence, their w summing to 32767 (or less, see coordinate_scale) · joints
 //             kSurfaceNormals: and snorm16×4 an influence and tangent, their w summing to 0
 //   surface   normal octahedral snorm16×2 · tangent octahedral snorm16×2, sign in y · uv unorm16×2 or f32×2 · rgba8
 //   morphs    u32: which row of the texture, RGBA16I, holds the vertex's changes; 8 B an attribute, target and vertex
 //   that
 //             any target moves
-// 4 influences: SSD 20 B a vertex, AS 36 B, with kSurfaceNormals 100 B; surface 4 B with normals alone. 8 influences:
-// 32 B and 72 B.
+// 4 influences: SSD 16 B a vertex, AS 36 B, with kSurfaceNormals 100 B; surface 4 B with normals alone. 8 influences:
+// 28 B and 72 B.
 struct GpuMesh {
   std::uint32_t ssd_array = 0;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
   std::uint32_t as_array = 0;
