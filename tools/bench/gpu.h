@@ -31,13 +31,16 @@ struct GpuCase {
 struct GpuRow {
   std::string name;
   const GpuCase* of = nullptr;
-  gles3::Path path = gles3::Path::ubo;
+  std::optional<gles3::Path> path;  // none: a crowd
   gles3::Deformer deformer = gles3::Deformer::ssd;
   bool normals = false;
   double frames_per_s = 0;
   double ns_per_vertex = 0;                 // of a frame from its first call to its last pixel
   std::optional<double> gpu_ns_per_vertex;  // by the driver's own timer, where it has one
 };
+
+// "ubo", … or "crowd".
+const char* path_name(std::optional<gles3::Path> path);
 
 // Bars of ns a vertex: a group a case, a pair of SSD and animation space a path.
 std::string gpu_chart(const std::vector<GpuRow>& rows, const std::string& driver);

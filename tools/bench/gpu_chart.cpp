@@ -46,8 +46,8 @@ std::string gpu_chart(const std::vector<GpuRow>& rows, const std::string& driver
       const bool paired = first > 0 && rows[first - 1].of == row.of && rows[first - 1].path == row.path;
       if (!paired) y += kGap;
       body += text(kLeft - 6, y + kBar - 1, "text-anchor=\"end\"",
-                   fmt::format("{} {}{}", gles3::to_string(row.path),
-                               row.deformer == gles3::Deformer::as ? "AS" : "SSD", row.normals ? ", normals" : ""));
+                   fmt::format("{} {}{}", path_name(row.path), row.deformer == gles3::Deformer::as ? "AS" : "SSD",
+                               row.normals ? ", normals" : ""));
       body += bar(row, y, most / (kWidth - kLeft - 60));
       y += kBar + 1;
     }
