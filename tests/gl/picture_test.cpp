@@ -1,4 +1,6 @@
 // `marrow render` as a program: pictures that show something, and the same bytes however many threads the driver uses.
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +15,7 @@
 
 #include "cook/cook.h"
 #include "gl/feedback.h"
+#include "gl/models.h"
 #include "marrow/gles3.h"
 #include "support/millipede.h"
 
@@ -100,6 +103,40 @@ TEST_F(Picture, ShowsTheCharacterTheSameOnEveryPath) {
     ASSERT_EQ(code, 0) << way;
     EXPECT_LE(difference(ubo, pixels(way + ".png")), 0.001) << way;
   }
+}
+
+// Many joints, and ten influences.
+TEST_F(Picture, ShowsModelsTheSameOnEveryPath) {
+  if (!have_assets()) GTEST_SKIP() << "SKIPPED: no models; set MARROW_ASSETS";
+  const fs::path folder = fs::path(model_paths().back()).parent_path();
+  std::size_t compared = 0;
+  double worst = 0;
+  for (const std::string name : {"ruby", "assimp_quad_skin_10inf"}) {
+    const std::string cooked = path(name + ".mrw");
+    ASSERT_EQ(run("cook " + (folder / (name + ".glb")).string() + " -o " + cooked + " --clip-codec raw 2>/dev/null"),
+              0);
+    for (const std::string deformer : {"ssd", "as"}) {
+      std::vector<png_byte> first;
+      for (const std::string way : {"ubo", "texture", "feedback", "compute", "crowd", "cpu"}) {
+        if (way == "compute" && !gl().caps().compute) continue;
+        const std::string picture = name + deformer + way + ".png";
+        const std::string clip = name == "assimp_quad_skin_10inf" ? "" : " --clip 0 --time 0.5";
+        const int code = run("render " + cooked + clip + " --size 200x160 --deformer " + deformer + " --path " + way +
+                             " -o " + path(picture) + " 2>/dev/null");
+        ASSERT_EQ(code, 0) << picture;
+        if (first.empty()) {
+          first = pixels(picture);
+          continue;
+        }
+        const double share = difference(first, pixels(picture));
+        EXPECT_LE(share, 0.001) << picture;
+        worst = std::max(worst, share);
+        ++compared;
+      }
+    }
+  }
+  std::printf("pictures that were compared: %zu, at most %.5f of the pixels differ\n", compared, worst);
+  EXPECT_GE(compared, 4u * 4);
 }
 
 TEST_F(Picture, IsTheSameForAnyNumberOfThreads) {
