@@ -61,7 +61,12 @@ target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_GLES)
   if(TARGET marrow_view)
-    target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_VIEW)
+    add_library(marrow_reset_shim MODULE cli/reset_shim.cpp)
+    target_link_libraries(marrow_reset_shim PRIVATE ${CMAKE_DL_LIBS})
+    marrow_warnings(marrow_reset_shim)
+    add_dependencies(marrow_cli_tests marrow_reset_shim)
+    target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_VIEW
+      MARROW_RESET_SHIM="$<TARGET_FILE:marrow_reset_shim>")
   endif()
 endif()
 target_compile_options(marrow_cli_tests PRIVATE -O0)

@@ -19,6 +19,10 @@ constexpr EGLint kPlatformAngleDeviceType = 0x3209;
 constexpr EGLint kPlatformAngleDeviceTypeSwiftShader = 0x3487;
 constexpr EGLint kOpenGlEs3Bit = 0x0040;
 constexpr EGLint kContextMinorVersion = 0x30FB;
+// EGL_EXT_create_context_robustness, and EGL 1.5 with a number of its own for the same attribute.
+constexpr EGLint kResetNotificationExt = 0x3138;
+constexpr EGLint kResetNotification = 0x31BD;
+constexpr EGLint kLoseContextOnReset = 0x31BF;
 
 using GetPlatformDisplay = EGLDisplay (*)(EGLenum platform, void* native, const EGLint* attributes);
 
@@ -32,6 +36,15 @@ bool has_extension(const char* list, const char* name) {
     if (starts && ends) return true;
   }
   return false;
+}
+
+// The attribute by which this display is asked for contexts that tell of resets; EGL_NONE: none.
+EGLint reset_attribute(EGLDisplay display) {
+  if (has_extension(eglQueryString(display, EGL_EXTENSIONS), "EGL_EXT_create_context_robustness"))
+    return kResetNotificationExt;
+  const char* const version = eglQueryString(display, EGL_VERSION);
+  const bool is_old = version == nullptr || std::strncmp(version, "1.", 2) != 0 || version[2] < '5';
+  return is_old ? EGL_NONE : kResetNotification;
 }
 
 bool initialise(EGLDisplay display) {
@@ -52,7 +65,7 @@ void HeadlessContext::release() {
     eglTerminate(display_);
   }
   display_ = context_ = surface_ = nullptr;
-  initialised_ = false;
+  initialised_ = tells_of_resets_ = false;
 }
 
 bool HeadlessContext::fail(const char* step) {
@@ -91,8 +104,13 @@ bool HeadlessContext::create_context(int major, int minor) {
   if (eglChooseConfig(display_, wanted, &config, 1, &count) != EGL_TRUE || count == 0) {
     return fail("finding a configuration for OpenGL ES 3");
   }
-  const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, major, kContextMinorVersion, minor, EGL_NONE};
-  context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
+  const EGLint reset = reset_attribute(display_);
+  const EGLint robust[] = {EGL_CONTEXT_CLIENT_VERSION, major,   kContextMinorVersion, minor, reset,
+                           kLoseContextOnReset,        EGL_NONE};
+  const EGLint plain[] = {EGL_CONTEXT_CLIENT_VERSION, major, kContextMinorVersion, minor, EGL_NONE};
+  if (reset != EGL_NONE) context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, robust);
+  tells_of_resets_ = context_ != EGL_NO_CONTEXT;
+  if (!tells_of_resets_) context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, plain);
   if (context_ == EGL_NO_CONTEXT) return fail("creating an OpenGL ES context");
   if (!surfaceless) {
     const EGLint size[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};

@@ -39,11 +39,17 @@ bool has_word(const unsigned char* text, const char* word) {
 }
 
 // Loaders may return something for any name, so it is the context that says what there is.
-void load_debug(Api& api, void* (*load_proc)(const char*)) {
+void load_extensions(Api& api, void* (*load_proc)(const char*)) {
   const int version = es_version(api.GetString(kGlVersion));
   if (version < 30) return;
-  if (has_word(api.GetString(kGlExtensions), "GL_KHR_debug")) load_one(api.ObjectLabel, load_proc, "glObjectLabelKHR");
-  if (api.ObjectLabel == nullptr && version >= 32) load_one(api.ObjectLabel, load_proc, "glObjectLabel");
+  const auto has = [&](const char* name) { return has_word(api.GetString(kGlExtensions), name); };
+  auto& label = api.ObjectLabel;
+  if (has("GL_KHR_debug")) load_one(label, load_proc, "glObjectLabelKHR");
+  if (label == nullptr && version >= 32) load_one(label, load_proc, "glObjectLabel");
+  auto& reset = api.GetGraphicsResetStatus;
+  if (has("GL_KHR_robustness")) load_one(reset, load_proc, "glGetGraphicsResetStatusKHR");
+  if (reset == nullptr && has("GL_EXT_robustness")) load_one(reset, load_proc, "glGetGraphicsResetStatusEXT");
+  if (reset == nullptr && version >= 32) load_one(reset, load_proc, "glGetGraphicsResetStatus");
 }
 
 }  // namespace
@@ -61,9 +67,13 @@ Status load_api(Api& api, void* (*load_proc)(const char* name), const char** mis
 #define MARROW_LOAD(Result, Name, Parameters) load_one(loaded.Name, load_proc, "gl" #Name);
   MARROW_GLES31_FUNCTIONS(MARROW_LOAD)
 #undef MARROW_LOAD
-  load_debug(loaded, load_proc);
+  load_extensions(loaded, load_proc);
   api = loaded;
   return Status::ok;
+}
+
+bool context_was_reset(const Api& api) {
+  return api.GetGraphicsResetStatus != nullptr && api.GetGraphicsResetStatus() != kGlNoError;
 }
 
 Status query_caps(const Api& api, Caps& caps) {

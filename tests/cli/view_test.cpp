@@ -108,6 +108,44 @@ TEST_F(ViewTest, OptionsAreWhereThePanelBegins) {
   EXPECT_LT(difference(plain, shot(cpu), kPanelPixels, kWindowWidth), 0.01);
 }
 
+// With a driver that is reset as a frame ends, `at` of them in the process: the window comes back with what it showed.
+TEST_F(ViewTest, OutlivesAResetOfTheDriver) {
+  const std::vector<std::string> options = {"--clip", "wave", "--time", "0.5"};
+  const std::vector<png_byte> plain = shot(options);
+  const auto spoilt = [&](const char* at) {
+    std::vector<std::string> all = {"xvfb-run",
+                                    "-a",
+                                    "-s",
+                                    "-screen 0 800x600x24",
+                                    "env",
+                                    "LD_PRELOAD=" MARROW_RESET_SHIM,
+                                    std::string("MARROW_RESET_AT=") + at,
+                                    MARROW_PROGRAM,
+                                    "view",
+                                    mrw(),
+                                    "--size",
+                                    "480x360",
+                                    "--screenshot",
+                                    folder_ / "s.png",
+                                    "--frames",
+                                    "3"};
+    all.insert(all.end(), options.begin(), options.end());
+    return run_program(all);
+  };
+  const std::string message = "OpenGL ES: the graphics processor was reset: ";
+  const Ran twice = spoilt("9 18");
+  EXPECT_EQ(twice.code, 0) << twice.err;
+  const std::size_t first = twice.err.find(message + "the window is opened anew");
+  ASSERT_NE(first, std::string::npos) << twice.err;
+  EXPECT_NE(twice.err.find(message, first + 1), std::string::npos) << twice.err;
+  EXPECT_LT(difference(plain, picture(folder_ / "s.png", kWindowWidth, kWindowHeight), kPanelPixels, kWindowWidth),
+            0.001);
+  // Before there is a frame there is no use in another try.
+  const Ran always = spoilt("1");
+  EXPECT_EQ(always.code, 5) << always.err;
+  EXPECT_NE(always.err.find(message + "try again"), std::string::npos) << always.err;
+}
+
 TEST_F(ViewTest, SaysWhatIsWrong) {
   const Ran joint = view({"--weights", "nose", "--screenshot", folder_ / "w.png"});
   EXPECT_EQ(joint.code, 1);

@@ -1,6 +1,7 @@
 #include "gl/faulty_driver.h"
 
 #include <type_traits>
+#include <utility>
 
 namespace marrow::test {
 namespace {
@@ -82,6 +83,11 @@ void catch_objects(gles3::Api& api) {
   };
 }
 
+// Told once, then the reset is over.
+void catch_resets(gles3::Api& api) {
+  api.GetGraphicsResetStatus = [] { return std::exchange(driver().reset, 0u); };
+}
+
 void catch_memory(gles3::Api& api) {
   api.GetError = [] {
     if (driver().is_lost()) return kContextLost;
@@ -139,9 +145,11 @@ gles3::Api faulty_api(const gles3::Api& real) {
   MARROW_GLES3_FUNCTIONS(MARROW_THROUGH)
   MARROW_GLES31_FUNCTIONS(MARROW_THROUGH)
   MARROW_KHR_DEBUG_FUNCTIONS(MARROW_THROUGH)
+  MARROW_ROBUSTNESS_FUNCTIONS(MARROW_THROUGH)
 #undef MARROW_THROUGH
   catch_objects(api);
   catch_memory(api);
+  catch_resets(api);
   return api;
 }
 

@@ -18,6 +18,7 @@ struct FaultyDriver {
   std::int64_t full_after = -1;               // allocations; from then on they fail
   std::int64_t allocations = 0;               // glBufferData and glTexImage2D with a size
   std::int64_t uploaded_bytes = 0;            // by them with data, and by their Sub forms
+  unsigned reset = 0;                         // that glGetGraphicsResetStatus has not told yet
   unsigned error = 0;                         // that glGetError has not told yet
   std::map<std::string, std::int64_t> count;  // calls by name
   std::int64_t live = 0;                      // objects made and not deleted

@@ -48,6 +48,7 @@ Gl::Gl(std::unique_ptr<egl::HeadlessContext> context, LoadProc load_proc) : cont
 }
 
 void Gl::check(const char* doing) const {
+  if (gles3::context_was_reset(*this)) throw ContextLost(driver_);
   const GLenum error = GetError();
   if (error == GL_NO_ERROR) return;
   char code[16];

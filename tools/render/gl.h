@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "common/failure.h"
 #include "marrow/egl.h"
 #include "marrow/gles3.h"
 
@@ -50,6 +51,14 @@ struct GlFunctions : gles3::Api {
 #undef MARROW_MEMBER
 };
 
+// The graphics processor was reset and has taken the context along.
+class ContextLost : public Failure {
+ public:
+  explicit ContextLost(const std::string& driver)
+      : Failure(Exit::internal, "OpenGL ES", "", "the graphics processor was reset",
+                "try again; the driver: " + driver) {}
+};
+
 // A current OpenGL ES 3.0 context. Throws Failure (unsupported) where there is none.
 class Gl : public GlFunctions {
  public:
@@ -65,7 +74,8 @@ class Gl : public GlFunctions {
   const gles3::Caps& caps() const { return caps_; }
   // "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL ES 3.2 Mesa 22.3.6"
   const std::string& driver() const { return driver_; }
-  // Throws Failure (internal) if GL has recorded an error since the last check; `doing` says during what.
+  // At least once a frame. Throws ContextLost, or Failure (internal) if GL has recorded an error since the last check;
+  // `doing` says during what.
   void check(const char* doing) const;
 
  private:

@@ -77,7 +77,8 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
 class View {
  public:
   // What can be wrong with the arguments is found before there is a window.
-  explicit View(const ViewArguments& arguments)
+  // settings: to begin with; none: the arguments'.
+  View(const ViewArguments& arguments, const std::optional<Settings>& settings)
       : arguments_(arguments),
         size_(parse_size(arguments.size)),
         pair_(parse_pair(arguments.heatmap)),
@@ -89,10 +90,10 @@ class View {
         gl_(Window::load_proc),
         painter_(gl_),
         actor_(gl_, arguments, std::move(loaded_), std::move(chosen_)),
-        settings_(first_settings(arguments, pair_, actor_)),
+        settings_(settings ? *settings : first_settings(arguments, pair_, actor_)),
         studio_(gl_, 1, 1) {
     // The processor draws a quarter of a million soft shadows in a second or so.
-    if (arguments.screenshot.empty() && drawn_by_processor(gl_)) settings_.coarseness = 3;
+    if (!settings && arguments.screenshot.empty() && drawn_by_processor(gl_)) settings_.coarseness = 3;
   }
 
   void run() {
@@ -113,6 +114,8 @@ class View {
     return read_pixels(gl_, 0, width, height);
   }
   const Gl& gl() const { return gl_; }
+  const Settings& settings() const { return settings_; }
+  int frames() const { return frames_; }
 
  private:
   // Since the last call.
@@ -139,6 +142,7 @@ class View {
     ImGui::Render();
     painter_.paint(*ImGui::GetDrawData());
     gl_.check("drawing the panel");
+    ++frames_;
   }
 
   void draw_picture(int x, int width, int height, float left) {
@@ -173,17 +177,32 @@ class View {
   FrameTimes times_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   bool first_ = true;
+  int frames_ = 0;
 };
 
-}  // namespace
-
-void run_view(const ViewArguments& arguments) {
-  View view(arguments);
+void run_to_the_end(const ViewArguments& arguments, View& view) {
   if (arguments.screenshot.empty()) return view.run();
   const Image image = view.run_for(arguments.frames);
   write_png(arguments.screenshot, image);
   std::fprintf(stderr, "%s: %dx%d, %s\n", arguments.screenshot.c_str(), image.width, image.height,
                view.gl().driver().c_str());
+}
+
+}  // namespace
+
+void run_view(const ViewArguments& arguments) {
+  std::optional<Settings> settings;
+  while (true) {
+    View view(arguments, settings);
+    try {
+      return run_to_the_end(arguments, view);
+    } catch (const ContextLost& lost) {
+      // GLFW cannot give a window another context. Without a frame between two losses it would go on for ever.
+      if (view.frames() == 0) throw;
+      std::fprintf(stderr, "%s: %s: the window is opened anew\n", lost.file().c_str(), lost.rule().c_str());
+      settings = view.settings();
+    }
+  }
 }
 
 }  // namespace marrow::tools

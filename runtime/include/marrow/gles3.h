@@ -22,6 +22,7 @@ struct Api {
   MARROW_GLES3_FUNCTIONS(MARROW_MEMBER)
   MARROW_GLES31_FUNCTIONS(MARROW_MEMBER)
   MARROW_KHR_DEBUG_FUNCTIONS(MARROW_MEMBER)
+  MARROW_ROBUSTNESS_FUNCTIONS(MARROW_MEMBER)
 #undef MARROW_MEMBER
 };
 
@@ -30,8 +31,16 @@ struct Api {
 // put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
 //
 // ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
-// and drivers' tools ("newt: surface"); set to null, they are not.
+// and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
+// GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
 Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
+
+// Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
+// Then call on_context_lost() for each object that has it, destroy the context, make another, and call
+// on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
+// a reset (EGL_LOSE_CONTEXT_ON_RESET, as marrow::egl::HeadlessContext asks for); other contexts never tell, and
+// platforms have ways of their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+bool context_was_reset(const Api& api);
 
 // Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
 // lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For

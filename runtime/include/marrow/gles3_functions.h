@@ -1,5 +1,5 @@
 // The OpenGL ES functions that marrow::gles3 calls: X(return type, name without "gl", parameters). Those of 3.0 must be
-// there, those of 3.1 and of KHR_debug may be missing.
+// there, those of 3.1 and of extensions may be missing.
 //
 // Spelt in plain C types, which are what the GL types are on every platform, so that neither Khronos' headers nor a
 // particular loader are needed to include this.
@@ -82,3 +82,5 @@
   X(void, MemoryBarrier, (unsigned barriers))
 
 #define MARROW_KHR_DEBUG_FUNCTIONS(X) X(void, ObjectLabel, (unsigned kind, unsigned name, int size, const char* text))
+
+#define MARROW_ROBUSTNESS_FUNCTIONS(X) X(unsigned, GetGraphicsResetStatus, ())

@@ -17,6 +17,8 @@ class HeadlessContext {
   // EGL insists on a surface it gets one pixel.
   // Tried in this order: ANGLE on Vulkan in software, if the EGL library in the process is ANGLE's; Mesa's surfaceless
   // platform; the default display.
+  // Where the display offers it, the context is one that is lost when the graphics processor is reset and tells so, see
+  // marrow::gles3::context_was_reset(); where that is refused, an ordinary one.
   // Errors: bad_argument if there is a context already; unsupported, with error() saying which step refused and EGL's
   // error code.
   Status create(int major = 3, int minor = 0);
@@ -25,6 +27,8 @@ class HeadlessContext {
   const char* error() const { return error_; }
   // Which of the three it came to: "ANGLE", "surfaceless" or "default display".
   const char* platform() const { return platform_; }
+  // Whether the context tells of resets.
+  bool tells_of_resets() const { return tells_of_resets_; }
 
  private:
   bool open_display();
@@ -36,6 +40,7 @@ class HeadlessContext {
   void* context_ = nullptr;
   void* surface_ = nullptr;
   bool initialised_ = false;
+  bool tells_of_resets_ = false;
   const char* platform_ = "";
   char error_[128] = {};
 };
