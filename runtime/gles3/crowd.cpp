@@ -6,6 +6,7 @@
 #include "gles3/compile.h"
 #include "gles3/errors.h"
 #include "gles3/label.h"
+#include "gles3/program_set.h"
 #include "gles3/texture.h"
 
 namespace marrow::embedded {
@@ -23,12 +24,36 @@ bool is_there(std::uint32_t first, std::uint32_t count, const Crowd& crowd) {
   return first <= crowd.count && count <= crowd.count - first;
 }
 
-// Instances of one line from `first` on, or whole lines of them.
-void put(const Api& api, std::uint32_t first, std::uint32_t count, const std::byte* records) {
-  const std::uint32_t lines = count <= kLine ? 1 : count / kLine;
-  api.TexSubImage2D(kGlTexture2d, 0, static_cast<int>(first % kLine * kTexels), static_cast<int>(first / kLine),
-                    static_cast<int>(count / lines * kTexels), static_cast<int>(lines), kGlRgbaInteger, kGlUnsignedInt,
-                    records);
+// Of the instances, into the texture that is bound: the rest of a line, whole lines, the start of one.
+void put(const Api& api, const Crowd& crowd, std::uint32_t first, std::uint32_t count) {
+  for (const std::uint32_t end = first + count; first < end; first += count) {
+    const std::uint32_t to_line_end = kLine - first % kLine;
+    count = end - first;
+    std::uint32_t lines = 1;
+    if (count > to_line_end) {
+      lines = to_line_end < kLine ? 1 : count / kLine;
+      count = to_line_end < kLine ? to_line_end : lines * kLine;
+    }
+    api.TexSubImage2D(kGlTexture2d, 0, static_cast<int>(first % kLine * kTexels), static_cast<int>(first / kLine),
+                      static_cast<int>(count / lines * kTexels), static_cast<int>(lines), kGlRgbaInteger,
+                      kGlUnsignedInt, crowd.records.data + std::size_t{first} * kCrowdInstanceBytes);
+  }
+}
+
+Status make_object(const Api& api, const Caps& caps, Crowd& crowd) {
+  if (caps.texture_size < kWidth || (crowd.capacity - 1) / kLine >= caps.texture_size) return Status::unsupported;
+  forget_errors(api);
+  const std::uint32_t lines = (crowd.capacity - 1) / kLine + 1;
+  crowd.texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, lines);
+  put(api, crowd, 0, crowd.count);
+  api.BindTexture(kGlTexture2d, 0);
+  if (api.GetError() != kGlNoError) {
+    api.DeleteTextures(1, &crowd.texture);
+    crowd.texture = 0;
+    return Status::gl_error;
+  }
+  label(api, kGlTexture, crowd.texture, {"marrow: crowd"});
+  return Status::ok;
 }
 
 // What both programs read: palettes or frames, and instances.
@@ -42,69 +67,90 @@ void bind_textures(const Api& api, const Program& program, std::uint32_t palette
   if (program.instances >= 0) api.Uniform1i(program.instances, static_cast<int>(unit + 1));
 }
 
+// What the mesh needs is no choice.
+ProgramKey drawing_key(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features) {
+  int read = mesh.gpu.features & (features | kSurfaceNormals);
+  if (deformer != Deformer::as) read &= ~kSurfaceNormals;
+  return {deformer, mesh.gpu.influences, static_cast<std::uint8_t>(read), Palettes::crowd};
+}
+
 }  // namespace
 
-Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Crowd& out) {
-  if (capacity == 0) return Status::bad_argument;
-  if (caps.texture_size < kWidth || (capacity - 1) / kLine >= caps.texture_size) return Status::unsupported;
+Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory, Crowd& out) {
+  if (capacity == 0 || memory.size / kCrowdInstanceBytes < capacity) return Status::bad_argument;
+  if (reinterpret_cast<std::uintptr_t>(memory.data) % alignof(std::uint32_t) != 0) return Status::bad_argument;
   Crowd made;
   made.capacity = capacity;
-  forget_errors(api);
-  made.texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, (capacity - 1) / kLine + 1);
-  api.BindTexture(kGlTexture2d, 0);
-  if (api.GetError() != kGlNoError) {
-    destroy(api, made);
-    return Status::gl_error;
-  }
-  label(api, kGlTexture, made.texture, {"marrow: crowd"});
-  out = made;
-  return Status::ok;
+  made.records = {memory.data, std::size_t{capacity} * kCrowdInstanceBytes};
+  const Status status = make_object(api, caps, made);
+  if (status == Status::ok) out = made;
+  return status;
 }
 
 void destroy(const Api& api, Crowd& crowd) {
-  api.DeleteTextures(1, &crowd.texture);
+  if (!crowd.lost) api.DeleteTextures(1, &crowd.texture);
   crowd = {};
 }
 
+void on_context_lost(Crowd& crowd) {
+  crowd.texture = 0;
+  crowd.lost = true;
+}
+
+Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd) {
+  const Status status = make_object(api, caps, crowd);
+  crowd.lost = status != Status::ok;
+  return status;
+}
+
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
-                     Span<const CrowdInstance> instances, Span<std::byte> scratch) {
-  if (instances.empty() || first > crowd.count || scratch.size < kCrowdInstanceBytes) return Status::bad_argument;
+                     Span<const CrowdInstance> instances) {
+  if (instances.empty() || first > crowd.count) return Status::bad_argument;
   if (crowd.count != 0 && frames.frame_count != crowd.frame_count) return Status::bad_argument;
   if (first > crowd.capacity || instances.size > crowd.capacity - first) return Status::unsupported;
   Status status = check_frames(frames);
   for (std::size_t i = 0; status == Status::ok && i < instances.size; ++i)
     status = check_instance(frames, instances[i]);
   if (status != Status::ok) return status;
-  const std::size_t room = scratch.size / kCrowdInstanceBytes;
-  api.BindTexture(kGlTexture2d, crowd.texture);
-  for (std::size_t done = 0; done < instances.size;) {
-    const auto at = first + static_cast<std::uint32_t>(done);
-    const std::size_t to_line_end = kLine - at % kLine;
-    std::size_t count = instances.size - done < room ? instances.size - done : room;
-    if (count > to_line_end) count = to_line_end < kLine ? to_line_end : count / kLine * kLine;
-    for (std::size_t i = 0; i < count; ++i) {
-      const CrowdRecord record = record_of(frames, instances[done + i]);
-      std::memcpy(scratch.data + i * sizeof(record), &record, sizeof(record));
-    }
-    put(api, at, static_cast<std::uint32_t>(count), scratch.data);
-    done += count;
+  for (std::size_t i = 0; i < instances.size; ++i) {
+    const CrowdRecord record = record_of(frames, instances[i]);
+    std::memcpy(crowd.records.data + (first + i) * sizeof(record), &record, sizeof(record));
   }
-  api.BindTexture(kGlTexture2d, 0);
-  const std::uint32_t end = first + static_cast<std::uint32_t>(instances.size);
-  if (crowd.count < end) crowd.count = end;
+  const auto count = static_cast<std::uint32_t>(instances.size);
+  if (crowd.count < first + count) crowd.count = first + count;
   crowd.frame_count = frames.frame_count;
+  if (crowd.lost) return Status::ok;
+  api.BindTexture(kGlTexture2d, crowd.texture);
+  put(api, crowd, first, count);
+  api.BindTexture(kGlTexture2d, 0);
   return Status::ok;
 }
 
 Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
   clear(log);
-  ProgramKey key;
-  key.deformer = Deformer::none;
-  key.features = 0;
   const auto text = [](const unsigned char* embedded) { return reinterpret_cast<const char*>(embedded); };
   ShaderTexts texts{text(embedded::shader_crowd_vert), text(embedded::shader_crowd_frag), nullptr, {}};
   texts.role = "blending of crowds";
-  return compile_program(api, key, texts, 0, out, log);
+  return compile_program(api, kBlendingKey, texts, 0, out, log);
+}
+
+Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
+                            std::uint8_t features, ProgramSet& programs) {
+  if (deformer == Deformer::none || programs.role_count == 0 || programs.role_count > kMostRoles)
+    return Status::bad_argument;
+  Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
+  for (std::uint32_t role = 0; role < programs.role_count && status == Status::ok; ++role)
+    status = need_program(api, caps, programs, drawing_key(mesh, deformer, features), role);
+  return status;
+}
+
+const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
+                                const ProgramSet& programs, std::uint32_t role) {
+  return program_or_none(find_program(programs, drawing_key(mesh, deformer, features), role));
+}
+
+const Program& blending_program_of(const ProgramSet& programs) {
+  return program_or_none(find_program(programs, kBlendingKey, kBlendingRole));
 }
 
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
@@ -114,6 +160,7 @@ Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, st
   const Status status = to_ticks(time_s, now);
   if (status != Status::ok || count == 0) return status;
   if (crowd.frame_count != mesh.frame_count) return Status::bad_argument;
+  if (crowd.lost || mesh.lost) return Status::gl_error;
   if (first + count > mesh.capacity) return Status::unsupported;
   // Whole lines: of instances that share one with these too.
   const std::uint32_t rows = 3 * mesh.joints;
@@ -136,6 +183,7 @@ Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std
   if (program.reads != Palettes::crowd || mesh.joints == 0 || !is_there(first, count, crowd))
     return Status::bad_argument;
   if (crowd.frame_count != mesh.frame_count) return Status::bad_argument;
+  if (crowd.lost || mesh.lost) return Status::gl_error;
   if (first + count > mesh.capacity) return Status::unsupported;
   bind_textures(api, program, mesh.blended_texture, crowd.texture, texture_unit);
   const std::uint32_t rows = 3 * mesh.joints;

@@ -5,6 +5,7 @@
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
+#include "gles3/memory.h"
 #include "gles3/texture.h"
 #include "marrow/palette.h"
 
@@ -25,16 +26,29 @@ void put_lines(const Api& api, std::uint32_t line, std::uint32_t lines, const Af
                     kGlRgba, kGlFloat, matrices);
 }
 
+std::size_t room_for_palettes(const Mesh& mesh) {
+  return kChunk + mesh.palette_size();
+}
+
+void lay_out(Memory& memory, const Mesh& mesh, const PrepareOptions& options, CrowdMesh& out) {
+  out.bind = memory.take<Affine>(mesh.joint_count);
+  const std::size_t palettes = room_for_palettes(mesh) * sizeof(Affine);
+  const std::size_t vertices = prepare_scratch_bytes(mesh, options);
+  out.scratch = memory.take<std::byte>(palettes > vertices ? palettes : vertices);
+}
+
 // Palettes of all frames into the texture that is bound, three lines at a time.
-void put_frames(const Api& api, const Mesh& mesh, Span<const Affine> bind, const CrowdFrames& frames,
-                Span<Affine> scratch) {
+void put_frames(const Api& api, const CrowdMesh& crowd_mesh) {
+  const Mesh& mesh = crowd_mesh.mesh;
+  const CrowdFrames& frames = crowd_mesh.frames;
+  const Span<Affine> scratch(reinterpret_cast<Affine*>(crowd_mesh.scratch.data), room_for_palettes(mesh));
   const std::uint32_t size = mesh.palette_size();
   std::uint32_t filled = 0, line = 0;
   for (std::uint32_t frame = 0; frame < frames.frame_count; ++frame) {
     const Span<const Affine> joints(frames.character_from_joint.data + std::size_t{frame} * frames.joint_count,
                                     frames.joint_count);
-    static_cast<void>(
-        build_palette({mesh.joints, mesh.joint_count}, bind, joints, {scratch.data + filled, size}, mesh.half_joints));
+    static_cast<void>(build_palette({mesh.joints, mesh.joint_count}, crowd_mesh.bind, joints,
+                                    {scratch.data + filled, size}, mesh.half_joints));
     filled += size;
     for (; filled >= kChunk; filled -= kChunk, line += kChunkLines) {
       put_lines(api, line, kChunkLines, scratch.data);
@@ -46,6 +60,53 @@ void put_frames(const Api& api, const Mesh& mesh, Span<const Affine> bind, const
   put_lines(api, line, lines_of(1, filled), scratch.data);
 }
 
+void forget_objects(CrowdMesh& mesh) {
+  mesh.gpu = {};
+  mesh.frames_texture = mesh.blended_texture = mesh.framebuffer = 0;
+}
+
+void destroy_objects(const Api& api, CrowdMesh& mesh) {
+  const std::uint32_t textures[] = {mesh.frames_texture, mesh.blended_texture};
+  api.DeleteFramebuffers(1, &mesh.framebuffer);
+  api.DeleteTextures(2, textures);
+  destroy(api, mesh.gpu);
+  forget_objects(mesh);
+}
+
+// The textures, and the framebuffer. Errors are GL's to tell, but for the result: whether it can be drawn to.
+bool make_textures(const Api& api, CrowdMesh& mesh) {
+  mesh.frames_texture =
+      make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kWidth, lines_of(mesh.frame_count, mesh.joints));
+  put_frames(api, mesh);
+  mesh.blended_texture =
+      make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, lines_of(mesh.capacity, mesh.joints));
+  api.BindTexture(kGlTexture2d, 0);
+  api.GenFramebuffers(1, &mesh.framebuffer);
+  api.BindFramebuffer(kGlFramebuffer, mesh.framebuffer);
+  api.FramebufferTexture2D(kGlFramebuffer, kGlColorAttachment0, kGlTexture2d, mesh.blended_texture, 0);
+  const bool complete = api.CheckFramebufferStatus(kGlFramebuffer) == kGlFramebufferComplete;
+  api.BindFramebuffer(kGlFramebuffer, 0);
+  return complete;
+}
+
+// Of a mesh that has none; all of them, or none.
+Status make_objects(const Api& api, const Caps& caps, CrowdMesh& mesh) {
+  const std::uint32_t fit = crowd_palettes_that_fit(caps, mesh.joints);
+  if (mesh.frame_count > fit || mesh.capacity > fit) return Status::unsupported;
+  const Status status = prepare(api, caps, mesh.mesh, mesh.options, mesh.scratch, mesh.bind, mesh.gpu);
+  if (status != Status::ok) return status;
+  forget_errors(api);
+  const bool complete = make_textures(api, mesh);
+  if (api.GetError() != kGlNoError || !complete) {
+    destroy_objects(api, mesh);
+    return Status::gl_error;
+  }
+  label(api, kGlTexture, mesh.frames_texture, {label_of(mesh.mesh), ": frames"});
+  label(api, kGlTexture, mesh.blended_texture, {label_of(mesh.mesh), ": blended palettes"});
+  label(api, kGlFramebuffer, mesh.framebuffer, {label_of(mesh.mesh), ": blended palettes"});
+  return Status::ok;
+}
+
 }  // namespace
 
 std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints) {
@@ -53,15 +114,19 @@ std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints) {
   return static_cast<std::uint32_t>(std::uint64_t{kWidth} * caps.texture_size / (std::uint64_t{3} * joints));
 }
 
-std::size_t crowd_mesh_scratch_size(const Mesh& mesh) {
-  return kChunk + mesh.palette_size();
+std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options) {
+  CrowdMesh counted;
+  Memory memory;
+  lay_out(memory, mesh, options, counted);
+  return memory.used;
 }
 
-Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Span<const Affine> bind,
-                         const CrowdFrames& frames, std::uint32_t capacity, Span<Affine> scratch, CrowdMesh& out) {
+Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
+                         const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out) {
   if (capacity == 0 || frames.frame_count == 0 || mesh.joint_count == 0) return Status::bad_argument;
   if (check_frames(frames) != Status::ok) return Status::bad_argument;
-  if (bind.size < mesh.joint_count || scratch.size < crowd_mesh_scratch_size(mesh)) return Status::bad_argument;
+  if (memory.size < crowd_mesh_bytes(mesh, options) || reinterpret_cast<std::uintptr_t>(memory.data) % 16 != 0)
+    return Status::bad_argument;
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i)
     if (mesh.joints[i] >= frames.joint_count) return Status::bad_argument;
   if (!mesh.geometry.targets.empty()) return Status::unsupported;
@@ -69,37 +134,30 @@ Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Spa
   made.joints = mesh.palette_size();
   made.frame_count = frames.frame_count;
   made.capacity = capacity;
-  const std::uint32_t fit = crowd_palettes_that_fit(caps, made.joints);
-  if (made.frame_count > fit || capacity > fit) return Status::unsupported;
-
-  forget_errors(api);
-  made.frames_texture =
-      make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kWidth, lines_of(made.frame_count, made.joints));
-  put_frames(api, mesh, bind, frames, scratch);
-  made.blended_texture =
-      make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, lines_of(capacity, made.joints));
-  api.BindTexture(kGlTexture2d, 0);
-  api.GenFramebuffers(1, &made.framebuffer);
-  api.BindFramebuffer(kGlFramebuffer, made.framebuffer);
-  api.FramebufferTexture2D(kGlFramebuffer, kGlColorAttachment0, kGlTexture2d, made.blended_texture, 0);
-  const bool complete = api.CheckFramebufferStatus(kGlFramebuffer) == kGlFramebufferComplete;
-  api.BindFramebuffer(kGlFramebuffer, 0);
-  if (api.GetError() != kGlNoError || !complete) {
-    destroy(api, made);
-    return Status::gl_error;
-  }
-  label(api, kGlTexture, made.frames_texture, {label_of(mesh), ": frames"});
-  label(api, kGlTexture, made.blended_texture, {label_of(mesh), ": blended palettes"});
-  label(api, kGlFramebuffer, made.framebuffer, {label_of(mesh), ": blended palettes"});
-  out = made;
-  return Status::ok;
+  made.mesh = mesh;
+  made.options = options;
+  made.frames = frames;
+  Memory pieces{memory.data};
+  lay_out(pieces, mesh, options, made);
+  const Status status = make_objects(api, caps, made);
+  if (status == Status::ok) out = made;
+  return status;
 }
 
 void destroy(const Api& api, CrowdMesh& mesh) {
-  const std::uint32_t textures[] = {mesh.frames_texture, mesh.blended_texture};
-  api.DeleteFramebuffers(1, &mesh.framebuffer);
-  api.DeleteTextures(2, textures);
+  if (!mesh.lost) destroy_objects(api, mesh);
   mesh = {};
+}
+
+void on_context_lost(CrowdMesh& mesh) {
+  forget_objects(mesh);
+  mesh.lost = true;
+}
+
+Status on_context_restored(const Api& api, const Caps& caps, CrowdMesh& mesh) {
+  const Status status = make_objects(api, caps, mesh);
+  mesh.lost = status != Status::ok;
+  return status;
 }
 
 }  // namespace marrow::gles3

@@ -1,6 +1,8 @@
 // Once a kind of mesh: its programs, compiled when first asked for and again after a loss of the context.
 #include "gles3/program_set.h"
 
+#include "marrow/gles3_crowd.h"
+
 namespace marrow::gles3 {
 namespace {
 
@@ -12,6 +14,7 @@ bool same(const ProgramKey& a, const ProgramKey& b) {
 Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSet::Entry& entry) {
   if (entry.role < kMostRoles)
     return build_program(api, entry.key, set.roles[entry.role], set.palette_binding, entry.program, set.log);
+  if (entry.role == kBlendingRole) return build_crowd_program(api, entry.program, set.log);
   const auto method = static_cast<Preskin>(entry.role - kMostRoles);
   return build_preskin(api, caps, entry.key, method, set.palette_binding, entry.program, set.log);
 }

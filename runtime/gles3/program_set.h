@@ -9,8 +9,17 @@ inline constexpr std::uint32_t pre_skinning(Preskin method) {
   return kMostRoles + static_cast<std::uint32_t>(method);
 }
 
+// Of crowds.
+inline constexpr std::uint32_t kBlendingRole = kMostRoles + 2;
+inline constexpr ProgramKey kBlendingKey = {Deformer::none, 4, 0, Palettes::uniform_block};
+
 // Null if there is none.
 const Program* find_program(const ProgramSet& programs, const ProgramKey& key, std::uint32_t role);
+
+inline const Program& program_or_none(const Program* found) {
+  static constexpr Program kNone;
+  return found != nullptr ? *found : kNone;
+}
 
 // Compiles it unless it is there. Errors: unsupported (the set is full, no compute shaders); bad_argument; gl_error.
 Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, const ProgramKey& key, std::uint32_t role);

@@ -222,9 +222,7 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
 }
 
 const Program& program_of(const Skinner& s, const ProgramSet& programs, std::uint32_t role) {
-  static constexpr Program kNone;
-  const Program* const found = find_program(programs, drawing_key(s), role);
-  return found != nullptr ? *found : kNone;
+  return program_or_none(find_program(programs, drawing_key(s), role));
 }
 
 Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program, std::uint32_t first,

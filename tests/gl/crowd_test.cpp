@@ -224,11 +224,11 @@ TEST(Crowd, ARangeOfInstancesIsSetAndDrawn) {
   Troop troop(mesh, reel, kCount);
   ASSERT_TRUE(troop.ok());
   std::vector<CrowdInstance> instances = some_of_each(reel.frames, kCount, 1, 5);
-  ASSERT_EQ(troop.set(0, {instances.data(), 700}, 600), Status::ok);
+  ASSERT_EQ(troop.set(0, {instances.data(), 700}), Status::ok);
   EXPECT_EQ(troop.crowd().count, 700u);
-  ASSERT_EQ(troop.set(700, {instances.data() + 700, 800}, 70), Status::ok);
+  ASSERT_EQ(troop.set(700, {instances.data() + 700, 800}), Status::ok);
   const std::vector<CrowdInstance> others = some_of_each(reel.frames, 600, 2, 7);
-  ASSERT_EQ(troop.set(300, others, 1000), Status::ok) << "rest of a line, whole ones, and the start of one";
+  ASSERT_EQ(troop.set(300, others), Status::ok) << "rest of a line, whole ones, and the start of one";
   EXPECT_EQ(troop.crowd().count, kCount);
   std::copy(others.begin(), others.end(), instances.begin() + 300);
 
@@ -394,8 +394,7 @@ TEST(Crowd, AFrameWithoutChangesUploadsNothing) {
   }
   EXPECT_EQ(uploads, 0);
   EXPECT_EQ(small_uploads, 30) << "the time, and two numbers";
-  std::vector<std::byte> scratch(10 * gles3::kCrowdInstanceBytes);
-  ASSERT_EQ(gles3::set_instances(api, troop.crowd(), reel.frames, 250, {instances.data(), 10}, scratch), Status::ok);
+  ASSERT_EQ(gles3::set_instances(api, troop.crowd(), reel.frames, 250, {instances.data(), 10}), Status::ok);
   EXPECT_EQ(uploads, 2) << "the end of a line and the start of the next";
   gles3::destroy(gl(), program);
   while (gl().GetError() != GL_NO_ERROR) {
@@ -406,23 +405,24 @@ TEST(Crowd, MeshesRefuseBadCalls) {
   const TestCharacter character = make_character(3, 10, 5, false);
   Mesh mesh = with_box(character.mesh);
   const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
-  std::vector<Affine> bind(mesh.joint_count, Affine{}), scratch(gles3::crowd_mesh_scratch_size(mesh));
+  std::vector<SoaTransform> memory;
+  const Span<std::byte> enough = room_for(memory, gles3::crowd_mesh_bytes(mesh));
   gles3::CrowdMesh out;
-  const auto create = [&](const gles3::CrowdFrames& frames, std::uint32_t capacity, std::size_t binds, std::size_t room,
-                          const gles3::Caps& caps = {}) {
-    return gles3::create_crowd_mesh(gl(), caps, mesh, {bind.data(), binds}, frames, capacity, {scratch.data(), room},
-                                    out);
+  const auto create = [&](const gles3::CrowdFrames& frames, std::uint32_t capacity, const gles3::Caps& caps = {}) {
+    return gles3::create_crowd_mesh(gl(), caps, mesh, {}, frames, capacity, enough, out);
   };
-  EXPECT_EQ(create(reel.frames, 0, bind.size(), scratch.size()), Status::bad_argument);
-  EXPECT_EQ(create({}, 1, bind.size(), scratch.size()), Status::bad_argument);
-  EXPECT_EQ(create(reel.frames, 1, bind.size() - 1, scratch.size()), Status::bad_argument) << "half a mesh";
-  EXPECT_EQ(create(reel.frames, 1, bind.size(), scratch.size() - 1), Status::bad_argument);
+  EXPECT_EQ(create(reel.frames, 0), Status::bad_argument);
+  EXPECT_EQ(create({}, 1), Status::bad_argument);
+  for (const auto& [first, size] : {std::pair{0, enough.size - 1}, {4, enough.size}})
+    EXPECT_EQ(gles3::create_crowd_mesh(gl(), {}, mesh, {}, reel.frames, 1, {enough.data + first, size}, out),
+              Status::bad_argument)
+        << first;
   gles3::CrowdFrames frames = reel.frames;
   --frames.character_from_joint.size;
-  EXPECT_EQ(create(frames, 1, bind.size(), scratch.size()), Status::bad_argument);
+  EXPECT_EQ(create(frames, 1), Status::bad_argument);
   frames = reel.frames;
   frames.joint_count = 1;
-  EXPECT_EQ(create(frames, 1, bind.size(), scratch.size()), Status::bad_argument) << "a joint that the frames lack";
+  EXPECT_EQ(create(frames, 1), Status::bad_argument) << "a joint that the frames lack";
 
   // 2048² texels are 139 810 palettes of ten matrices.
   EXPECT_EQ(gles3::crowd_palettes_that_fit({}, 10), 139810u);
@@ -432,14 +432,14 @@ TEST(Crowd, MeshesRefuseBadCalls) {
   frames = reel.frames;
   frames.frame_count = 139811;
   frames.character_from_joint = many;
-  EXPECT_EQ(create(frames, 1, bind.size(), scratch.size()), Status::unsupported) << "too many frames";
-  EXPECT_EQ(create(reel.frames, 139811, bind.size(), scratch.size()), Status::unsupported) << "too many instances";
+  EXPECT_EQ(create(frames, 1), Status::unsupported) << "too many frames";
+  EXPECT_EQ(create(reel.frames, 139811), Status::unsupported) << "too many instances";
   gles3::Caps small;
   small.texture_size = 1024;
-  EXPECT_EQ(create(reel.frames, 1, bind.size(), scratch.size(), small), Status::unsupported);
+  EXPECT_EQ(create(reel.frames, 1, small), Status::unsupported);
   const MorphTarget target{};
   mesh.geometry.targets = {&target, 1};
-  EXPECT_EQ(create(reel.frames, 1, bind.size(), scratch.size()), Status::unsupported) << "morph targets";
+  EXPECT_EQ(create(reel.frames, 1), Status::unsupported) << "morph targets";
   EXPECT_EQ(out.frames_texture, 0u);
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
 }
@@ -449,8 +449,13 @@ TEST(Crowd, CrowdsRefuseBadCalls) {
   const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
   const Reel other(character.skeleton.view(), {{character.clip.view(), true}}, 20);
   gles3::Crowd crowd;
-  EXPECT_EQ(gles3::create_crowd(gl(), {}, 0, crowd), Status::bad_argument);
-  EXPECT_EQ(gles3::create_crowd(gl(), {}, 256 * 2048 + 1, crowd), Status::unsupported);
+  std::vector<SoaTransform> memory;
+  constexpr std::uint32_t kMost = 256 * 2048;
+  const Span<std::byte> room = room_for(memory, (kMost + 1) * gles3::kCrowdInstanceBytes);
+  EXPECT_EQ(gles3::create_crowd(gl(), {}, 0, room, crowd), Status::bad_argument);
+  EXPECT_EQ(gles3::create_crowd(gl(), {}, 2, {room.data, 255}, crowd), Status::bad_argument);
+  EXPECT_EQ(gles3::create_crowd(gl(), {}, 2, {room.data + 2, 256}, crowd), Status::bad_argument);
+  EXPECT_EQ(gles3::create_crowd(gl(), {}, kMost + 1, room, crowd), Status::unsupported);
   EXPECT_EQ(crowd.texture, 0u);
   Troop troop(with_box(character.mesh), reel, 10);
   ASSERT_TRUE(troop.ok());
@@ -458,15 +463,12 @@ TEST(Crowd, CrowdsRefuseBadCalls) {
   EXPECT_EQ(troop.set(0, {instances.data(), 0}), Status::bad_argument) << "empty";
   EXPECT_EQ(troop.set(1, {instances.data(), 1}), Status::bad_argument) << "a gap";
   EXPECT_EQ(troop.set(0, {instances.data(), 11}), Status::unsupported);
-  EXPECT_EQ(troop.set(0, {instances.data(), 1}, 0), Status::bad_argument) << "no scratch";
   instances[4].b.clip = 1;
   EXPECT_EQ(troop.set(0, {instances.data(), 10}), Status::bad_argument) << "no such clip";
   EXPECT_EQ(troop.crowd().count, 0u);
   EXPECT_EQ(troop.blend(0, 1, 0), Status::bad_argument) << "none is set";
   ASSERT_EQ(troop.set(0, {instances.data(), 4}), Status::ok);
-  std::vector<std::byte> scratch(gles3::kCrowdInstanceBytes);
-  EXPECT_EQ(gles3::set_instances(gl(), troop.crowd(), other.frames, 4, {instances.data(), 1}, scratch),
-            Status::bad_argument)
+  EXPECT_EQ(gles3::set_instances(gl(), troop.crowd(), other.frames, 4, {instances.data(), 1}), Status::bad_argument)
       << "other frames";
   EXPECT_EQ(troop.blend(0, 0, 0), Status::ok);
   EXPECT_EQ(troop.blend(0, 4, 0), Status::ok);

@@ -8,6 +8,7 @@
 #include "gl/faulty_driver.h"
 #include "gl/models.h"
 #include "gl/self_test_run.h"
+#include "gl/troop.h"
 #include "marrow/gles3_crowd.h"
 #include "support/rig.h"
 
@@ -88,7 +89,6 @@ TEST(CrowdLabels, EveryObjectHasOne) {
   const TestCharacter character = make_character(3, 10, 2, false);
   Mesh mesh = with_box(character.mesh);
   mesh.name = "newt";
-  const std::vector<Affine> bind(mesh.joint_count);
   std::uint32_t joints = 0;
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i) joints = std::max(joints, mesh.joints[i] + 1u);
   const std::vector<Affine> matrices(std::size_t{2} * joints);
@@ -98,18 +98,20 @@ TEST(CrowdLabels, EveryObjectHasOne) {
   frames.character_from_joint = matrices;
   frames.joint_count = joints;
   frames.frame_count = 2;
-  std::vector<Affine> scratch(gles3::crowd_mesh_scratch_size(mesh));
+  std::vector<SoaTransform> memory, room;
 
   gles3::Api api = faulty_api(gl());
   record_labels(api);
   gles3::Crowd crowd;
   gles3::CrowdMesh crowd_mesh;
   gles3::Program program;
-  ASSERT_EQ(gles3::create_crowd(api, {}, 10, crowd), Status::ok);
-  ASSERT_EQ(gles3::create_crowd_mesh(api, {}, mesh, bind, frames, 10, scratch, crowd_mesh), Status::ok);
+  ASSERT_EQ(gles3::create_crowd(api, {}, 10, room_for(room, 10 * gles3::kCrowdInstanceBytes), crowd), Status::ok);
+  ASSERT_EQ(gles3::create_crowd_mesh(api, {}, mesh, {}, frames, 10, room_for(memory, gles3::crowd_mesh_bytes(mesh)),
+                                     crowd_mesh),
+            Status::ok);
   ASSERT_EQ(gles3::build_crowd_program(api, program), Status::ok);
-  EXPECT_EQ(driver().live, 5);
-  EXPECT_EQ(driver().label_count, 5);
+  EXPECT_EQ(driver().live, 5 + 6) << "those of prepare() too";
+  EXPECT_EQ(driver().label_count, driver().live);
   const auto text = [](unsigned kind, unsigned name) { return driver().labels[{kind, name}].text; };
   EXPECT_EQ(text(GL_TEXTURE, crowd.texture), "marrow: crowd");
   EXPECT_EQ(text(GL_TEXTURE, crowd_mesh.frames_texture), "newt: frames");

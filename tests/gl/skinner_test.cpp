@@ -1,8 +1,6 @@
 // A mesh as several characters by every path: the same picture, whatever happens to the context and to memory.
 #include <cstring>
-#include <functional>
 #include <set>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include "gl/feedback.h"
 #include "gl/models.h"
 #include "gl/reports.h"
+#include "gl/stage.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 
@@ -18,7 +17,6 @@ namespace {
 
 using gles3::Path;
 
-constexpr int kSide = 128;
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::int64_t kLossesOfAPath = 4;
 #else
@@ -44,61 +42,6 @@ in vec3 colour_of_normal;
 out vec4 colour;
 void main() { colour = vec4(colour_of_normal, 1.0); }
 )";
-
-// A context of its own, and a small picture to draw in. Current on the thread that made it.
-class Stage {
- public:
-  Stage() {
-    EXPECT_EQ(context_.create(), Status::ok) << context_.error();
-    EXPECT_EQ(gles3::load_api(real_, egl::load_proc), Status::ok);
-    EXPECT_EQ(gles3::query_caps(real_, caps_), Status::ok);
-    static_cast<gles3::Api&>(gl_) = real_;
-#define MARROW_LOAD(Result, Name, Parameters) \
-  gl_.Name = reinterpret_cast<Result(*) Parameters>(egl::load_proc("gl" #Name));
-    MARROW_TOOL_GL_FUNCTIONS(MARROW_LOAD)
-#undef MARROW_LOAD
-    GLuint buffers[2] = {}, framebuffer = 0;
-    gl_.GenRenderbuffers(2, buffers);
-    gl_.GenFramebuffers(1, &framebuffer);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    const GLenum formats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24}, places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-    for (std::size_t i = 0; i < 2; ++i) {
-      gl_.BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-      gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, formats[i], kSide, kSide);
-      gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, buffers[i]);
-    }
-    gl_.Viewport(0, 0, kSide, kSide);
-    real_.Enable(GL_DEPTH_TEST);
-  }
-  const gles3::Api& real() const {
-    return real_;
-  }
-  const gles3::Caps& caps() const {
-    return caps_;
-  }
-  void clear() const {
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  }
-  std::vector<std::uint8_t> picture() const {
-    std::vector<std::uint8_t> out(std::size_t{4} * kSide * kSide);
-    gl_.ReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
-    return out;
-  }
-  unsigned error() const {
-    return real_.GetError();
-  }
-
- private:
-  egl::HeadlessContext context_;
-  tools::GlFunctions gl_;
-  gles3::Api real_;
-  gles3::Caps caps_;
-};
-
-// Contexts are current on one thread: these tests do not disturb that of the others.
-void on_a_thread(const std::function<void()>& test) {
-  std::thread(test).join();
-}
 
 // One mesh of a model, and what its characters do.
 struct Scene {
@@ -205,7 +148,7 @@ TEST(Skinner, EveryPathDrawsTheSame) {
           const std::vector<std::uint8_t> picture = stage.picture();
           EXPECT_GT(covered(picture), 500u) << to_string(way);
           if (first.empty()) first = picture;
-          EXPECT_LE(different(first, picture), std::size_t{kSide} * kSide / 1000) << to_string(way);
+          EXPECT_LE(different(first, picture), std::size_t{kStageSide} * kStageSide / 1000) << to_string(way);
           gles3::destroy(stage.real(), player.skinner);
           gles3::destroy(stage.real(), player.programs);
           EXPECT_EQ(stage.error(), 0u);

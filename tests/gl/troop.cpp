@@ -41,12 +41,12 @@ Reel::Reel(const Skeleton& of, std::vector<gles3::CrowdSource> what, float rate_
 Troop::Troop(const Mesh& mesh, const Reel& reel, std::uint32_t capacity, Span<const float> tangents) : reel_(reel) {
   gles3::PrepareOptions options;
   options.as_tangents = tangents;
-  std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh, options));
-  std::vector<Affine> bind(mesh.joint_count), room(gles3::crowd_mesh_scratch_size(mesh));
   const gles3::Caps caps;  // the least that GLES 3.0 promises
-  ok_ = gles3::prepare(gl(), caps, mesh, options, scratch, bind, gpu_) == Status::ok &&
-        gles3::create_crowd_mesh(gl(), caps, mesh, bind, reel.frames, capacity, room, crowd_mesh_) == Status::ok &&
-        gles3::create_crowd(gl(), caps, capacity, crowd_) == Status::ok;
+  ok_ = gles3::create_crowd_mesh(gl(), caps, mesh, options, reel.frames, capacity,
+                                 room_for(mesh_memory_, gles3::crowd_mesh_bytes(mesh, options)),
+                                 crowd_mesh_) == Status::ok &&
+        gles3::create_crowd(gl(), caps, capacity, room_for(crowd_memory_, capacity * gles3::kCrowdInstanceBytes),
+                            crowd_) == Status::ok;
   EXPECT_TRUE(ok_);
   // A draw call wants a complete framebuffer even if nothing is rasterised.
   colour_ = tools::GlRenderbuffer(gl());
@@ -58,14 +58,12 @@ Troop::Troop(const Mesh& mesh, const Reel& reel, std::uint32_t capacity, Span<co
 }
 
 Troop::~Troop() {
-  gles3::destroy(gl(), gpu_);
   gles3::destroy(gl(), crowd_mesh_);
   gles3::destroy(gl(), crowd_);
 }
 
-Status Troop::set(std::uint32_t first, Span<const gles3::CrowdInstance> instances, std::size_t at_a_time) {
-  std::vector<std::byte> scratch(at_a_time * gles3::kCrowdInstanceBytes);
-  return gles3::set_instances(gl(), crowd_, reel_.frames, first, instances, scratch);
+Status Troop::set(std::uint32_t first, Span<const gles3::CrowdInstance> instances) {
+  return gles3::set_instances(gl(), crowd_, reel_.frames, first, instances);
 }
 
 Status Troop::blend(std::uint32_t first, std::uint32_t count, double time_s, const gles3::Api& api) {
@@ -77,12 +75,12 @@ std::vector<Skinned> Troop::capture(gles3::Deformer deformer, std::uint32_t firs
                                     std::uint32_t vertices) {
   static const auto draw_instanced =
       reinterpret_cast<void (*)(GLenum, GLint, GLsizei, GLsizei)>(egl::load_proc("glDrawArraysInstanced"));
-  if (vertices == 0) vertices = gpu_.slot_count;
-  gles3::ProgramKey key{deformer, gpu_.influences, gpu_.features, gles3::Palettes::crowd};
+  if (vertices == 0) vertices = gpu().slot_count;
+  gles3::ProgramKey key{deformer, gpu().influences, gpu().features, gles3::Palettes::crowd};
   const gles3::Program& with = drawing_program(key);
   gl().UseProgram(with.id);
   EXPECT_EQ(gles3::bind_crowd(gl(), crowd_, crowd_mesh_, first, count, 1, with), Status::ok);
-  if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
+  if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu().coordinate_scale);
 
   const tools::GlBuffer buffer(gl());
   const std::size_t floats = kFeedbackFloats * vertices * count;
@@ -92,7 +90,7 @@ std::vector<Skinned> Troop::capture(gles3::Deformer deformer, std::uint32_t firs
   gl().BindFramebuffer(GL_FRAMEBUFFER, target_);
   gl().Enable(GL_RASTERIZER_DISCARD);
   gl().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-  gl().BindVertexArray(deformer == gles3::Deformer::as ? gpu_.as_array : gpu_.ssd_array);
+  gl().BindVertexArray(deformer == gles3::Deformer::as ? gpu().as_array : gpu().ssd_array);
   gl().BeginTransformFeedback(GL_POINTS);
   draw_instanced(GL_POINTS, 0, static_cast<GLsizei>(vertices), static_cast<GLsizei>(count));
   gl().EndTransformFeedback();

@@ -19,6 +19,12 @@ struct Reel {
   gles3::CrowdFrames frames;
 };
 
+// At least so many bytes, 16-byte aligned, for as long as `memory` stays.
+inline Span<std::byte> room_for(std::vector<SoaTransform>& memory, std::size_t bytes) {
+  memory.resize(bytes / sizeof(SoaTransform) + 1);
+  return {reinterpret_cast<std::byte*>(memory.data()), bytes};
+}
+
 class Troop {
  public:
   // Fails the current test and leaves ok() false if a step refuses. tangents: from as_tangents(), or empty.
@@ -28,11 +34,10 @@ class Troop {
   Troop& operator=(const Troop&) = delete;
 
   bool ok() const { return ok_; }
-  const gles3::GpuMesh& gpu() const { return gpu_; }
+  const gles3::GpuMesh& gpu() const { return crowd_mesh_.gpu; }
   const gles3::CrowdMesh& mesh() const { return crowd_mesh_; }
   gles3::Crowd& crowd() { return crowd_; }
-  // Few at a time go up, so that a line of the texture takes several pieces.
-  Status set(std::uint32_t first, Span<const gles3::CrowdInstance> instances, std::size_t at_a_time = 100);
+  Status set(std::uint32_t first, Span<const gles3::CrowdInstance> instances);
   Status blend(std::uint32_t first, std::uint32_t count, double time_s, const gles3::Api& api = gl());
   // Of each instance its first `vertices` slots, as blended; 0: all.
   std::vector<Skinned> capture(gles3::Deformer deformer, std::uint32_t first, std::uint32_t count,
@@ -40,7 +45,7 @@ class Troop {
 
  private:
   const Reel& reel_;
-  gles3::GpuMesh gpu_;
+  std::vector<SoaTransform> mesh_memory_, crowd_memory_;
   gles3::CrowdMesh crowd_mesh_;
   gles3::Crowd crowd_;
   tools::GlRenderbuffer colour_;

@@ -32,7 +32,7 @@ bool is_morphed(const File& file, const Mesh& mesh, const Play::Part* part) {
 }  // namespace
 
 BakedPlay::BakedPlay(const Gl& gl, const std::string& path, const File& file, const Play& play, std::uint32_t level,
-                     const std::vector<std::vector<Affine>>& binds)
+                     const std::vector<std::vector<float>>& tangents)
     : gl_(gl), reels_(file.skeleton_count()), meshes_(file.mesh_count()) {
   std::vector<char> log(1024);
   if (gles3::build_crowd_program(gl, program_, log) != Status::ok)
@@ -46,9 +46,12 @@ BakedPlay::BakedPlay(const Gl& gl, const std::string& path, const File& file, co
     meshes_[i].skeleton = mesh.skeleton;
     Reel& reel = reels_[mesh.skeleton];
     if (reel.matrices.empty()) bake(path, file.skeleton(mesh.skeleton), part == nullptr ? nullptr : &part->clip, reel);
-    std::vector<Affine> scratch(gles3::crowd_mesh_scratch_size(mesh));
-    const Status status =
-        gles3::create_crowd_mesh(gl, gl.caps(), mesh, binds[i], reel.frames, 1, scratch, meshes_[i].gpu);
+    gles3::PrepareOptions options;
+    options.as_tangents = tangents[i];
+    AlignedBytes& memory = meshes_[i].memory;
+    memory = AlignedBytes(gles3::crowd_mesh_bytes(mesh, options));
+    const Status status = gles3::create_crowd_mesh(gl, gl.caps(), mesh, options, reel.frames, 1,
+                                                   {memory.data(), memory.size()}, meshes_[i].gpu);
     if (status == Status::unsupported) refuse(path, where, "more frames than a crowd's texture holds");
     check(status);
   }
@@ -83,17 +86,16 @@ void BakedPlay::bake(const std::string& path, const Skeleton& skeleton, const Cl
     std::vector<SoaTransform> scratch(skeleton.soa_size());
     check(gles3::bake_crowd(skeleton, {&source, 1}, {&reel.clip, 1}, scratch, reel.matrices, reel.frames));
   }
-  check(gles3::create_crowd(gl_, gl_.caps(), 1, reel.crowd));
+  check(gles3::create_crowd(gl_, gl_.caps(), 1, {reel.instance, sizeof(reel.instance)}, reel.crowd));
 }
 
 void BakedPlay::blend(float time_s) {
-  alignas(std::uint32_t) std::byte scratch[gles3::kCrowdInstanceBytes];
   for (Reel& reel : reels_) {
     if (reel.matrices.empty()) continue;
     // The moment is the phase, which is finer than the ticks of the crowd's clock.
     gles3::CrowdInstance instance;
     instance.a = {0, time_s, 0, 0};
-    check(gles3::set_instances(gl_, reel.crowd, reel.frames, 0, {&instance, 1}, {scratch, sizeof(scratch)}));
+    check(gles3::set_instances(gl_, reel.crowd, reel.frames, 0, {&instance, 1}));
   }
   gl_.UseProgram(program_.id);
   for (const BakedMesh& mesh : meshes_)

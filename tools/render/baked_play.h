@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/aligned_bytes.h"
 #include "marrow/gles3_crowd.h"
 #include "pose/evaluate.h"
 #include "render/gl.h"
@@ -13,11 +14,11 @@ namespace marrow::tools {
 
 class BakedPlay {
  public:
-  // Bakes at 30 Hz; skeletons that play nothing rest. binds: of each mesh, as prepare() wrote them for this level.
-  // path: of `file`, for messages. `gl` outlives it. Throws Failure (unsupported): morph targets that the play moves,
-  // an additive clip, more frames than crowds have.
+  // Bakes at 30 Hz; skeletons that play nothing rest. tangents: of each mesh at this level, from as_tangents(), or
+  // empty. path: of `file`, for messages. `gl`, `file` and `tangents` outlive it. Throws Failure (unsupported): morph
+  // targets that the play moves, an additive clip, more frames than crowds have.
   BakedPlay(const Gl& gl, const std::string& path, const File& file, const Play& play, std::uint32_t level,
-            const std::vector<std::vector<Affine>>& binds);
+            const std::vector<std::vector<float>>& tangents);
   ~BakedPlay();
   BakedPlay(const BakedPlay&) = delete;
   BakedPlay& operator=(const BakedPlay&) = delete;
@@ -37,10 +38,12 @@ class BakedPlay {
     std::vector<Affine> matrices;
     gles3::CrowdFrames frames;
     gles3::Crowd crowd;
+    alignas(float) std::byte instance[gles3::kCrowdInstanceBytes];  // its memory
   };
   struct BakedMesh {
     std::uint32_t skeleton = 0;
     gles3::CrowdMesh gpu;
+    AlignedBytes memory;
   };
 
   void bake(const std::string& path, const Skeleton& skeleton, const Clip* clip, Reel& reel);

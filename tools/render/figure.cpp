@@ -56,8 +56,8 @@ void attribute(const Gl& gl, GLuint buffer, GLuint location, int size) {
 
 Figure::Figure(const Gl& gl, const File& file, const Textures* textures, AsNormals normals, std::uint32_t level)
     : gl_(gl), file_(file), textures_(textures), level_(level) {
-  std::vector<std::vector<float>> tangents(file.mesh_count());
-  if (normals == AsNormals::tangents) tangents = tangents_of(file, level);
+  tangents_.resize(file.mesh_count());
+  if (normals == AsNormals::tangents) tangents_ = tangents_of(file, level);
   std::uint32_t joints = 0;
   std::vector<std::byte> scratch;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
@@ -65,7 +65,7 @@ Figure::Figure(const Gl& gl, const File& file, const Textures* textures, AsNorma
     Part& part = parts_.emplace_back();
     part.bind.resize(mesh.joint_count);
     gles3::PrepareOptions options;
-    options.as_tangents = tangents[i];
+    options.as_tangents = tangents_[i];
     scratch.resize(std::max(scratch.size(), gles3::prepare_scratch_bytes(mesh, options)));
     marrow::tools::check(gles3::prepare(gl, gl.caps(), mesh, options, scratch, part.bind, part.gpu));
     if (mesh.palette_size() > gles3::kPaletteJoints && !too_large_) too_large_ = i;
@@ -119,20 +119,19 @@ void Figure::set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const 
 }
 
 // Without a palette.
-Drawable Figure::unposed(std::uint32_t index, const Character& character, Deformer deformer) const {
+Drawable Figure::unposed(std::uint32_t index, const gles3::GpuMesh& gpu, const Character& character,
+                         Deformer deformer) const {
   const Mesh mesh = file_.mesh(index, level_);
-  const Part& part = parts_[index];
   Drawable d;
-  d.vertex_array = deformer == Deformer::as ? part.gpu.as_array : part.gpu.ssd_array;
-  d.index_count = part.gpu.index_count;
-  d.index_type = part.gpu.index_type;
-  const int features =
-      part.gpu.features & (gles3::kNormals | gles3::kColours | gles3::kMorphs | gles3::kSurfaceNormals);
-  d.program = {gpu_deformer(deformer), part.gpu.influences, static_cast<std::uint8_t>(features)};
-  d.coordinate_scale = part.gpu.coordinate_scale;
+  d.vertex_array = deformer == Deformer::as ? gpu.as_array : gpu.ssd_array;
+  d.index_count = gpu.index_count;
+  d.index_type = gpu.index_type;
+  const int features = gpu.features & (gles3::kNormals | gles3::kColours | gles3::kMorphs | gles3::kSurfaceNormals);
+  d.program = {gpu_deformer(deformer), gpu.influences, static_cast<std::uint8_t>(features)};
+  d.coordinate_scale = gpu.coordinate_scale;
   d.morph_weights.assign(character.weights(index).begin(), character.weights(index).end());
   d.mesh = mesh;
-  d.gpu = &part.gpu;
+  d.gpu = &gpu;
   set_look(index, mesh, d);
   d.centre = carried_centre(mesh, character.scene_from_joint(mesh.skeleton));
   return d;
@@ -141,7 +140,7 @@ Drawable Figure::unposed(std::uint32_t index, const Character& character, Deform
 // Its palette goes behind `palettes`.
 Drawable Figure::posed(std::uint32_t index, const Character& character, Deformer deformer,
                        std::vector<Affine>& palettes) {
-  Drawable d = unposed(index, character, deformer);
+  Drawable d = unposed(index, parts_[index].gpu, character, deformer);
   const std::size_t first = palettes.size();
   palettes.resize(first + d.mesh.palette_size());
   const Span<const std::uint16_t> joints(d.mesh.joints, d.mesh.joint_count);
@@ -152,17 +151,14 @@ Drawable Figure::posed(std::uint32_t index, const Character& character, Deformer
 }
 
 std::unique_ptr<BakedPlay> Figure::bake(const std::string& path, const Play& play) const {
-  std::vector<std::vector<Affine>> binds;
-  for (const Part& part : parts_) binds.push_back(part.bind);
-  return std::make_unique<BakedPlay>(gl_, path, file_, play, level_, binds);
+  return std::make_unique<BakedPlay>(gl_, path, file_, play, level_, tangents_);
 }
 
 std::vector<Drawable> Figure::from_crowd(const Character& character, Deformer deformer, const BakedPlay& baked) const {
   std::vector<Drawable> drawables;
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    Drawable& d = drawables.emplace_back(unposed(i, character, deformer));
+    Drawable& d = drawables.emplace_back(unposed(i, baked.mesh(i).gpu, character, deformer));
     d.program.palettes = gles3::Palettes::crowd;
-    d.program.features = static_cast<std::uint8_t>(d.program.features & ~gles3::kMorphs);
     d.morph_weights.clear();
     d.crowd = &baked.crowd(i);
     d.crowd_mesh = &baked.mesh(i);

@@ -60,7 +60,7 @@ class Figure {
   };
 
   void make_streams(const Mesh& mesh, Part& part);
-  Drawable unposed(std::uint32_t index, const Character& character, Deformer deformer) const;
+  Drawable unposed(std::uint32_t index, const gles3::GpuMesh& gpu, const Character& character, Deformer deformer) const;
   Drawable posed(std::uint32_t index, const Character& character, Deformer deformer, std::vector<Affine>& palettes);
   void preskin(Part& part, gles3::Preskin method, Drawable& d);
   void set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const;
@@ -69,6 +69,7 @@ class Figure {
   File file_;
   const Textures* textures_;
   std::uint32_t level_;
+  std::vector<std::vector<float>> tangents_;
   std::vector<Part> parts_;
   gles3::PaletteRing ring_;
   gles3::PaletteTexture texture_;

@@ -1,19 +1,19 @@
 // Stage 5 on the GPU, thousands of characters of one kind: poses baked into a texture once, blended on the GPU, drawn
 // by one instanced call a mesh. A frame in which no instance changes uploads nothing but a few uniforms.
 //
-//   once a context     build_crowd_program; build_program with Palettes::crowd
 //   once a character   plan_crowd, bake_crowd: clips → frames, for meshes and sockets alike
-//   once a mesh        prepare, create_crowd_mesh
+//   once a mesh        create_crowd_mesh, build_crowd_programs
 //   once a crowd       create_crowd
 //   on changes         set_instances
-//   every frame        for each mesh: use the crowd program, blend_crowd; use the drawing program, bind_crowd, draw
+//   every frame        for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd, draw
 //   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
+//   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
 // The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/architecture.md, "Crowds".
 #pragma once
 
 #include "marrow/file.h"
-#include "marrow/gles3.h"
+#include "marrow/gles3_skinner.h"
 
 namespace marrow::gles3 {
 
@@ -92,54 +92,79 @@ std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
 // A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
 // (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
 struct CrowdMesh {
+  GpuMesh gpu;  // what draw() takes
   std::uint32_t frames_texture = 0;
   std::uint32_t blended_texture = 0;
   std::uint32_t framebuffer = 0;  // around the blended texture
   std::uint32_t joints = 0;       // matrices of a palette
   std::uint32_t frame_count = 0;
   std::uint32_t capacity = 0;  // instances
+  bool lost = false;
+
+  // What it is put on the next context from.
+  Mesh mesh;
+  PrepareOptions options;
+  CrowdFrames frames;
+  Span<Affine> bind;        // what palettes are built with
+  Span<std::byte> scratch;  // of prepare(), and of palettes on their way up
 };
 
-// Matrices of scratch memory that create_crowd_mesh() wants.
-std::size_t crowd_mesh_scratch_size(const Mesh& mesh);
+// Bytes of memory that create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and prepare_scratch_bytes().
+std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options = {});
 
-// bind: what prepare() wrote for this mesh; levels of detail have other ones, so each is a CrowdMesh of its own.
-// capacity: instances that are drawn in a frame, at most. Errors: bad_argument (no capacity, no frames, a span too
-// short, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
-// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves the active
-// unit's 2D texture and GL_FRAMEBUFFER at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 48 B a matrix and frame go up,
-// once.
-Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, Span<const Affine> bind,
-                         const CrowdFrames& frames, std::uint32_t capacity, Span<Affine> scratch, CrowdMesh& out);
+// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+//
+// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
+// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
+// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
+// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
+// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+// the vertices, and 48 B a matrix and frame, go up, once.
+Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
+                         const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out);
 void destroy(const Api& api, CrowdMesh& mesh);
 
-// Instances, in a texture: 128 B each, 256 a line.
+// Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
 struct Crowd {
   std::uint32_t texture = 0;
   std::uint32_t capacity = 0;
   std::uint32_t count = 0;        // that have been set
   std::uint32_t frame_count = 0;  // of the frames that they play
+  bool lost = false;
+  Span<std::byte> records;  // as the texture has them
 };
 
-// Bytes of scratch memory an instance for set_instances().
+// Bytes of memory an instance for create_crowd().
 inline constexpr std::size_t kCrowdInstanceBytes = 128;
 
-// Room for `capacity` instances. Errors: bad_argument (zero); unsupported (more than 256 × the caps' texture size:
+// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
+// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
 // 524 288); gl_error. Leaves the active unit's 2D texture at 0.
-Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Crowd& out);
+Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory, Crowd& out);
 void destroy(const Api& api, Crowd& crowd);
 
-// Sets the instances from `first` on: any of those that there are, or more right behind them.
-// scratch: 4-byte aligned, room for one instance at least; what it has room for goes up at a time, 256 being one line.
-// Errors: bad_argument (a gap before `first`, frames other than those of the instances before, an instance as
-// crowd_joint() refuses it); unsupported (more than the capacity). Nothing is changed then. Leaves the active unit's
-// 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an instance; where the GPU still draws from
-// the texture the driver may wait or copy it.
+// Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
+// they are kept, and there once it is restored. Errors: bad_argument (a gap before `first`, frames other than those of
+// the instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is
+// changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an
+// instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
-                     Span<const CrowdInstance> instances, Span<std::byte> scratch);
+                     Span<const CrowdInstance> instances);
 
 // The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
 Status build_crowd_program(const Api& api, Program& out, Span<char> log = {});
+
+// The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
+// compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
+// features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
+// unsupported (a full set); gl_error, with the driver's words in programs.log.
+Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
+                            std::uint8_t features, ProgramSet& programs);
+// What was built with the same arguments, never null.
+const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
+                                const ProgramSet& programs, std::uint32_t role);
+const Program& blending_program_of(const ProgramSet& programs);
 
 // Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
 // scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
@@ -147,7 +172,7 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log = {});
 // colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
 // and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
 // are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
-// has capacity for).
+// has capacity for); gl_error (the context is lost).
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                    double time_s, std::uint32_t texture_unit, const Program& program);
 
@@ -155,5 +180,15 @@ Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, st
 // use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
 Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                   std::uint32_t texture_unit, const Program& program);
+
+// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+// on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+void on_context_lost(CrowdMesh& mesh);
+void on_context_lost(Crowd& crowd);
+
+// Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
+// creation does. Errors: as creation, but for its arguments; then it may be tried again.
+Status on_context_restored(const Api& api, const Caps& caps, CrowdMesh& mesh);
+Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd);
 
 }  // namespace marrow::gles3

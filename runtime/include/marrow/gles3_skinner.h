@@ -38,7 +38,7 @@ struct ProgramSet {
 
   struct Entry {
     ProgramKey key;
-    std::uint32_t role = 0;  // kMostRoles + Preskin: pre-skinning
+    std::uint32_t role = 0;  // kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
     Program program;
   };
   Entry entries[kMostPrograms];
