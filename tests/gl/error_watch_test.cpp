@@ -1,6 +1,9 @@
 // GL errors with the call that caused them.
+#include <thread>
+
 #include <gtest/gtest.h>
 
+#include "common/failure.h"
 #include "gl/faulty_driver.h"
 #include "gl/feedback.h"
 #include "gl/reports.h"
@@ -58,6 +61,34 @@ TEST(ApiErrors, ChecksSeeThemUnderAWatch) {
   EXPECT_EQ(reports, (std::vector<Report>{{"glBufferData", GL_OUT_OF_MEMORY}}));
   EXPECT_EQ(driver().live, 0);
 }
+
+TEST(ApiErrors, OfTheToolsFunctionsAreReportedToo) {
+  std::vector<Report> reports;
+  gles3::ErrorWatch watch = watch_into(reports);
+  tools::GlFunctions functions = gl();
+  tools::watch_all_errors(functions, &watch);
+  functions.BindRenderbuffer(0x1234, 0);
+  functions.BindBuffer(0x1234, 0);
+  EXPECT_EQ(reports, (std::vector<Report>{{"glBindRenderbuffer", GL_INVALID_ENUM}, {"glBindBuffer", GL_INVALID_ENUM}}));
+  EXPECT_EQ(functions.GetError(), unsigned{GL_INVALID_ENUM});
+  EXPECT_EQ(functions.GetError(), 0u);
+  EXPECT_EQ(gl().GetError(), 0u);
+  tools::watch_all_errors(functions, nullptr);
+  EXPECT_EQ(functions.Scissor.watch, nullptr);
+}
+
+#ifndef NDEBUG
+TEST(ApiErrors, ToolsPrintThem) {
+  std::thread([] {
+    ::testing::internal::CaptureStderr();
+    const tools::Gl tool;
+    tool.DepthMask(GL_TRUE);
+    tool.BlendFunc(0x1234, GL_ONE);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "OpenGL ES: glBlendFunc: error 0x0500\n");
+    EXPECT_THROW(tool.check("testing"), tools::Failure);
+  }).join();
+}
+#endif
 
 // Which a lost context tells for ever.
 TEST(ApiErrors, ALossIsReportedOnce) {

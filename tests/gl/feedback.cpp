@@ -68,7 +68,8 @@ const gles3::Program& program(const gles3::ProgramKey& key, Way way) {
 
 const tools::Gl* make_gl() {
   try {
-    const auto* const made = new tools::Gl;
+    auto* const made = new tools::Gl;
+    tools::watch_all_errors(*made, nullptr);  // tests cause some, and watch for themselves
     const char* const expected = std::getenv("MARROW_EXPECT_DRIVER");
     if (expected != nullptr && made->driver().find(expected) == std::string::npos) {
       std::fprintf(stderr, "expected %s, got %s\n", expected, made->driver().c_str());

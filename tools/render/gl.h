@@ -46,10 +46,13 @@
 namespace marrow::tools {
 
 struct GlFunctions : gles3::Api {
-#define MARROW_MEMBER(Result, Name, Parameters) Result(*Name) Parameters = nullptr;
+#define MARROW_MEMBER(Result, Name, Parameters) gles3::Entry<Result Parameters> Name{"gl" #Name};
   MARROW_TOOL_GL_FUNCTIONS(MARROW_MEMBER)
 #undef MARROW_MEMBER
 };
+
+// gles3::watch_errors() of these functions too.
+void watch_all_errors(GlFunctions& gl, gles3::ErrorWatch* watch);
 
 // The graphics processor was reset and has taken the context along.
 class ContextLost : public Failure {
@@ -59,7 +62,8 @@ class ContextLost : public Failure {
                 "try again; the driver: " + driver) {}
 };
 
-// A current OpenGL ES 3.0 context. Throws Failure (unsupported) where there is none.
+// A current OpenGL ES 3.0 context. Throws Failure (unsupported) where there is none. Where NDEBUG is not defined each
+// GL error is on stderr, with the call that caused it.
 class Gl : public GlFunctions {
  public:
   using LoadProc = void* (*)(const char* name);
@@ -82,6 +86,7 @@ class Gl : public GlFunctions {
   Gl(std::unique_ptr<egl::HeadlessContext> context, LoadProc load_proc);
 
   std::unique_ptr<egl::HeadlessContext> context_;  // none: another's
+  gles3::ErrorWatch watch_;
   gles3::Caps caps_;
   std::string driver_;
 };
