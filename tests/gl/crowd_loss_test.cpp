@@ -16,7 +16,7 @@ namespace {
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::int64_t kLosses = 4;
 #else
-constexpr std::int64_t kLosses = 30;  // at least, if a frame has as many calls
+constexpr std::int64_t kLosses = 12;  // at least, if a frame has as many calls
 #endif
 constexpr std::uint32_t kCapacity = 300;  // more than a line of the texture
 constexpr std::uint32_t kCount = 270;

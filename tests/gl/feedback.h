@@ -10,7 +10,8 @@
 namespace marrow::test {
 
 // The context of the whole test binary, made on first use. Aborts the binary with a message where there is none, or
-// where it is not the driver named in MARROW_EXPECT_DRIVER: a driver's tests must not pass on another one.
+// where it is not the driver named in MARROW_EXPECT_DRIVER: a driver's tests must not pass on another one. Where it is
+// not the one named in MARROW_ONLY_ON, ends with 77, which ctest counts as skipped.
 const tools::Gl& gl();
 
 struct Skinned {
