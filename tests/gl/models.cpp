@@ -38,11 +38,12 @@ std::vector<std::string> model_paths() {
   return paths;
 }
 
-std::optional<Model> cook_model(cook::RawScene scene) {
+std::optional<Model> cook_model(cook::RawScene scene, std::size_t palette) {
   const std::string path = scene.source;
   cook::CookOptions options;
   options.mesh_codec = cook::MeshCodec::none;
   options.raw_clips = true;  // poses are all that matters here, and compressing takes most of the time
+  options.most_entries = palette;
   const cook::CookResult cooked = cook::cook_scene(std::move(scene), options);
   Model model{fs::path(path).filename().string(), tools::AlignedBytes(cooked.file), {}};
   DataError error;

@@ -25,7 +25,8 @@ bool have_assets();
 
 // Cooks and loads; nullopt if the cooker refuses, with why on stderr.
 std::optional<Model> cook_model(const std::string& path);
-std::optional<Model> cook_model(cook::RawScene scene);
+// palette: entries of a mesh; primitives with more are split.
+std::optional<Model> cook_model(cook::RawScene scene, std::size_t palette = 341);
 
 // A mesh in memory, which lacks the box that prepare() needs.
 Mesh with_box(const TestMesh& source);

@@ -155,13 +155,13 @@ TEST(Readback, TheEmbeddedSample) {
 
 // More joints than a palette takes: in parts.
 TEST(Readback, AMillipede) {
-  const std::optional<Model> model = cook_model(Millipede(150).scene);
+  const std::optional<Model> model = cook_model(Millipede(400).scene);
   ASSERT_TRUE(model.has_value());
-  EXPECT_EQ(model->file.skeleton(0).joint_count, 750u);
+  EXPECT_EQ(model->file.skeleton(0).joint_count, 2000u);
   const Tally tally = read_back(*model);
   expect_promises(model->name, tally);
   EXPECT_EQ(tally.meshes, model->file.mesh_count());
-  EXPECT_GE(tally.meshes, 3u);
+  EXPECT_GE(tally.meshes, 6u);
 }
 
 TEST(Readback, EveryModel) {
