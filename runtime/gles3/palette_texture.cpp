@@ -46,6 +46,7 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
   if (palettes.empty()) return Status::bad_argument;
   if (palettes.size > texture.capacity) return Status::unsupported;
   texture.current = (texture.current + 1) % 3;
+  texture.count = static_cast<std::uint32_t>(palettes.size);
   const std::uint32_t rows = 3 * static_cast<std::uint32_t>(palettes.size);
   const std::uint32_t whole = rows / kWidth;
   const float* const texels = palettes.data[0].rows[0];
@@ -58,8 +59,8 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
 
 Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                     std::uint32_t texture_unit, const Program& program) {
-  if (program.reads != Palettes::texture || program.palettes < 0 || first >= texture.capacity)
-    return Status::bad_argument;
+  if (program.reads != Palettes::texture || program.palettes < 0) return Status::bad_argument;
+  if (first >= texture.count || joints > texture.count - first) return Status::bad_argument;
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
   api.Uniform1i(program.palettes, static_cast<int>(texture_unit));

@@ -146,6 +146,7 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out) {
   const Geometry& g = mesh.geometry;
+  if (g.slot_count == 0 || mesh.joint_count == 0) return Status::bad_argument;
   if (bind.size < mesh.joint_count || scratch.size < prepare_scratch_bytes(mesh, options)) return Status::bad_argument;
   const Span<const float> tangents = options.as_tangents;
   if (!tangents.empty() && tangents.size < as_tangent_count(g)) return Status::bad_argument;

@@ -1,11 +1,17 @@
 // Bad calls and missing functions: a status that says so, nothing changed, nothing leaked.
+#include <cstdlib>
 #include <cstring>
 #include <set>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
-#include "gl/feedback.h"
+#include "common/failure.h"
+#include "gl/faulty_driver.h"
+#include "gl/models.h"
+#include "gl/troop.h"
+#include "marrow/gles3_skinner.h"
 #include "support/rig.h"
 
 namespace marrow::test {
@@ -97,6 +103,119 @@ TEST(Api, PrepareRefusesBadCalls) {
   EXPECT_EQ(gles3::draw(gl(), out, gles3::Deformer::as, {}), Status::bad_argument);
   gles3::destroy(gl(), out);
   EXPECT_EQ(out.ssd_array, 0u);
+}
+
+TEST(Api, AMeshWithoutVerticesIsRefused) {
+  const TestCharacter character = make_character(3, 10, 2, false);
+  Mesh mesh = with_box(character.mesh);
+  mesh.geometry.runs = {};
+  mesh.geometry.slot_count = mesh.geometry.vertex_count = mesh.geometry.index_count = 0;
+  std::vector<std::byte> scratch(1000);
+  std::vector<Affine> bind(mesh.joint_count, Affine{});
+  const gles3::Api api = faulty_api(gl());
+  gles3::GpuMesh out;
+  EXPECT_EQ(gles3::prepare(api, {}, mesh, {}, scratch, bind, out), Status::bad_argument);
+  EXPECT_EQ(bind[0].rows[0][0], 0.0f) << "written on failure";
+  gles3::ProgramSet programs;
+  programs.roles[0] = feedback_source();
+  std::vector<SoaTransform> memory;
+  for (std::uint32_t i = 0; i < gles3::kPathCount; ++i) {
+    gles3::SkinnerOptions options;
+    options.path = static_cast<gles3::Path>(i);
+    gles3::Skinner skinner;
+    const Span<std::byte> room = room_for(memory, gles3::skinner_bytes(mesh, options));
+    gles3::Caps caps;
+    caps.compute = true;
+    EXPECT_EQ(gles3::create_skinner(api, caps, mesh, options, programs, room, skinner), Status::bad_argument) << i;
+    EXPECT_TRUE(skinner.palettes.empty());
+  }
+  const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
+  gles3::CrowdMesh crowd;
+  EXPECT_EQ(gles3::create_crowd_mesh(api, {}, mesh, {}, reel.frames, 1, room_for(memory, gles3::crowd_mesh_bytes(mesh)),
+                                     crowd),
+            Status::bad_argument);
+  EXPECT_EQ(crowd.joints, 0u);
+  EXPECT_EQ(driver().made, 0);
+  EXPECT_EQ(programs.count, 0u);
+  EXPECT_EQ(gl().GetError(), 0u);
+}
+
+TEST(Api, APaletteTooShortIsRefused) {
+  const TestCharacter character = make_character(3, 10, 2, false);
+  const Mesh mesh = with_box(character.mesh);
+  ASSERT_EQ(mesh.palette_size(), 10u);
+  const std::vector<Affine> joints(10, Affine{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+  // In a texture, of ten and five matrices.
+  gles3::ProgramKey key;
+  key.palettes = gles3::Palettes::texture;
+  gles3::Program program;
+  ASSERT_EQ(gles3::build_program(gl(), key, feedback_source(), 0, program), Status::ok);
+  gl().UseProgram(program.id);
+  gles3::PaletteTexture texture;
+  ASSERT_EQ(gles3::create_palette_texture(gl(), {}, 100, texture), Status::ok);
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 0, 10, 0, program), Status::bad_argument) << "none is there";
+  ASSERT_EQ(gles3::upload_palettes(gl(), texture, joints), Status::ok);
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 0, 10, 0, program), Status::ok);
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 1, 10, 0, program), Status::bad_argument);
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 10, 0, 0, program), Status::bad_argument);
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 9, 0xFFFFFFFF, 0, program), Status::bad_argument);
+  ASSERT_EQ(gles3::upload_palettes(gl(), texture, {joints.data(), 5}), Status::ok);
+  EXPECT_EQ(gles3::bind_palette(gl(), texture, 0, 10, 0, program), Status::bad_argument) << "the last frame's";
+  gles3::destroy(gl(), texture);
+  gles3::destroy(gl(), program);
+
+  // Of a skinner; what was posed before is there still.
+  gles3::ProgramSet programs;
+  programs.roles[0] = feedback_source();
+  for (const gles3::Path path : {gles3::Path::ubo, gles3::Path::texture, gles3::Path::feedback, gles3::Path::cpu}) {
+    gles3::SkinnerOptions options;
+    options.path = path;
+    std::vector<SoaTransform> memory;
+    gles3::Skinner skinner;
+    ASSERT_EQ(gles3::create_skinner(gl(), {}, mesh, options, programs,
+                                    room_for(memory, gles3::skinner_bytes(mesh, options)), skinner),
+              Status::ok);
+    ASSERT_EQ(gles3::pose(skinner, 0, joints), Status::ok);
+    const std::vector<Affine> before(skinner.palettes.begin(), skinner.palettes.end());
+    EXPECT_EQ(gles3::pose(skinner, 0, {joints.data(), 9}), Status::bad_argument) << gles3::to_string(path);
+    EXPECT_EQ(gles3::pose(skinner, 0, {}), Status::bad_argument) << gles3::to_string(path);
+    EXPECT_EQ(std::memcmp(before.data(), skinner.palettes.data, before.size() * sizeof(Affine)), 0);
+    gles3::destroy(gl(), skinner);
+  }
+  gles3::destroy(gl(), programs);
+  EXPECT_EQ(gl().GetError(), 0u);
+}
+
+// As the driver is by itself, and in the test gl.es2 one that has no more than 2.0.
+TEST(Es2, AContextIsTakenForWhatItIs) {
+  std::thread([] {
+    const char* const override = std::getenv("MESA_GLES_VERSION_OVERRIDE");
+    egl::HeadlessContext context;
+    ASSERT_EQ(context.create(2, 0), Status::ok) << context.error();
+    gles3::Api api;
+    ASSERT_EQ(gles3::load_api(api, egl::load_proc), Status::ok);
+    const std::string version = reinterpret_cast<const char*>(api.GetString(GL_VERSION));
+    std::printf("%s\n", version.c_str());
+    const bool is_old = version.starts_with("OpenGL ES 2.");
+    const bool is_forced = override != nullptr && std::strcmp(override, "2.0") == 0;
+    EXPECT_TRUE(is_old || !is_forced || version.find("Mesa") == std::string::npos) << version;
+    gles3::Caps caps;
+    caps.texture_size = 7;
+    EXPECT_EQ(gles3::query_caps(api, caps), is_old ? Status::unsupported : Status::ok);
+    EXPECT_EQ(caps.texture_size == 7, is_old) << "written on failure";
+    if (!is_old || !is_forced) return;
+    EXPECT_EQ(api.ObjectLabel, nullptr);
+    egl::HeadlessContext other;
+    EXPECT_EQ(other.create(), Status::unsupported);
+    EXPECT_NE(std::string(other.error()).find("OpenGL ES"), std::string::npos) << other.error();
+    try {
+      const tools::Gl tool;
+      ADD_FAILURE() << tool.driver();
+    } catch (const tools::Failure& failure) {
+      EXPECT_EQ(failure.code(), tools::Exit::unsupported);
+      EXPECT_EQ(failure.file(), "OpenGL ES");
+    }
+  }).join();
 }
 
 unsigned pretend_out_of_memory() {

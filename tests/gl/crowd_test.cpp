@@ -354,7 +354,7 @@ TEST(Crowd, CrowdsRefuseBadCalls) {
   EXPECT_EQ(gles3::bind_crowd(gl(), troop.crowd(), troop.mesh(), 0, 4, 0, crowd_program()), Status::bad_argument)
       << "a program of another kind";
   gles3::PaletteTexture texture;
-  texture.capacity = 10;
+  texture.capacity = texture.count = 10;
   gles3::Program for_crowds;
   for_crowds.palettes = 0;
   for_crowds.reads = gles3::Palettes::crowd;

@@ -164,11 +164,11 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 // influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
 //
 // bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
-// free again afterwards. Errors: bad_argument (a span too short); unsupported (more morph targets than a texture of
-// 2048 × 2048 holds);
-// gl_error (out of memory: nothing is left allocated). `out` and `bind` are written only on success. Leaves
-// GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active unit's 2D texture at 0. Error of the
-// formats: docs/architecture.md. Cost: a few passes over the vertices; once a mesh.
+// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
+// targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
+// are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
+// unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
+// mesh.
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);
 
@@ -252,6 +252,7 @@ struct PaletteTexture {
   std::uint32_t textures[3] = {};
   std::uint32_t current = 0;   // which was written last
   std::uint32_t capacity = 0;  // matrices
+  std::uint32_t count = 0;     // that are there
 };
 
 // Room for `joints` matrices: 48 B each, three times.
@@ -267,7 +268,8 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
 
 // `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
 // `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
-// the texture bound to it. Errors: bad_argument (a program of another kind).
+// the texture bound to it. Errors: bad_argument (a program of another kind, a palette that reaches beyond what was
+// uploaded).
 Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                     std::uint32_t texture_unit, const Program& program);
 
