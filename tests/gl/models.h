@@ -28,7 +28,4 @@ std::optional<Model> cook_model(const std::string& path);
 // palette: entries of a mesh; primitives with more are split.
 std::optional<Model> cook_model(cook::RawScene scene, std::size_t palette = 341);
 
-// A mesh in memory, which lacks the box that prepare() needs.
-Mesh with_box(const TestMesh& source);
-
 }  // namespace marrow::test

@@ -140,4 +140,19 @@ Quat Random::rotation() {
   return normalised(q);
 }
 
+Mesh with_box(const TestMesh& source) {
+  Mesh mesh = source.view();
+  std::fill_n(mesh.geometry.box_min, 3, 1e30f);
+  std::fill_n(mesh.geometry.box_max, 3, -1e30f);
+  for (const TestRun& run : source.source) {
+    for (const TestVertex& v : run.vertices) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        mesh.geometry.box_min[c] = std::min(mesh.geometry.box_min[c], static_cast<float>(v.position[c]));
+        mesh.geometry.box_max[c] = std::max(mesh.geometry.box_max[c], static_cast<float>(v.position[c]));
+      }
+    }
+  }
+  return mesh;
+}
+
 }  // namespace marrow::test

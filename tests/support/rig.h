@@ -101,4 +101,7 @@ struct TestCharacter {
 };
 TestCharacter make_character(std::uint64_t seed, std::size_t joint_count, std::size_t vertices_a_run, bool residuals);
 
+// A mesh's view with the box round its vertices, which prepare() needs.
+Mesh with_box(const TestMesh& source);
+
 }  // namespace marrow::test
