@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/workload.h"
+#include "common/aligned_bytes.h"
 #include "common/failure.h"
 #include "marrow/marrow.h"
 
@@ -88,43 +89,43 @@ class CrowdWork : public GpuWork {
         gl_(gl),
         target_(target),
         deformer_(row.deformer),
+        features_(features_of(row)),
         characters_(row.of->characters) {
     const Mesh& mesh = subject.mesh;
     gles3::PrepareOptions options;
-    options.ssd = row.deformer == gles3::Deformer::ssd;
+    options.ssd = deformer_ == gles3::Deformer::ssd;
     options.as = !options.ssd;
-    std::vector<Affine> bind(mesh.joint_count), scratch(gles3::crowd_mesh_scratch_size(mesh));
-    std::vector<std::byte> bytes(gles3::prepare_scratch_bytes(mesh, options));
+    programs_.roles[0] = {kVertex, kFragment, {}};
+    programs_.log = log_;
+    memory_ = AlignedBytes(gles3::crowd_mesh_bytes(mesh, options));
+    records_ = AlignedBytes(gles3::kCrowdInstanceBytes * characters_);
     bake(subject.skeleton, subject.clip);
-    std::vector<char> log(1024);
-    const gles3::ProgramKey key{row.deformer, 4, features_of(row), gles3::Palettes::crowd};
     const bool made =
-        gles3::prepare(gl, gl.caps(), mesh, options, bytes, bind, gpu_) == Status::ok &&
-        gles3::create_crowd_mesh(gl, gl.caps(), mesh, bind, frames_, characters_, scratch, mesh_) == Status::ok &&
-        gles3::create_crowd(gl, gl.caps(), characters_, crowd_) == Status::ok &&
-        gles3::build_crowd_program(gl, blending_, log) == Status::ok &&
-        gles3::build_program(gl, key, {kVertex, kFragment, {}}, 0, drawing_, log) == Status::ok;
-    if (!made) refuse(gl, row, log.data());
+        gles3::create_crowd_mesh(gl, gl.caps(), mesh, options, frames_, characters_, {memory_.data(), memory_.size()},
+                                 mesh_) == Status::ok &&
+        gles3::create_crowd(gl, gl.caps(), characters_, {records_.data(), records_.size()}, crowd_) == Status::ok &&
+        gles3::build_crowd_programs(gl, gl.caps(), mesh_, deformer_, features_, programs_) == Status::ok;
+    if (!made) refuse(gl, row, log_.data());
     place();
   }
   ~CrowdWork() override {
-    gles3::destroy(gl_, gpu_);
     gles3::destroy(gl_, mesh_);
     gles3::destroy(gl_, crowd_);
-    gles3::destroy(gl_, blending_);
-    gles3::destroy(gl_, drawing_);
+    gles3::destroy(gl_, programs_);
   }
   CrowdWork(const CrowdWork&) = delete;
   CrowdWork& operator=(const CrowdWork&) = delete;
 
   void frame() override {
     time_s_ += 1.0 / 60;
-    gl_.UseProgram(blending_.id);
-    check(gles3::blend_crowd(gl_, crowd_, mesh_, 0, characters_, time_s_, 0, blending_));
+    const gles3::Program& blending = gles3::blending_program_of(programs_);
+    gl_.UseProgram(blending.id);
+    check(gles3::blend_crowd(gl_, crowd_, mesh_, 0, characters_, time_s_, 0, blending));
     target_.bind();
-    gl_.UseProgram(drawing_.id);
-    check(gles3::bind_crowd(gl_, crowd_, mesh_, 0, characters_, 0, drawing_));
-    check(gles3::draw(gl_, gpu_, deformer_, drawing_, characters_));
+    const gles3::Program& drawing = gles3::crowd_program_of(mesh_, deformer_, features_, programs_, 0);
+    gl_.UseProgram(drawing.id);
+    check(gles3::bind_crowd(gl_, crowd_, mesh_, 0, characters_, 0, drawing));
+    check(gles3::draw(gl_, mesh_.gpu, deformer_, drawing, characters_));
   }
 
  private:
@@ -141,22 +142,23 @@ class CrowdWork : public GpuWork {
     std::vector<gles3::CrowdInstance> instances(characters_);
     Noise noise;
     for (gles3::CrowdInstance& instance : instances) instance.a = {0, noise.next() * baked_.duration_s, 1, 0};
-    std::vector<std::byte> scratch(gles3::kCrowdInstanceBytes * characters_);
-    check(gles3::set_instances(gl_, crowd_, frames_, 0, instances, scratch));
+    check(gles3::set_instances(gl_, crowd_, frames_, 0, instances));
   }
 
   const Gl& gl_;
   const GpuTarget& target_;
   gles3::Deformer deformer_;
+  std::uint8_t features_;
   std::uint32_t characters_;
   double time_s_ = 0;
   gles3::CrowdClip baked_;
   std::vector<Affine> matrices_;
   gles3::CrowdFrames frames_;
-  gles3::GpuMesh gpu_;
+  AlignedBytes memory_, records_;
+  std::array<char, 1024> log_ = {};
+  gles3::ProgramSet programs_;
   gles3::CrowdMesh mesh_;
   gles3::Crowd crowd_;
-  gles3::Program blending_, drawing_;
 };
 
 }  // namespace
