@@ -4,7 +4,7 @@ set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/
   unit/cook/gltf_scene_test.cpp unit/cook/keep_test.cpp unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp)
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/codec_test.cpp unit/cook/bind_weights_test.cpp unit/cook/deformers_test.cpp
-  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/lod_test.cpp unit/cook/split_test.cpp
+  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/lod_test.cpp unit/cook/split_test.cpp
   unit/cook/examples_test.cpp unit/cook/subdivide_test.cpp unit/cook/subdivide_mesh_test.cpp)
 # To cook twice takes minutes under a sanitizer, which sees the same code in all the others.
 if(MARROW_SANITIZE)
@@ -19,7 +19,8 @@ marrow_embed(marrow_cook_tests pack_v1 golden/pack_v1.mrw)
 marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
 marrow_embed(marrow_cook_tests stride_v1 golden/stride_v1.mrw)
 marrow_embed(marrow_cook_tests lod_v1 golden/lod_v1.mrw)
-target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_deform marrow_sample draco::draco)
+marrow_embed(marrow_cook_tests limits_v1 golden/limits_v1.mrw)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_deform marrow_export marrow_sample draco::draco)
 target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
@@ -45,7 +46,7 @@ target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVA
 marrow_warnings(marrow_reference)
 
 marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp
+  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp
   ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_export)
 target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
@@ -76,7 +77,8 @@ add_executable(marrow_gltf_fuzz fuzz/gltf_fuzz.cpp fuzz/driver.cpp)
 target_link_libraries(marrow_gltf_fuzz PRIVATE marrow_test_support marrow_cook)
 marrow_warnings(marrow_gltf_fuzz)
 add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRENT_SOURCE_DIR}/golden/tiny.gltf
-  ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf ${CMAKE_CURRENT_SOURCE_DIR}/golden/looks.gltf)
+  ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf ${CMAKE_CURRENT_SOURCE_DIR}/golden/looks.gltf
+  ${CMAKE_CURRENT_SOURCE_DIR}/golden/limits.gltf)
 set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
 
 # A JSON library costs seconds in every file that includes it.

@@ -39,6 +39,11 @@ Skeleton File::skeleton(std::uint32_t index) const {
   s.rest = at<SoaTransform>(base, l.rest);
   s.parents = at<std::uint16_t>(base, l.parents);
   s.names = at<std::uint32_t>(base, l.names);
+  for (std::uint32_t i = 0; i < counts_[format::kLimits]; ++i) {
+    const std::byte* const section_i = section(format::kLimits, i);
+    const auto& limits = *at<format::LimitHeader>(section_i, 0);
+    if (limits.skeleton == index) s.limits = {at<JointLimit>(section_i, layout(limits).limits), limits.limit_count};
+  }
   return s;
 }
 

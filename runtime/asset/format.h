@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "marrow/file.h"
+#include "marrow/limits.h"
 
 namespace marrow::format {
 
@@ -23,7 +24,7 @@ inline constexpr std::uint32_t kVersion = 1;
 inline constexpr std::uint32_t kCodecRaw = 0;
 inline constexpr std::uint32_t kCodecSegments = 1;  // clips only
 
-// Kinds of sections in the order in which they stand in a file. Every kind but names may occur any number of times.
+// Kinds of sections, by the numbers that packed records have. Every kind but names may occur any number of times.
 enum Kind : std::uint32_t {
   kSkeletons,
   kReferences,
@@ -34,12 +35,16 @@ enum Kind : std::uint32_t {
   kImages,
   kNodes,
   kNames,
+  kLimits,
   kKindCount
 };
+// The order in which they stand in a file.
+inline constexpr Kind kOrder[kKindCount] = {kSkeletons, kReferences, kClips, kGeometries, kMeshes,
+                                            kMaterials, kImages,     kNodes, kLimits,     kNames};
 inline constexpr std::uint32_t kTypes[kKindCount] = {
-    four_characters("SKEL"), four_characters("SREF"), four_characters("CLIP"),
-    four_characters("GEOM"), four_characters("MESH"), four_characters("MATL"),
-    four_characters("IMAG"), four_characters("NODE"), four_characters("NAME")};
+    four_characters("SKEL"), four_characters("SREF"), four_characters("CLIP"), four_characters("GEOM"),
+    four_characters("MESH"), four_characters("MATL"), four_characters("IMAG"), four_characters("NODE"),
+    four_characters("NAME"), four_characters("LIMI")};
 
 struct Header {
   std::uint32_t magic;
@@ -221,6 +226,12 @@ struct NodeHeader {
 };
 static_assert(sizeof(NodeHeader) == 64);
 
+struct LimitHeader {
+  std::uint32_t skeleton;
+  std::uint32_t limit_count;  // ≥ 1
+};
+static_assert(sizeof(LimitHeader) == 8);
+
 inline constexpr std::uint64_t align4(std::uint64_t n) {
   return (n + 3) & ~std::uint64_t{3};
 }
@@ -390,6 +401,13 @@ struct NodeLayout {
 };
 constexpr NodeLayout layout(const NodeHeader& h) {
   return {sizeof h, sizeof h + std::uint64_t{h.property_count} * sizeof(Property)};
+}
+
+struct LimitLayout {
+  std::uint64_t limits, bytes;
+};
+constexpr LimitLayout layout(const LimitHeader& h) {
+  return {sizeof h, sizeof h + std::uint64_t{h.limit_count} * sizeof(JointLimit)};
 }
 
 // How many values a track's key has in Clip::values.

@@ -64,7 +64,7 @@ bool Checker::reference(const File::Section& s) {
   return joints(parents, at<std::uint32_t>(s, l.names), h->joint_count, roots) && name(h->name);
 }
 
-// Kinds stand in ascending order, so a section may lean on those before it; names are checked first.
+// Kinds stand in one order, so a section may lean on those before it; names are checked first.
 bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
   for (const File::Section& s : sections_) {
@@ -76,6 +76,7 @@ bool Checker::all() {
                       : s.type == format::kTypes[format::kMaterials]  ? material(s)
                       : s.type == format::kTypes[format::kImages]     ? image(s)
                       : s.type == format::kTypes[format::kNodes]      ? node(s)
+                      : s.type == format::kTypes[format::kLimits]     ? limits(s)
                                                                       : true;
     if (!good) return false;
   }
@@ -103,22 +104,23 @@ DataError check_container(Span<const std::byte> block) {
   if (h.section_count == 0 || end > block.size) return bad(12, "section table outside the file");
   if (format::checksum(block.data + sizeof h, block.size - sizeof h) != h.checksum)
     return {Status::bad_checksum, 16, "checksum of everything behind the header"};
-  std::uint32_t kind = 0;
+  std::uint32_t place = 0;  // in format::kOrder
   for (std::uint32_t i = 0; i < h.section_count; ++i) {
     const std::size_t entry = sizeof h + i * sizeof(File::Section);
     File::Section s;
     std::memcpy(&s, block.data + entry, sizeof s);
-    while (kind < format::kKindCount && s.type != format::kTypes[kind]) ++kind;
-    if (kind == format::kKindCount)
-      return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE NAME");
+    while (place < format::kKindCount && s.type != format::kTypes[format::kOrder[place]]) ++place;
+    if (place == format::kKindCount)
+      return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI NAME");
     if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
     if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
     for (std::uint64_t pad = end; pad < s.offset; ++pad)
       if (block[pad] != std::byte{0}) return bad(pad, "padding must be 0");
     end = std::uint64_t{s.offset} + s.bytes;
-    if (kind == format::kNames && i + 1 != h.section_count) return bad(entry, "one section of names, the last");
+    if (format::kOrder[place] == format::kNames && i + 1 != h.section_count)
+      return bad(entry, "one section of names, the last");
   }
-  if (kind != format::kNames) return bad(sizeof h, "no section of names");
+  if (format::kOrder[place] != format::kNames) return bad(sizeof h, "no section of names");
   if (end != block.size) return bad(8, "the last section ends the file");
   return {};
 }

@@ -30,6 +30,9 @@ inline void store(float* p, f32x4 a) {
 inline f32x4 splat(float s) {
   return {vdupq_n_f32(s)};
 }
+inline f32x4 lanes(float x, float y, float z, float w) {
+  return {vsetq_lane_f32(w, vsetq_lane_f32(z, vsetq_lane_f32(y, vdupq_n_f32(x), 1), 2), 3)};
+}
 inline f32x4 operator+(f32x4 a, f32x4 b) {
   return {vaddq_f32(a.v, b.v)};
 }
@@ -55,12 +58,30 @@ inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
 inline mask4 load_mask(const std::uint32_t* p) {
   return {vld1q_u32(p)};
 }
+inline float first_lane(f32x4 a) {
+  return vgetq_lane_f32(a.v, 0);
+}
 // The lanes in m; `to` is a multiple of 16 bytes.
 inline void store(float* to, mask4 m, f32x4 a) {
   vst1q_f32(to, vbslq_f32(m.v, a.v, vld1q_f32(to)));
 }
 inline bool any(mask4 m) {
   return vmaxvq_u32(m.v) != 0;
+}
+inline bool all(mask4 m) {
+  return vminvq_u32(m.v) != 0;
+}
+inline f32x4 lesser(f32x4 a, f32x4 b) {
+  return {vminq_f32(a.v, b.v)};
+}
+inline f32x4 greater(f32x4 a, f32x4 b) {
+  return {vmaxq_f32(a.v, b.v)};
+}
+inline f32x4 absolute(f32x4 a) {
+  return {vabsq_f32(a.v)};
+}
+inline f32x4 only_where(mask4 m, f32x4 a) {
+  return {vreinterpretq_f32_u32(vandq_u32(m.v, vreinterpretq_u32_f32(a.v)))};
 }
 inline f32x4 clamp_to_unit(f32x4 a) {
   const uint32x4_t positive = vandq_u32(vreinterpretq_u32_f32(a.v), vcgtzq_f32(a.v));
@@ -91,6 +112,30 @@ inline f32x4 times(f32x4 v, const Factors& f) {
 inline f32x4 only_w(f32x4 a) {
   const uint32x4_t mask = {0, 0, 0, 0xFFFFFFFFu};
   return {vreinterpretq_f32_u32(vandq_u32(vreinterpretq_u32_f32(a.v), mask))};
+}
+// a.x, a.y, a.z, 0
+inline f32x4 without_w(f32x4 a) {
+  return {vsetq_lane_f32(0.0f, a.v, 3)};
+}
+// a.x, a.y, a.z, w.w
+inline f32x4 with_w(f32x4 a, f32x4 w) {
+  return {vcopyq_laneq_f32(a.v, 3, w.v, 3)};
+}
+// a.y, a.z, a.x, a.w
+inline f32x4 rotated_xyz(f32x4 a) {
+  const uint8x16_t order = {4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 12, 13, 14, 15};
+  return {vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(a.v), order))};
+}
+// (x + y) + (z + w), in all lanes.
+inline f32x4 sum_of_lanes(f32x4 a) {
+  const float32x4_t pairs = vpaddq_f32(a.v, a.v);
+  return {vpaddq_f32(pairs, pairs)};
+}
+// a.w, b.w, c.w, 0
+inline f32x4 fourths(f32x4 a, f32x4 b, f32x4 c) {
+  const float64x2_t ab = vreinterpretq_f64_f32(vzip2q_f32(a.v, b.v));  // z, z, w, w
+  const float64x2_t c0 = vreinterpretq_f64_f32(vzip2q_f32(c.v, vdupq_n_f32(0.0f)));
+  return {vreinterpretq_f32_f64(vzip2q_f64(ab, c0))};
 }
 
 inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {

@@ -35,6 +35,9 @@ inline void store(float* p, f32x4 a) {
 inline f32x4 splat(float s) {
   return {{s, s, s, s}};
 }
+inline f32x4 lanes(float x, float y, float z, float w) {
+  return {{x, y, z, w}};
+}
 inline f32x4 operator+(f32x4 a, f32x4 b) {
   return each_lane([&](int i) { return a.v[i] + b.v[i]; });
 }
@@ -60,12 +63,30 @@ inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
 inline mask4 load_mask(const std::uint32_t* p) {
   return {{p[0] != 0, p[1] != 0, p[2] != 0, p[3] != 0}};
 }
+inline float first_lane(f32x4 a) {
+  return a.v[0];
+}
 // The lanes in m; `to` is a multiple of 16 bytes.
 inline void store(float* to, mask4 m, f32x4 a) {
   for (int i = 0; i < 4; ++i) to[i] = m.v[i] ? a.v[i] : to[i];
 }
 inline bool any(mask4 m) {
   return m.v[0] || m.v[1] || m.v[2] || m.v[3];
+}
+inline bool all(mask4 m) {
+  return m.v[0] && m.v[1] && m.v[2] && m.v[3];
+}
+inline f32x4 lesser(f32x4 a, f32x4 b) {
+  return each_lane([&](int i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; });
+}
+inline f32x4 greater(f32x4 a, f32x4 b) {
+  return each_lane([&](int i) { return b.v[i] < a.v[i] ? a.v[i] : b.v[i]; });
+}
+inline f32x4 absolute(f32x4 a) {
+  return each_lane([&](int i) { return __builtin_fabsf(a.v[i]); });
+}
+inline f32x4 only_where(mask4 m, f32x4 a) {
+  return each_lane([&](int i) { return m.v[i] ? a.v[i] : 0.0f; });
 }
 inline f32x4 clamp_to_unit(f32x4 a) {
   return each_lane([&](int i) { return !(0.0f < a.v[i]) ? 0.0f : a.v[i] < 1.0f ? a.v[i] : 1.0f; });
@@ -93,6 +114,26 @@ inline f32x4 times(f32x4 v, const Factors& f) {
 // 0, 0, 0, a.w
 inline f32x4 only_w(f32x4 a) {
   return {{0.0f, 0.0f, 0.0f, a.v[3]}};
+}
+// a.x, a.y, a.z, 0
+inline f32x4 without_w(f32x4 a) {
+  return {{a.v[0], a.v[1], a.v[2], 0.0f}};
+}
+// a.x, a.y, a.z, w.w
+inline f32x4 with_w(f32x4 a, f32x4 w) {
+  return {{a.v[0], a.v[1], a.v[2], w.v[3]}};
+}
+// a.y, a.z, a.x, a.w
+inline f32x4 rotated_xyz(f32x4 a) {
+  return {{a.v[1], a.v[2], a.v[0], a.v[3]}};
+}
+// (x + y) + (z + w), in all lanes.
+inline f32x4 sum_of_lanes(f32x4 a) {
+  return splat((a.v[0] + a.v[1]) + (a.v[2] + a.v[3]));
+}
+// a.w, b.w, c.w, 0
+inline f32x4 fourths(f32x4 a, f32x4 b, f32x4 c) {
+  return {{a.v[3], b.v[3], c.v[3], 0.0f}};
 }
 
 inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {

@@ -32,6 +32,9 @@ inline void store(float* p, f32x4 a) {
 inline f32x4 splat(float s) {
   return {_mm_set1_ps(s)};
 }
+inline f32x4 lanes(float x, float y, float z, float w) {
+  return {_mm_setr_ps(x, y, z, w)};
+}
 inline f32x4 operator+(f32x4 a, f32x4 b) {
   return {_mm_add_ps(a.v, b.v)};
 }
@@ -57,6 +60,9 @@ inline f32x4 select(mask4 m, f32x4 yes, f32x4 no) {
 inline mask4 load_mask(const std::uint32_t* p) {
   return {_mm_load_ps(reinterpret_cast<const float*>(p))};
 }
+inline float first_lane(f32x4 a) {
+  return _mm_cvtss_f32(a.v);
+}
 // The lanes in m; `to` is a multiple of 16 bytes.
 inline void store(float* to, mask4 m, f32x4 a) {
   const __m128 change = _mm_and_ps(_mm_xor_ps(a.v, _mm_load_ps(to)), m.v);
@@ -64,6 +70,23 @@ inline void store(float* to, mask4 m, f32x4 a) {
 }
 inline bool any(mask4 m) {
   return _mm_movemask_ps(m.v) != 0;
+}
+inline bool all(mask4 m) {
+  return _mm_movemask_ps(m.v) == 15;
+}
+// Of two numbers; of a number and NaN either, and of zeros either.
+inline f32x4 lesser(f32x4 a, f32x4 b) {
+  return {_mm_min_ps(a.v, b.v)};
+}
+inline f32x4 greater(f32x4 a, f32x4 b) {
+  return {_mm_max_ps(a.v, b.v)};
+}
+inline f32x4 absolute(f32x4 a) {
+  return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.v)};
+}
+// a where m holds, else 0.
+inline f32x4 only_where(mask4 m, f32x4 a) {
+  return {_mm_and_ps(m.v, a.v)};
 }
 // a between 0 and 1; NaN gives 0.
 inline f32x4 clamp_to_unit(f32x4 a) {
@@ -93,6 +116,32 @@ inline f32x4 times(f32x4 v, const Factors& f) {
 // 0, 0, 0, a.w
 inline f32x4 only_w(f32x4 a) {
   return {_mm_and_ps(a.v, _mm_castsi128_ps(_mm_setr_epi32(0, 0, 0, -1)))};
+}
+// a.x, a.y, a.z, 0
+inline f32x4 without_w(f32x4 a) {
+  return {_mm_and_ps(a.v, _mm_castsi128_ps(_mm_setr_epi32(-1, -1, -1, 0)))};
+}
+template <int Order>
+inline f32x4 shuffled(f32x4 a) {
+  return {_mm_castsi128_ps(_mm_shuffle_epi32(_mm_castps_si128(a.v), Order))};
+}
+// a.x, a.y, a.z, w.w
+inline f32x4 with_w(f32x4 a, f32x4 w) {
+  return {_mm_or_ps(without_w(a).v, only_w(w).v)};
+}
+// a.y, a.z, a.x, a.w
+inline f32x4 rotated_xyz(f32x4 a) {
+  return shuffled<_MM_SHUFFLE(3, 0, 2, 1)>(a);
+}
+// (x + y) + (z + w), in all lanes.
+inline f32x4 sum_of_lanes(f32x4 a) {
+  const f32x4 pairs = a + shuffled<_MM_SHUFFLE(2, 3, 0, 1)>(a);
+  return pairs + shuffled<_MM_SHUFFLE(1, 0, 3, 2)>(pairs);
+}
+// a.w, b.w, c.w, 0
+inline f32x4 fourths(f32x4 a, f32x4 b, f32x4 c) {
+  const __m128 ab = _mm_unpackhi_ps(a.v, b.v);  // z, z, w, w
+  return without_w({_mm_shuffle_ps(ab, c.v, _MM_SHUFFLE(3, 3, 3, 2))});
 }
 inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
   _MM_TRANSPOSE4_PS(a.v, b.v, c.v, d.v);

@@ -13,6 +13,16 @@ struct Rotation {
   float x = 0, y = 0, z = 0, w = 1;
 };
 
+inline Rotation rotation(const float* p) {
+  return {p[0], p[1], p[2], p[3]};
+}
+inline void store(float* to, const Rotation& q) {
+  to[0] = q.x;
+  to[1] = q.y;
+  to[2] = q.z;
+  to[3] = q.w;
+}
+
 // First b, then a.
 inline Rotation operator*(const Rotation& a, const Rotation& b) {
   return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
@@ -57,7 +67,20 @@ inline Rotation shortest_arc(const Vector3& from, const Vector3& to) {
     return {across.x, across.y, across.z, 0.0f};
   }
   const Vector3 v = cross(a, b);
-  return normalised({v.x, v.y, v.z, w});
+  return normalised(Rotation{v.x, v.y, v.z, w});
+}
+
+// The rotation in a map: its first axis keeps its direction, the second its side; scale, shear and mirroring are left
+// out. Axes without a direction are made up.
+inline Rotation rotation_of(const Affine& a) {
+  const Vector3 x = normalised_or({a.rows[0][0], a.rows[1][0], a.rows[2][0]}, {1, 0, 0});
+  const Vector3 second = {a.rows[0][1], a.rows[1][1], a.rows[2][1]};
+  const Rotation first = shortest_arc({1, 0, 0}, x);
+  // Then about x, to the side of the second axis.
+  const Vector3 from = rotate(first, {0, 1, 0}), to = normalised_or(second - x * dot(x, second), from);
+  const float cosine = dot(from, to), sine = dot(x, cross(from, to));
+  const Vector3 v = x * (cosine > -0.9999999f ? sine : 1.0f);
+  return normalised(Rotation{v.x, v.y, v.z, cosine > -0.9999999f ? 1 + cosine : 0.0f}) * first;
 }
 
 inline Rotation rotation_of(Span<const SoaTransform> pose, std::size_t joint) {

@@ -55,6 +55,10 @@ TEST(GoldenCook, GivesTheGoldenBytesOfLevels) {
                 test::golden_lod_copy());
 }
 
+TEST(GoldenCook, GivesTheGoldenBytesOfLimits) {
+  expect_golden(cook_file("limits.gltf", true), test::golden_limits_copy());
+}
+
 TEST(GoldenCook, TwiceGivesTheSameBytes) {
   EXPECT_EQ(cook_file("dance.gltf", false).file, cook_file("dance.gltf", false).file);
 }

@@ -22,6 +22,8 @@ extern const unsigned char elbow_v1[];
 extern const unsigned long long elbow_v1_size;
 extern const unsigned char lod_v1[];
 extern const unsigned long long lod_v1_size;
+extern const unsigned char limits_v1[];
+extern const unsigned long long limits_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -63,6 +65,11 @@ inline AlignedBlock golden_looks_copy() {
 // A file whose meshes have levels of detail.
 inline AlignedBlock golden_lod_copy() {
   return AlignedBlock(embedded::lod_v1, static_cast<std::size_t>(embedded::lod_v1_size));
+}
+
+// A file whose joints have limits.
+inline AlignedBlock golden_limits_copy() {
+  return AlignedBlock(embedded::limits_v1, static_cast<std::size_t>(embedded::limits_v1_size));
 }
 
 }  // namespace marrow::test

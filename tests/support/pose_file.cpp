@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "marrow/limits.h"
 #include "support/aligned.h"
 
 namespace marrow::test {
@@ -228,11 +229,27 @@ std::uint64_t hash_levels(std::uint64_t state, const File& file, std::uint32_t i
   return state;
 }
 
+// The rest pose, as far as its limits let it be.
+std::uint64_t hash_limits(std::uint64_t state, const Skeleton& skeleton) {
+  std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
+  std::vector<RotationFollower> followers(skeleton.limits.size);
+  require(limit_pose(skeleton.limits, local) == Status::ok);
+  require(follow_pose(skeleton.limits, followers, 0.1f, local) == Status::ok);
+  for (const JointLimit& limit : skeleton.limits) {
+    require(limit.joint < skeleton.joint_count && find_limit(skeleton.limits, limit.joint) == &limit);
+    for (auto& component : local[limit.joint / 4].rotation) component[limit.joint % 4] += 0.5f;
+  }
+  require(limit_pose(skeleton.limits, local) == Status::ok);
+  require(follow_pose(skeleton.limits, followers, 0.1f, local) == Status::ok);
+  return hash_all(state, local);
+}
+
 std::uint64_t exercise(const File& file) {
   std::uint64_t state = kHashStart;
   for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
     const Skeleton skeleton = file.skeleton(s);
     state = hash_text(state, skeleton.name);
+    if (!skeleton.limits.empty()) state = hash_limits(state, skeleton);
     for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) state = hash_text(state, file.text(skeleton.names[j]));
   }
   for (std::uint32_t r = 0; r < file.reference_count(); ++r) state = hash_reference(state, file, r);

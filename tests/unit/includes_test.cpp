@@ -43,12 +43,14 @@ const fs::path kRuntime = fs::path(MARROW_SOURCE_DIR) / "runtime";
 
 // Which folder stands behind a public header: where its functions are implemented.
 const std::map<std::string, std::string> kHeaders = {
-    {"marrow/status.h", "core"},     {"marrow/span.h", "core"},           {"marrow/pose.h", "core"},
-    {"marrow/glm.h", "math"},        {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
-    {"marrow/sample.h", "pose"},     {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
-    {"marrow/transition.h", "pose"}, {"marrow/playback.h", "pose"},       {"marrow/palette.h", "skin"},
-    {"marrow/skin.h", "skin"},       {"marrow/morph.h", "skin"},          {"marrow/clip_pack.h", "asset"},
-    {"marrow/unpack.h", "unpack"},   {"marrow/draco.h", "draco"},         {"marrow/meshopt.h", "meshopt"}};
+    {"marrow/status.h", "core"},  {"marrow/span.h", "core"},           {"marrow/pose.h", "core"},
+    {"marrow/glm.h", "math"},     {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
+    {"marrow/sample.h", "pose"},  {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
+    {"marrow/limits.h", "asset"}, {"marrow/transition.h", "pose"},     {"marrow/playback.h", "pose"},
+    {"marrow/ik.h", "pose"},      {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
+    {"marrow/morph.h", "skin"},   {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
+    {"marrow/draco.h", "draco"},  {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "pose"},
+    {"marrow/feet.h", "pose"},    {"marrow/ik_solve.h", "pose"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);

@@ -140,6 +140,7 @@ BuiltScene build_scene(RawScene& scene, const CookOptions& options) {
                          "no mesh in the scene has triangles to cook");
   if (options.subdivide > 0) check_subdivision(scene, options.subdivide);
   build_skeletons(scene, out);
+  build_limits(scene, out);
   build_clips(scene, options, out);
   build_meshes(scene, options, out);
   if (options.mesh_codec != MeshCodec::none) derive_inverse_binds(out);

@@ -91,6 +91,8 @@ BuiltScene build_pack(RawScene& scene, const CookOptions& options);
 
 // The stages of build_scene, each in a file of its own.
 void build_skeletons(const RawScene& scene, BuiltScene& out);
+// Of skeletons built before.
+void build_limits(RawScene& scene, BuiltScene& out);
 // What a clip of the source moves in one skeleton.
 struct ClipPart {
   std::uint32_t skeleton;

@@ -29,6 +29,7 @@ struct BuiltSkeleton {
   std::vector<Affine> scene_from_root;
   std::vector<SoaTransform> rest;
   std::vector<int> node_of_joint;  // the way back to the source
+  std::vector<JointLimit> limits;  // ascending by joint
   // The rest pose as packed files hold it, see unpack/rest.h.
   std::int32_t translation_exponent = 0;
   std::vector<std::uint64_t> rotation_codes;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include <glm/vec4.hpp>
 
 #include "marrow/file.h"
+#include "marrow/limits.h"
 
 namespace marrow::cook {
 
@@ -29,6 +31,12 @@ struct RawProperty {
   std::string text;
 };
 
+// `extras.marrow.limits` of a node.
+struct RawLimit {
+  LimitDescription description;
+  bool zero_is_given = false;  // else it is the rest rotation
+};
+
 struct RawNode {
   std::string name;      // may be empty
   int parent = kNone;    // index into RawScene::nodes, any order
@@ -39,6 +47,7 @@ struct RawNode {
   glm::dvec3 scale{1};
   std::vector<RawProperty> extras;
   std::size_t dropped_extras = 0;  // what cannot be carried
+  std::optional<RawLimit> limit;
 };
 
 struct RawInfluence {

@@ -187,6 +187,13 @@ Section write_node(const BuiltNode& n, Names& names) {
   return out;
 }
 
+Section write_limits(const BuiltSkeleton& s, std::uint32_t skeleton) {
+  Section out;
+  out.add(format::LimitHeader{skeleton, static_cast<std::uint32_t>(s.limits.size())});
+  out.add_all(s.limits);
+  return out;
+}
+
 // A section on its way: what the runtime sees, and what a packed file has instead.
 struct Entry {
   format::Kind kind;
@@ -276,7 +283,7 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   Names names;
   WrittenFile out;
   std::vector<Section> sections;  // their bytes stay where they are
-  sections.reserve(scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
+  sections.reserve(2 * scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
                    scene.images.size() + scene.nodes.size() + 1);
   std::vector<Entry> entries;
   const bool is_packed = std::any_of(scene.geometries.begin(), scene.geometries.end(),
@@ -309,6 +316,9 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   for (const BuiltMaterial& material : scene.materials) add(format::kMaterials, write_material(material, names));
   for (const RawImage& image : scene.images) add(format::kImages, write_image(image, names));
   for (const BuiltNode& node : scene.nodes) add(format::kNodes, write_node(node, names));
+  for (std::size_t s = 0; s < scene.skeletons.size(); ++s)
+    if (!scene.is_pack && !scene.skeletons[s].limits.empty())
+      add(format::kLimits, write_limits(scene.skeletons[s], static_cast<std::uint32_t>(s)));
   Section pool;
   pool.add_all(names.pool());
   pool.compact = compact_names(names.pool());

@@ -122,7 +122,7 @@ void export_nodes(ExportScene& scene) {
     const Json extras = extras_of(scene.file, kept);
     if (on_joint && is_identity(*kept.joint_from_node) &&
         scene.glb.json["nodes"][parent].value("name", std::string()) == kept.name) {
-      if (!extras.empty()) scene.glb.json["nodes"][parent]["extras"] = extras;
+      if (!extras.empty()) scene.glb.json["nodes"][parent]["extras"].merge_patch(extras);  // limits may be there
       continue;
     }
     Json node = Json::object();

@@ -33,6 +33,7 @@ struct ExportScene {
 
 // The last element of each array must exist before: skeletons, meshes, clips.
 void export_skeletons(ExportScene& scene);
+void export_limits(ExportScene& scene);
 void export_meshes(ExportScene& scene);
 void export_clips(ExportScene& scene);
 

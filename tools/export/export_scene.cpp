@@ -19,6 +19,7 @@ Exported export_file(const File& file, const std::string& name) {
   ExportScene scene{file, name, {}, {}, {}, {}, {}};
   scene.glb.json["scene"] = 0;
   export_skeletons(scene);
+  export_limits(scene);
   export_meshes(scene);
   export_clips(scene);
   export_nodes(scene);

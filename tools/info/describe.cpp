@@ -34,7 +34,8 @@ std::size_t bytes_of(const std::vector<File::Section>& sections) {
 // Everything is counted once; what is left are the header, the table and padding.
 ordered_json describe_totals(const LoadedFile& loaded) {
   const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH"));
-  const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")),
+  const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
+                                bytes_of(sections_of(loaded, "LIMI")),
                     clips = bytes_of(sections_of(loaded, "CLIP"));
   return {{"geometry", geometry},
           {"skeletons", skeletons},
@@ -118,6 +119,7 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
     r["skeletons"].push_back({{"name", s.name},
                               {"joints", s.joint_count},
                               {"roots", s.root_count},
+                              {"limits", s.limits.size},
                               {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
                               {"diagonal_m", diagonal(character, i)},
                               {"bytes", skeletons[i].bytes},

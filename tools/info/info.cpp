@@ -114,7 +114,8 @@ class Tree {
       const auto& s = r_["skeletons"][i];
       leaf(i + 1 == r_["skeletons"].size(), fmt::format("skeleton {} \"{}\"", i, text(s["name"])), size_of(s["bytes"]),
            "",
-           fmt::format("{} joints, {} roots, {:.3g} m across", s["joints"].get<int>(), s["roots"].get<int>(),
+           fmt::format("{} joints, {} roots, {}{:.3g} m across", s["joints"].get<int>(), s["roots"].get<int>(),
+                       s["limits"].get<int>() > 0 ? fmt::format("{} limits, ", s["limits"].get<int>()) : "",
                        s["diagonal_m"].get<double>()));
     }
   }

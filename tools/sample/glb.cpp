@@ -111,11 +111,28 @@ class Writer {
     set_place(node, back * (at - origin.head), glm::normalize(back * turn));
   }
 
+  // Knees and elbows bend in the plane in which they are bent at rest, from straight to 150°; the neck looks about.
+  static Json limits_of(int joint) {
+    if (joint == kNeck)
+      return {{"cone", {{"axis", {0, 1, 0}}, {"across", {1, 0, 0}}, {"swing", {40, 30}}, {"twist", {-50, 50}}}}};
+    for (int side = 0; side < 2; ++side) {
+      if (joint != on_side(kShin, side) && joint != on_side(kForearm, side)) continue;
+      const glm::vec3 above = bone_direction(skeleton()[static_cast<std::size_t>(joint)].parent);
+      const glm::vec3 along = bone_direction(joint), across = glm::cross(above, along);
+      const float bent = glm::degrees(std::asin(glm::length(across)));
+      const glm::vec3 axis = glm::inverse(skeleton()[static_cast<std::size_t>(joint)].turn) * glm::normalize(across);
+      return {{"hinge", {{"axis", {axis.x, axis.y, axis.z}}, {"angle", {-std::ceil(bent), 150 - std::ceil(bent)}}}}};
+    }
+    return {};
+  }
+
   void add_joints() {
     for (std::size_t i = 0; i < kJointCount; ++i) {
       const RestJoint& joint = skeleton()[i];
       Json node = {{"name", joint.name}};
       set_place_under(node, joint.parent, joint.head, joint.turn);
+      if (const Json limits = limits_of(static_cast<int>(i)); !limits.is_null())
+        node["extras"]["marrow"]["limits"] = limits;
       json_["nodes"].push_back(node);
     }
     for (std::size_t i = 0; i < kJointCount; ++i) {

@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 
 // The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 // comes before its children and the roots come first.
+struct JointLimit;  // see limits.h
 struct Skeleton {
   const char* name = "";
   std::uint32_t joint_count = 0;
@@ -23,6 +24,7 @@ struct Skeleton {
   const SoaTransform* rest = nullptr;       // soa_count(joint_count); the pose of joints that a clip leaves alone
   const std::uint16_t* parents = nullptr;   // joint_count; kNoParent for roots
   const std::uint32_t* names = nullptr;     // joint_count; see File::text
+  Span<const JointLimit> limits;            // ascending by joint; those that the asset came with
 
   std::size_t soa_size() const { return soa_count(joint_count); }
 };
@@ -339,8 +341,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_;
-  std::uint32_t first_[9] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[9] = {};
+  std::uint32_t first_[10] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[10] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

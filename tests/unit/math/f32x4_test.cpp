@@ -167,6 +167,43 @@ TEST(F32x4, Shuffles) {
   expect_lanes(r3, {a[3], b[3], c[3], d[3]}, "transpose");
 }
 
+TEST(F32x4, VectorsOfThreeInOneRegister) {
+  const f32x4 x = load(std::array<float, 4>{1, -2, 4, 8}.data()), y = load(std::array<float, 4>{5, 6, 7, -0.5f}.data());
+  expect_lanes(without_w(x), {1, -2, 4, 0}, "without_w");
+  expect_lanes(with_w(x, y), {1, -2, 4, -0.5f}, "with_w");
+  expect_lanes(rotated_xyz(x), {-2, 4, 1, 8}, "rotated_xyz");
+  expect_lanes(sum_of_lanes(x), {11, 11, 11, 11}, "sum_of_lanes");
+  // In pairs: (1 + 2⁻²⁴) + (2⁻²⁴ + 2⁻²⁴) is 1 + 2⁻²³, one after the other would be 1.
+  expect_lanes(sum_of_lanes(load(std::array<float, 4>{1, 0x1p-24f, 0x1p-24f, 0x1p-24f}.data())),
+               {1 + 0x1p-23f, 1 + 0x1p-23f, 1 + 0x1p-23f, 1 + 0x1p-23f}, "sum_of_lanes");
+  expect_lanes(fourths(x, y, splat(3)), {8, -0.5f, 3, 0}, "fourths");
+  EXPECT_EQ(first_lane(x), 1);
+}
+
+TEST(F32x4, ExtremesAndMasks) {
+  const int cases = for_pairs([](const float* a, const float* b) {
+    float lesser_one[4], greater_one[4], size[4], where[4];
+    bool every = true, numbers = true;
+    for (int i = 0; i < 4; ++i) {
+      numbers = numbers && a[i] == a[i] && b[i] == b[i] && !(a[i] == 0 && b[i] == 0);
+      lesser_one[i] = a[i] < b[i] ? a[i] : b[i];
+      greater_one[i] = a[i] < b[i] ? b[i] : a[i];
+      size[i] = std::fabs(a[i]);
+      where[i] = a[i] < b[i] ? a[i] : 0.0f;
+      every = every && a[i] < b[i];
+    }
+    const f32x4 x = load(a), y = load(b);
+    if (numbers) {
+      expect_lanes(lesser(x, y), lesser_one, "lesser");
+      expect_lanes(greater(x, y), greater_one, "greater");
+    }
+    expect_lanes(absolute(x), size, "absolute");
+    expect_lanes(only_where(x < y, x), where, "only_where");
+    ASSERT_EQ(all(x < y), every);
+  });
+  EXPECT_GT(cases, 2500);
+}
+
 TEST(F32x4, StoresTheLanesOfAMaskOnly) {
   int cases = 0;
   for (std::uint32_t set = 0; set < 16; ++set, ++cases) {

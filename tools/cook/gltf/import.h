@@ -45,6 +45,9 @@ std::vector<std::string> weight_owners(const Document& document, const std::vect
 // JSON pointer, as their name. Nulls, infinite numbers and texts with a zero character are left out and counted.
 void import_extras(const Document& document, std::vector<RawNode>& nodes, Budget& budget, Report& report);
 
+// Gives nodes their joint limits. Refuses what docs/limits.schema.json does.
+void import_limits(const Document& document, std::vector<RawNode>& nodes, const Report& report);
+
 // One RawMesh a mesh of the document, in its order. Primitives that draw no triangles are left out.
 std::vector<RawMesh> import_meshes(const Document& document, const Materials& materials, Budget& budget,
                                    Report& report);

@@ -18,6 +18,7 @@ struct Document {
   UserNumbers user_numbers;
   Json looks;                       // the root's materials, textures, samplers and images
   std::vector<Json> node_extras;    // by node; null where there are none
+  std::vector<Json> node_limits;    // by node: extras.marrow.limits, taken out of the above; null where there are none
   std::vector<Accessor> accessors;  // by the document's numbering
   Buffers buffers;
 };

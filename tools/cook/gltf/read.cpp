@@ -34,6 +34,20 @@ std::vector<std::string> extensions_used(const Json& root) {
   return used == root.end() ? std::vector<std::string>{} : used->get<std::vector<std::string>>();
 }
 
+// extras.marrow.limits, which are for the cooker and not for the game; null without.
+Json take_limits(Json& extras) {
+  if (!extras.is_object()) return {};
+  const auto marrow = extras.find("marrow");
+  if (marrow == extras.end() || !marrow->is_object()) return {};
+  const auto limits = marrow->find("limits");
+  if (limits == marrow->end()) return {};
+  Json taken = std::move(*limits);
+  marrow->erase(limits);
+  if (marrow->empty()) extras.erase(marrow);
+  // A `limits` that is null says as little as none would; it is refused like any other that is no object.
+  return taken.is_null() ? Json(false) : taken;
+}
+
 // What is imported from the JSON itself.
 void set_aside(Json& root, Document& document) {
   for (const char* name : {"materials", "textures", "samplers", "images"})
@@ -43,6 +57,7 @@ void set_aside(Json& root, Document& document) {
   for (Json& node : *nodes) {
     const auto extras = node.find("extras");
     document.node_extras.push_back(extras == node.end() ? Json() : std::move(*extras));
+    document.node_limits.push_back(take_limits(document.node_extras.back()));
   }
 }
 
@@ -80,6 +95,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
   scene.nodes = import_nodes(document, graph, report);
   scene.skins = import_skins(document, scene.nodes, report);
   import_extras(document, scene.nodes, budget, report);
+  import_limits(document, scene.nodes, report);
   Materials materials = import_materials(document.looks, report);
   scene.images =
       import_images(document, materials.raw, folder, options.image_bytes, budget, scene.source_bytes, report);

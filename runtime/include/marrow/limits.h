@@ -1,0 +1,168 @@
+// Joint limits: how far a joint may turn from its parent, and the nearest rotation where it has turned farther.
+#pragma once
+
+#include "marrow/pose.h"
+#include "marrow/span.h"
+#include "marrow/status.h"
+
+namespace marrow {
+
+enum class LimitKind : std::uint8_t {
+  none,   // turns freely; for joints that have a rate limit alone
+  hinge,  // about one axis, between two angles: knees, elbows, fingers
+  cone,   // swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
+  euler,  // three angles about three axes, each between two: rigs whose limits came so
+};
+
+// The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
+enum class AxisOrder : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx };
+
+// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
+// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
+// angle_range().
+struct AngleRange {
+  float middle;      // -1 … 1: -180° … 180°
+  float half_width;  // 0 … 1; 1: any angle
+};
+
+// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
+struct RateLimit {
+  float speed;
+  float acceleration;
+};
+
+// A joint's limit, as it lies in a cooked file; make one with make_limit().
+//
+// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
+// rotation. A local rotation q (parent_from_joint) is seen in them as
+//   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
+// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
+//
+// hinge: t is a turn about x, by an angle in angles[0].
+// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
+//   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
+//   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
+//   90° this is within 2.3° of an ellipse in the angles themselves.
+// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
+//   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
+//
+// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+struct JointLimit {
+  std::uint16_t joint;  // of the skeleton
+  LimitKind kind;
+  AxisOrder order;             // of euler; else xyz
+  float limit_from_parent[4];  // unit quaternion
+  float joint_from_limit[4];   // unit quaternion
+  AngleRange angles[3];        // of a cone the middles of the second and third are 0; of a hinge both are 0
+  RateLimit rate;              // of the local rotation, see follow_pose()
+};
+static_assert(sizeof(JointLimit) == 68);
+
+// Rotations no farther outside than this keep their bits.
+inline constexpr float kLimitTolerance_rad = 1e-5f;
+// The widest swing of a cone: 170°.
+inline constexpr float kWidestSwing_rad = 2.9670597f;
+
+// A limit as people think of it.
+struct LimitDescription {
+  LimitKind kind = LimitKind::none;
+  AxisOrder order = AxisOrder::xyz;
+  float zero[4] = {0, 0, 0, 1};  // the local rotation where all angles are 0: most often the joint's rest
+  float axis[3] = {1, 0, 0};     // the limit's x in the joint's axes: a hinge's axis, or what a cone points along
+  float across[3] = {0, 1, 0};   // its y, made perpendicular to x
+  // hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
+  // is the half-width, and `least` its negative. Euler: the three angles.
+  float least_rad[3] = {0, 0, 0};
+  float most_rad[3] = {0, 0, 0};
+  RateLimit rate = {0, 0};
+};
+
+// Angles least_rad … most_rad; all of them if that is a turn or more.
+// Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
+AngleRange angle_range(float least_rad, float most_rad);
+
+// `out` is written only on success.
+// Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
+// above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
+// euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+Status make_limit(const LimitDescription& description, std::uint16_t joint, JointLimit& out);
+
+// Whether `limit` keeps the rules that stand in JointLimit, as make_limit() and load() give them.
+bool is_valid(const JointLimit& limit);
+
+// local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
+//
+// What is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes nothing.
+// What comes out is inside within the same tolerance.
+//
+// Outside it is the nearest rotation for a hinge; for a cone the nearest swing, and of the twists the nearest with it;
+// for euler boxes one round of exact searches along each angle from the clamped angles. docs/ik/limits.md has how near
+// that is. The nearest rotation jumps where one side of the range is as far as the other. So that the result moves
+// continuously, over the last quarter of the way from the limit to there it moves through the middle of the range: of a
+// turn about an axis to the angle opposite the middle, of a swing to 180°, where in its place the twist is lost; and of
+// euler angles to ±90° of the second, where the third and the first are one. Distances are as tangents of a quarter of
+// the angle. A range of all angles is a circle, to which nothing leads continuously: it jumps at a swing of 180°, and
+// an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
+//
+// Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
+// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+Status clamp_rotation(const JointLimit& limit, float (&local)[4]);
+
+// By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
+float limit_excess(const JointLimit& limit, const float (&local)[4]);
+
+// clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
+// local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
+// Cost: clamp_rotation() a limit. Thread-safe on different poses.
+Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local);
+
+// The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
+const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
+
+// Limits over time. What follows a target with limited speed and acceleration; the memory is the caller's, one for each
+// rotation or point that follows. Zeroed, `= {}`, it begins anew: the next call takes its target as it is, at rest.
+struct RotationFollower {
+  float rotation[4];  // where it is: x y z w
+  float target[4];    // of the last call
+  float velocity[3];  // radians a second, about the parent's axes
+  float frame_s;      // of the last call
+  std::uint32_t mode;
+};
+struct PointFollower {
+  float point[3];
+  float target[3];
+  float velocity[3];
+  float frame_s;
+  std::uint32_t mode;
+};
+
+// Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+// is state.rotation or state.point.
+//
+// A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+// the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+// about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+// part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+// the speed until it is there; without any limit it is on its target.
+// Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+// they may exceed the acceleration by a few hundredths.
+//
+// The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+// each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+// from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+//
+// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s.
+// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, the target's quaternion has no length;
+// nothing is written. Cost: on the target, a comparison and a logarithm of a quaternion; else a square root or two each
+// step. No trigonometry of a library; the same bits everywhere. Thread-safe on different states.
+Status follow_rotation(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit);
+Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit);
+
+// follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
+// All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
+// way there may lead outside.
+// states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
+// finite; nothing is written. Joints whose rotation is not finite keep it.
+Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s, Span<SoaTransform> local);
+
+}  // namespace marrow

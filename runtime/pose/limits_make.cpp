@@ -1,0 +1,103 @@
+#include "core/check.h"
+#include "math/quaternion.h"
+#include "pose/joint_limit.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kTurn = 6.2831853f, kHalfTurn = 3.14159265f, kQuarterTurn = 1.57079633f;
+// Angles are given as floats: a range that is a turn but for rounding is one, and an angle at a bound is inside.
+constexpr float kRounding = 1e-6f;
+
+// For angles of at most half a turn: tan(angle / 4).
+float quarter_tangent(float angle_rad) {
+  const float a = 0.25f * angle_rad;
+  float sinc[4], cos[4];
+  store(sinc, sinc_of_root(splat(a * a)));
+  store(cos, cos_of_root(splat(a * a)));
+  return a * sinc[0] / cos[0];
+}
+
+bool is_direction(const float (&v)[3]) {
+  const float squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  return squared > 1e-12f && squared < 1e12f;
+}
+
+bool is_rate(const RateLimit& rate) {
+  return rate.speed >= 0 && rate.speed < 1e18f && rate.acceleration >= 0 && rate.acceleration < 1e18f;
+}
+
+// x along `axis`, y along `across` as far as it is perpendicular.
+bool limit_axes(const LimitDescription& d, Rotation& joint_from_limit) {
+  if (!is_direction(d.axis) || !is_direction(d.across)) return false;
+  const Vector3 x = normalised_or(vector3(d.axis), {}), a = normalised_or(vector3(d.across), {});
+  const Vector3 part = a - x * dot(a, x);
+  if (!(dot(part, part) > 1e-6f)) return false;
+  const Vector3 y = normalised_or(part, {});
+  // First x is brought there, then the rest is a turn about it.
+  const Rotation to_x = shortest_arc({1, 0, 0}, x);
+  const Vector3 y_now = rotate(conjugate(to_x), y);  // in the y-z plane
+  const float cos = y_now.y, sin = y_now.z;
+  const Rotation turn =
+      cos > -0.9f ? normalised(Rotation{sin, 0, 0, 1.0f + cos}) : normalised(Rotation{1.0f - cos, 0, 0, sin});
+  joint_from_limit = normalised(to_x * turn);
+  return true;
+}
+
+bool are_angles(const LimitDescription& d, int count) {
+  for (int i = 0; i < count; ++i) {
+    const float least = d.least_rad[i], most = d.most_rad[i];
+    if (!(-kTurn - kRounding <= least && least <= most && most <= kTurn + kRounding)) return false;
+  }
+  return true;
+}
+
+bool is_swing(const LimitDescription& d, int i) {
+  return d.most_rad[i] >= 0 && d.most_rad[i] <= kWidestSwing_rad && d.least_rad[i] == -d.most_rad[i];
+}
+
+}  // namespace
+
+AngleRange angle_range(float least_rad, float most_rad) {
+  const float half_width = 0.5f * (most_rad - least_rad);
+  if (half_width >= kHalfTurn - kRounding) return {0, 1};
+  float middle = 0.5f * (least_rad + most_rad);
+  if (middle > kHalfTurn) middle -= kTurn;
+  if (middle < -kHalfTurn) middle += kTurn;
+  return {quarter_tangent(middle), quarter_tangent(half_width)};
+}
+
+Status make_limit(const LimitDescription& d, std::uint16_t joint, JointLimit& out) {
+  JointLimit made = {};
+  made.joint = joint;
+  made.kind = d.kind;
+  MARROW_REQUIRE(d.kind <= LimitKind::euler);
+  MARROW_REQUIRE(d.order <= AxisOrder::zyx);
+  MARROW_REQUIRE(is_rate(d.rate));
+  made.rate = d.rate;
+  const Rotation given = rotation(d.zero);
+  MARROW_REQUIRE(dot(given, given) > 1e-12f && dot(given, given) < 1e12f);
+  Rotation joint_from_limit;
+  MARROW_REQUIRE(limit_axes(d, joint_from_limit));
+  if (d.kind == LimitKind::hinge || d.kind == LimitKind::cone) {
+    MARROW_REQUIRE(are_angles(d, 1));
+    made.angles[0] = angle_range(d.least_rad[0], d.most_rad[0]);
+  }
+  if (d.kind == LimitKind::cone) {
+    MARROW_REQUIRE(is_swing(d, 1));
+    MARROW_REQUIRE(is_swing(d, 2));
+    for (int i = 1; i < 3; ++i) made.angles[i] = {0, quarter_tangent(d.most_rad[i])};
+  }
+  if (d.kind == LimitKind::euler) {
+    MARROW_REQUIRE(are_angles(d, 3));
+    MARROW_REQUIRE(-kQuarterTurn - kRounding <= d.least_rad[1] && d.most_rad[1] <= kQuarterTurn + kRounding);
+    for (int i = 0; i < 3; ++i) made.angles[i] = angle_range(d.least_rad[i], d.most_rad[i]);
+    made.order = d.order;
+  }
+  store(made.limit_from_parent, normalised(conjugate(normalised(given) * joint_from_limit)));
+  store(made.joint_from_limit, joint_from_limit);
+  out = made;
+  return Status::ok;
+}
+
+}  // namespace marrow

@@ -1,0 +1,205 @@
+// Limits over time: what follows a target, with limited speed and acceleration.
+#include "core/check.h"
+#include "math/quaternion.h"
+#include "pose/joint_limit.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kStepsPerSecond = 960.0f, kLongest_s = 0.25f;
+// Within this much of the target, and of its velocity per second, the follower is taken to be on it.
+constexpr float kArrived = 1e-5f, kArrivedSpeed = 1e-3f;
+enum FollowMode : std::uint32_t { kNotBegun, kUnderWay, kOnTarget };
+
+float shorter(float a, float b) {
+  return a < b ? a : b;
+}
+
+Vector3 at_most(const Vector3& v, float longest) {
+  const float squared = dot(v, v);
+  return squared > longest * longest ? v * (longest / std::sqrt(squared)) : v;
+}
+
+// The speed after a step of h, towards a target at distance d, that lies on the curve from which braking by `brake`
+// stops there: v² = 2 brake d - brake² / gain², and near the target, where that would come to its end with a jump, v =
+// gain d. Distance after the step is d - (now + v) h / 2.
+float speed_on_curve(float d, float now, float brake, float gain, float h) {
+  const float near = gain * (d - 0.5f * now * h) / (1.0f + 0.5f * gain * h);
+  const float knee = brake / gain;  // the speed where both meet
+  if (near <= knee) return near;
+  const float half = 0.5f * brake * h, under = half * half + 2.0f * brake * d - 2.0f * half * now - knee * knee;
+  return std::sqrt(under > 0 ? under : 0.0f) - half;
+}
+
+struct Motion {
+  Vector3 at, velocity;
+};
+
+// Follows a target that moves from `from` to the origin, evenly, in `time_s`.
+void follow_origin(Motion& m, const Vector3& from, float time_s, const RateLimit& limit) {
+  const int steps = static_cast<int>(time_s * kStepsPerSecond + 0.99f);
+  const int count = steps > 0 ? steps : 1;
+  const float h = time_s / static_cast<float>(count);
+  const Vector3 target_velocity = from * (-1.0f / time_s);
+  const float gain = limit.acceleration > 0 ? 120.0f : 1.0f / h;
+  const float most = limit.speed > 0 ? limit.speed : 3e18f;
+  for (int i = 0; i < count; ++i) {
+    const Vector3 target = from * (static_cast<float>(count - i) / static_cast<float>(count));
+    const Vector3 way = target - m.at;
+    const float d = length(way);
+    const Vector3 direction = way * (d > 1e-12f ? 1.0f / d : 0.0f);
+    if (limit.acceleration > 0) {
+      const float now = dot(m.velocity - target_velocity, direction);
+      const float speed = speed_on_curve(d, now, 0.9f * limit.acceleration, gain, h);
+      const Vector3 wanted = at_most(target_velocity + direction * speed, most);
+      const Vector3 next = m.velocity + at_most(wanted - m.velocity, limit.acceleration * h);
+      m.at = m.at + (m.velocity + next) * (0.5f * h);
+      m.velocity = next;
+    } else {
+      m.velocity = at_most(target_velocity + direction * (d * gain), most);
+      m.at = m.at + m.velocity * h;
+    }
+  }
+}
+
+// One frame of a follower: `m` relative to where the target now is, `from` where the target was. Whether it is on the
+// target at the end; then its velocity is the target's.
+bool follow(Motion& m, const Vector3& from, bool on_target, float time_s, float last_s, const RateLimit& limit) {
+  const Vector3 target_velocity = from * (-1.0f / time_s);
+  const Vector3 change = target_velocity - m.velocity;
+  const float between_s = 0.5f * (time_s + last_s), gain = limit.acceleration * between_s;
+  const bool slow = limit.speed == 0 || !(dot(target_velocity, target_velocity) > limit.speed * limit.speed);
+  const bool soft = limit.acceleration == 0 || !(dot(change, change) > gain * gain);
+  if ((on_target && slow && soft) || (limit.speed == 0 && limit.acceleration == 0)) {
+    m.velocity = target_velocity;
+    return true;
+  }
+  follow_origin(m, from, time_s, limit);
+  const Vector3 left = target_velocity - m.velocity;
+  const bool arrived = dot(m.at, m.at) <= kArrived * kArrived &&
+                       (limit.acceleration == 0 || dot(left, left) <= kArrivedSpeed * kArrivedSpeed);
+  if (arrived) m.velocity = target_velocity;
+  return arrived || !is_finite(m.at) || !is_finite(m.velocity);
+}
+
+bool is_time(float dt_s) {
+  return dt_s >= 0 && dt_s < 3e38f;
+}
+bool is_limit(const RateLimit& limit) {
+  return limit.speed >= 0 && limit.speed < 1e18f && limit.acceleration >= 0 && limit.acceleration < 1e18f;
+}
+
+// The rotation vector of the shorter turn.
+Vector3 log_of(const Rotation& q) {
+  const Rotation r = q.w < 0 ? Rotation{-q.x, -q.y, -q.z, -q.w} : q;
+  const Vectors v = log_rotation({splat(r.x), splat(r.y), splat(r.z), splat(r.w)});
+  float x[4], y[4], z[4];
+  store(x, v.x);
+  store(y, v.y);
+  store(z, v.z);
+  return {x[0], y[0], z[0]};
+}
+Rotation exp_of(const Vector3& v) {
+  const Quaternions q = exp_rotation({splat(v.x), splat(v.y), splat(v.z)});
+  float x[4], y[4], z[4], w[4];
+  store(x, q.x);
+  store(y, q.y);
+  store(z, q.z);
+  store(w, q.w);
+  return {x[0], y[0], z[0], w[0]};
+}
+
+// As the rotation vector p changes with velocity v, the rotation turns by J v about the parent's axes: J is the left
+// Jacobian of the exponential (Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", 2011, 10.86).
+struct Jacobian {
+  Vector3 p;
+  float sinc, cos, squared;  // of half the angle; its whole square
+
+  explicit Jacobian(const Vector3& at) : p(at), squared(dot(at, at)) {
+    float s[4], c[4];
+    store(s, sinc_of_root(splat(0.25f * squared)));
+    store(c, cos_of_root(splat(0.25f * squared)));
+    sinc = s[0];
+    cos = c[0];
+  }
+  Vector3 turn_of(const Vector3& v) const {
+    const Vector3 a = cross(p, v), b = cross(p, a);
+    return v + a * (0.5f * sinc * sinc) + b * (squared > 1e-4f ? (1.0f - sinc * cos) / squared : 1.0f / 6.0f);
+  }
+  Vector3 change_of(const Vector3& turn) const {
+    const Vector3 a = cross(p, turn), b = cross(p, a);
+    return turn - a * 0.5f + b * (squared > 1e-4f ? (1.0f - cos / sinc) / squared : 1.0f / 12.0f);
+  }
+};
+
+}  // namespace
+
+Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit) {
+  MARROW_REQUIRE(is_time(dt_s));
+  MARROW_REQUIRE(is_limit(limit));
+  const Vector3 to = vector3(target);
+  MARROW_REQUIRE(dot(to, to) < 1e30f);
+  if (state.mode == kNotBegun) {
+    state = {};
+    store(state.point, to);
+    store(state.target, to);
+    state.mode = kOnTarget;
+    return Status::ok;
+  }
+  if (dt_s == 0) return Status::ok;
+  const float time_s = shorter(dt_s, kLongest_s);
+  Motion m = {vector3(state.point) - to, vector3(state.velocity)};
+  const Vector3 from = vector3(state.target) - to;
+  const bool on_target = follow(m, from, state.mode == kOnTarget, time_s, state.frame_s, limit);
+  store(state.point, on_target ? to : m.at + to);
+  store(state.target, to);
+  store(state.velocity, m.velocity);
+  state.frame_s = time_s;
+  state.mode = on_target ? kOnTarget : kUnderWay;
+  return Status::ok;
+}
+
+Status follow_rotation(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit) {
+  MARROW_REQUIRE(is_time(dt_s));
+  MARROW_REQUIRE(is_limit(limit));
+  const Rotation to = rotation(target), unit = normalised(to);
+  MARROW_REQUIRE(dot(to, to) > 1e-30f && dot(to, to) < 1e30f);
+  if (state.mode == kNotBegun) {
+    state = {};
+    store(state.rotation, to);
+    store(state.target, to);
+    state.mode = kOnTarget;
+    return Status::ok;
+  }
+  if (dt_s == 0) return Status::ok;
+  const float time_s = shorter(dt_s, kLongest_s);
+  // As rotation vectors from where the target now is.
+  const bool was_on_target = state.mode == kOnTarget;
+  const Vector3 from = log_of(normalised(rotation(state.target)) * conjugate(unit));
+  Motion m = {was_on_target ? from : log_of(normalised(rotation(state.rotation)) * conjugate(unit)), {}};
+  m.velocity = Jacobian(m.at).change_of(vector3(state.velocity));
+  const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
+  store(state.rotation, on_target ? to : normalised(exp_of(m.at) * unit));
+  store(state.target, to);
+  store(state.velocity, on_target ? m.velocity : Jacobian(m.at).turn_of(m.velocity));
+  state.frame_s = time_s;
+  state.mode = on_target ? kOnTarget : kUnderWay;
+  return Status::ok;
+}
+
+Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s, Span<SoaTransform> local) {
+  MARROW_REQUIRE(states.size >= limits.size);
+  MARROW_REQUIRE(is_time(dt_s));
+  for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint / 4u < local.size);
+  for (std::size_t i = 0; i < limits.size; ++i) {
+    const RateLimit& rate = limits[i].rate;
+    if (rate.speed == 0 && rate.acceleration == 0) continue;
+    float target[4];
+    store(target, rotation_of(local, limits[i].joint));
+    if (follow_rotation(states[i], target, dt_s, rate) != Status::ok) continue;
+    set_rotation(local, limits[i].joint, rotation(states[i].rotation));
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow

@@ -1,0 +1,35 @@
+// Joint limits: what artists wrote on nodes becomes what lies in the file.
+#include "common/failure.h"
+#include "cook/build.h"
+
+namespace marrow::cook {
+namespace {
+
+JointLimit build_limit(const RawScene& scene, const BuiltSkeleton& skeleton, std::size_t joint) {
+  const auto node = static_cast<std::size_t>(skeleton.node_of_joint[joint]);
+  const RawLimit& raw = *scene.nodes[node].limit;
+  LimitDescription d = raw.description;
+  if (!raw.zero_is_given)
+    for (std::size_t i = 0; i < 4; ++i) d.zero[i] = skeleton.rest[joint / 4].rotation[i][joint % 4];
+  JointLimit limit{};
+  if (make_limit(d, static_cast<std::uint16_t>(joint), limit) != Status::ok)
+    throw tools::Failure(tools::Exit::internal, scene.source,
+                         "/nodes/" + std::to_string(node) + "/extras/marrow/limits", "joint-limit",
+                         "the limit was read but cannot be made");
+  return limit;
+}
+
+}  // namespace
+
+void build_limits(RawScene& scene, BuiltScene& out) {
+  for (BuiltSkeleton& skeleton : out.skeletons)
+    for (std::size_t j = 0; j < skeleton.node_of_joint.size(); ++j)
+      if (scene.nodes[static_cast<std::size_t>(skeleton.node_of_joint[j])].limit)
+        skeleton.limits.push_back(build_limit(scene, skeleton, j));
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+    if (scene.nodes[n].limit && out.joint_of_node[n] == kNone)
+      scene.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras/marrow/limits", "limit-without-joint",
+                                "the node is no joint: no skin names it and no clip moves it"});
+}
+
+}  // namespace marrow::cook
