@@ -1,0 +1,88 @@
+#include "pose/two_bone.h"
+#include <bit>
+
+#include "core/check.h"
+#include "marrow/ik.h"
+#include "marrow/local_to_model.h"
+#include "pose/goals.h"
+#include "pose/turn_joint.h"
+#include "pose/twist.h"
+
+namespace marrow {
+namespace {
+
+template <bool plain>
+inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
+  const Vector<One> start = origin_of(*joints.start), mid = origin_of(*joints.mid), end = origin_of(*joints.end);
+  LimbProblem<One> in = {mid - start,
+                         end - mid,
+                         vector(goal.target) - start,
+                         linear(*joints.start),
+                         linear(*joints.mid),
+                         vector(goal.bend_axis),
+                         {vector(goal.pole), is_some(goal.twist_rad), {}, {}},
+                         all_lanes<One>(goal.soft),
+                         is_partial(goal.max_stretch),
+                         all_lanes<One>(goal.max_stretch),
+                         is_partial(goal.weight),
+                         all_lanes<One>(goal.weight)};
+  if (!plain && in.about.twisted) {
+    const CosSin twist = cos_sin(goal.twist_rad);
+    in.about.cos = all_lanes<One>(twist.cos);
+    in.about.sin = all_lanes<One>(twist.sin);
+  }
+  return in;
+}
+
+// False if the numbers are not finite.
+template <bool plain>
+inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  LimbSolution<One> s;
+  if (!solve_limb<plain>(problem<plain>(joints, goal), s)) return false;
+  store(out.start, s.start.v);
+  store(out.mid, s.mid.v);
+  out.stretch = first_lane(s.stretch.v);
+  out.reached = s.miss < s.limb * all_lanes<One>(kNear);
+  return true;
+}
+
+[[gnu::noinline, gnu::cold]] Status solve_any(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  MARROW_REQUIRE(is_share(goal.weight) && is_share(goal.soft));
+  MARROW_REQUIRE(is_stretch(goal.max_stretch));
+  MARROW_REQUIRE(solve_one<false>(joints, goal, out));
+  return Status::ok;
+}
+
+// The translations of `joint` and of all above it up to `start`, which stays as it is.
+void stretch_limb(const Skeleton& skeleton, std::uint32_t start, std::uint32_t joint, float stretch,
+                  Span<SoaTransform> local) {
+  for (; joint != start; joint = skeleton.parents[joint])
+    for (float(&axis)[4] : local[joint / 4].translation) axis[joint % 4] *= stretch;
+}
+
+}  // namespace
+
+[[gnu::flatten]] Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
+  return usual && solve_one<true>(joints, goal, out) ? Status::ok : solve_any(joints, goal, out);
+}
+
+Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
+                      Span<Affine> scene_from_joint, bool* reached) {
+  MARROW_REQUIRE(local.size >= skeleton.soa_size());
+  MARROW_REQUIRE(scene_from_joint.size >= skeleton.joint_count);
+  MARROW_REQUIRE(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
+  MARROW_REQUIRE(hangs_below(skeleton, limb.mid, limb.start) && hangs_below(skeleton, limb.end, limb.mid));
+  const Affine* const joints = scene_from_joint.data;
+  TwoBoneTurns turns;
+  const Status status = two_bone({joints + limb.start, joints + limb.mid, joints + limb.end}, goal, turns);
+  if (status != Status::ok) return status;
+  if (reached != nullptr) *reached = turns.reached;
+  if (goal.weight == 0) return Status::ok;
+  turn_joint(local, limb.start, turns.start);
+  turn_joint(local, limb.mid, turns.mid);
+  if (turns.stretch != 1) stretch_limb(skeleton, limb.start, limb.end, turns.stretch, local);
+  return local_to_model_below(skeleton, local, limb.start, scene_from_joint);
+}
+
+}  // namespace marrow
