@@ -6,6 +6,7 @@
 #include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh
 #include "marrow/ik.h"              //    after 3         limbs reach, heads look
+#include "marrow/ik_solve.h"        //    after 3         chains and whole bodies reach goals
 #include "marrow/limits.h"          //    after 3         how far and how fast joints turn
 #include "marrow/local_to_model.h"  // 3. local to model  local pose → scene-space joints
 #include "marrow/morph.h"           //    before skinning weights → bind vertices moved

@@ -1,0 +1,143 @@
+// FABRIK (Aristidou and Lasenby 2011) on a tree of joints, and the Newton step on points that both heuristics end with.
+#include "pose/ik_heuristic.h"
+
+namespace marrow {
+namespace {
+
+// From an end back to its node: as the end lies, and, as far as the goal's rotation counts, as it shall be turned.
+Vector3 back_from_end(const IkHeuristic& h, std::size_t k, const Vector3& as_it_lies) {
+  const IkAim& aim = h.aims[k];
+  if (aim.turn == 0) return as_it_lies;
+  const float length = h.end(k).length, lever = length * h.per_size;
+  const Vector3 turned = normalised_or(rotate(aim.rotation, to_vector3(h.tree->ends[k].point)), {}) * -length;
+  return as_it_lies + (turned - as_it_lies) * (aim.turn / (aim.turn + aim.position * lever * lever));
+}
+
+// Scene rotation of a node's axes before they turn.
+Rotation above_turned(const IkTree& tree, const IkNode& node) {
+  return node.parent == kNoParent ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
+}
+
+// What turns node i, whose axes before they turn are `above`, to where its parts are wanted.
+Rotation forward_turn(const IkHeuristic& h, std::size_t i, const IkFrame& above) {
+  const IkTree& tree = *h.tree;
+  const IkNode& node = tree.nodes[i];
+  const InverseAxes inverse(above.axis);
+  const Vector3 origin = to_vector3(above.origin);
+  const Vector3 hinge = rotate(node.rotation, node.hinge);
+  TurnSum turns;
+  for (std::uint16_t c = h.parts[i].first; c != kNoPart; c = h.parts[c].next) {
+    const IkPart& part = h.parts[c];
+    const bool is_node = c < tree.nodes.size;
+    const std::size_t k = c - tree.nodes.size;
+    const f32x4 bone = is_node ? tree.nodes[c].above.origin : tree.ends[k].point;
+    const float lever = part.length * h.per_size;
+    turns.add_arc_about(hinge, rotate(node.rotation, to_vector3(bone)), inverse.direction(part.at - origin),
+                        part.weight * lever * lever);
+    if (is_node || h.aims[k].turn == 0) continue;
+    turns.add(conjugate(above_turned(tree, node)) * h.aims[k].rotation * conjugate(node.rotation), h.aims[k].turn);
+  }
+  return turns.turn();
+}
+
+}  // namespace
+
+void reach_forward_by_points(IkHeuristic& h) {
+  Vector3 from = h.parts[0].at;
+  for (std::size_t i = 1; i <= h.tree->nodes.size; ++i) {
+    IkPart& part = h.parts[i];
+    from = part.at = from + along(part.at - from, part.length);
+  }
+}
+
+// As long as joint i's parent turns by `turned` in the scene, and no more, bone i is where it was, turned. So the turn
+// that it lacks is found in the scene as it was, where no frame has to wait for the one above it.
+void turn_to_points(IkHeuristic& h) {
+  IkTree& tree = *h.tree;
+  Rotation turned = h.turned;
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    IkNode& node = tree.nodes[i];
+    const f32x4 bone = i + 1 < tree.nodes.size ? tree.nodes[i + 1].above.origin : tree.ends[0].point;
+    TurnSum arc;
+    arc.add_arc(to_vector3(turn(node.frame, bone)), rotate(conjugate(turned), h.parts[i + 1].at - h.parts[i].at), 1.0f);
+    const Rotation by = normalised(arc.turn()), in_scene = i == 0 ? turned * by : by;
+    turned = turned * by;
+    const InverseAxes inverse(node.frame.axis);
+    const Vector3 axis = axis_part(in_scene);
+    const Vector3 in_frame = along(inverse.direction(axis), inverse.sign * std::sqrt(dot(axis, axis)));
+    set_turned(node, node.rotation * Rotation{in_frame.x, in_frame.y, in_frame.z, in_scene.w});
+  }
+  update_frames(tree);
+  update_parts(h);
+}
+
+void pull(IkHeuristic& h) {
+  // The end is at Σ length · d, d the bones' directions; with d + v instead, of unit length, it moves by
+  // Σ length (I - d dᵀ) v, to first order in v.
+  const std::size_t end = h.tree->nodes.size;
+  float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  for (std::size_t i = 1; i <= end; ++i) {
+    const float length = h.parts[i].length;
+    const Vector3 d = along(h.parts[i].at - h.parts[i - 1].at, 1.0f), w = d * length;
+    xx += length - w.x * d.x;
+    yy += length - w.y * d.y;
+    zz += length - w.z * d.z;
+    xy -= w.x * d.y;
+    xz -= w.x * d.z;
+    yz -= w.y * d.z;
+  }
+  const float least = 1e-4f * h.size_m;  // a straight chain is not moved along itself
+  xx += least, yy += least, zz += least;
+  const float s = h.per_size;
+  const f32x4 axes[3] = {lanes(xx * s, xy * s, xz * s, 0.0f), lanes(xy * s, yy * s, yz * s, 0.0f),
+                         lanes(xz * s, yz * s, zz * s, 0.0f)};
+  Vector3 v = InverseAxes(axes) * ((h.aims[0].goal - h.parts[end].at) * s);
+  v = v * (1.0f / std::sqrt(1.0f + dot(v, v) * 1.2f));  // shorter than d, which never turns round
+  Vector3 from = h.parts[0].at, before = from;
+  for (std::size_t i = 1; i <= end; ++i) {
+    IkPart& part = h.parts[i];
+    const Vector3 d = along(part.at - before, 1.0f);
+    before = part.at;
+    from = part.at = from + along(d + v, part.length);
+  }
+}
+
+void reach_backward(IkHeuristic& h) {
+  for (std::size_t i = h.tree->nodes.size; i-- > 0;) {
+    IkPart& node = h.parts[i];
+    if (h.tree->nodes[i].parent == kNoParent || node.weight == 0) continue;
+    Vector3 wanted;
+    for (std::uint16_t c = node.first; c != kNoPart; c = h.parts[c].next) {
+      const IkPart& part = h.parts[c];
+      Vector3 back = along(node.at - part.at, part.length);
+      if (c >= h.tree->nodes.size) back = back_from_end(h, c - h.tree->nodes.size, back);
+      wanted = wanted + (part.at + back) * part.share;
+    }
+    node.at = wanted;
+  }
+}
+
+void reach_forward(IkHeuristic& h) {
+  IkTree& tree = *h.tree;
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    IkNode& node = tree.nodes[i];
+    const bool top = node.parent == kNoParent;
+    IkFrame above = node.above;
+    if (!top) {
+      const IkFrame& parent = tree.nodes[node.parent].frame;
+      for (f32x4& axis : above.axis) axis = turn(parent, axis);
+      above.origin = transform(parent, above.origin);
+    }
+    const Rotation by = forward_turn(h, i, above);
+    const float ease = node.ease_root * node.ease_root;
+    set_turned(node, part_of(by, ease) * node.rotation);
+    f32x4 axes[3];
+    set_axes(node.rotation, axes);
+    for (int a = 0; a < 3; ++a) node.frame.axis[a] = turn(above, axes[a]);
+    node.frame.origin = above.origin;
+    if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
+  }
+  update_parts(h);
+}
+
+}  // namespace marrow

@@ -1,0 +1,162 @@
+// Inverse kinematics by evolution: poses that compete, cross and learn.
+//
+// After the memetic scheme of Starke, Hendrich and Zhang 2019 (Memetic Evolution for Generic Full-Body Inverse
+// Kinematics in Robotics and Animation), with cyclic coordinate descent in the place of its gradient steps.
+#include <algorithm>
+
+#include "pose/ik_heuristic.h"
+
+namespace marrow {
+namespace {
+
+constexpr std::size_t kPoses = 24;  // of a generation
+constexpr std::size_t kElites = 6;  // of those, that learn and live on
+constexpr int kLessons = 4;         // for each elite, a generation
+constexpr float kProgress = 0.9f;   // of an elite's error, what must be left at most, or else it makes room
+
+// PCG-XSH-RR (O'Neill 2014): the same numbers everywhere.
+class Chance {
+ public:
+  explicit Chance(std::uint32_t seed) : state_(seed + 0x9E3779B97F4A7C15u) { bits(); }
+  std::uint32_t bits() {
+    const std::uint64_t old = state_;
+    state_ = old * 6364136223846793005u + 1442695040888963407u;
+    const std::uint32_t x = static_cast<std::uint32_t>(((old >> 18) ^ old) >> 27),
+                        turn = static_cast<std::uint32_t>(old >> 59);
+    return (x >> turn) | (x << ((32 - turn) & 31));
+  }
+  // 0 … 1, in steps of 2⁻²⁴.
+  float unit() { return static_cast<float>(bits() >> 8) * (1.0f / 16777216.0f); }
+  std::size_t below(std::size_t n) { return bits() % n; }
+  // About any axis; size 1 is up to 90°, more is farther.
+  Rotation turn(float size) {
+    Vector3 v;
+    v.x = unit() * 2.0f - 1.0f;
+    v.y = unit() * 2.0f - 1.0f;
+    v.z = unit() * 2.0f - 1.0f;
+    return normalised(Rotation{v.x * size, v.y * size, v.z * size, 1.0f});
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+struct Pose {
+  Rotation* rotations;  // one a node
+  float error;
+};
+
+// Two generations, of which one makes the other.
+struct Population {
+  IkHeuristic h;
+  Chance chance;
+  Pose poses[kPoses], next[kPoses];
+};
+
+void put(IkTree& tree, const Pose& pose) {
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) tree.nodes[i].rotation = pose.rotations[i];
+  update_frames(tree);
+}
+
+void take(const IkTree& tree, Pose& pose) {
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) pose.rotations[i] = tree.nodes[i].rotation;
+  pose.error = total_error(tree);
+}
+
+// Joints turned at random from where they are at the start, a few or many, a little or anyhow.
+void be_born(Population& p, Pose& pose) {
+  IkTree& tree = *p.h.tree;
+  const float wide = p.chance.unit(), size = 4.0f * wide * wide;
+  for (IkNode& node : tree.nodes) set_turned(node, node.start * p.chance.turn(size));
+  update_frames(tree);
+  take(tree, pose);
+}
+
+// The better of two.
+const Pose& parent(Population& p) {
+  const Pose &a = p.poses[p.chance.below(kPoses)], &b = p.poses[p.chance.below(kPoses)];
+  return a.error < b.error ? a : b;
+}
+
+void cross(Population& p, Pose& child) {
+  IkTree& tree = *p.h.tree;
+  const Pose &a = parent(p), &b = parent(p);
+  const float wide = p.chance.unit(), size = wide * wide * wide, share = p.chance.unit();
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    const Rotation between =
+        part_of(conjugate(a.rotations[i]) * b.rotations[i], p.chance.bits() % 2 == 0 ? 0.0f : share);
+    const bool changes = p.chance.bits() % 2 == 0;
+    set_turned(tree.nodes[i], a.rotations[i] * between * p.chance.turn(changes ? size : 0.0f));
+  }
+  update_frames(tree);
+  take(tree, child);
+}
+
+// Cyclic coordinate descent, as long as it helps.
+void learn(Population& p, Pose& pose, float tolerance) {
+  IkTree& tree = *p.h.tree;
+  put(tree, pose);
+  update_parts(p.h);
+  for (int i = 0; i < kLessons && pose.error > tolerance; ++i) {
+    descend_once(p.h);
+    if (!(total_error(tree) < pose.error)) return;
+    take(tree, pose);
+  }
+}
+
+void sort(Pose (&poses)[kPoses]) {
+  for (std::size_t i = 1; i < kPoses; ++i)
+    for (std::size_t k = i; k > 0 && poses[k].error < poses[k - 1].error; --k) std::swap(poses[k], poses[k - 1]);
+}
+
+void next_generation(Population& p, float tolerance) {
+  for (std::size_t i = 0; i < kElites; ++i) {
+    Pose& elite = p.poses[i];
+    const float before = elite.error;
+    learn(p, elite, tolerance);
+    // In a corner: all but the best begin anew.
+    if (i > 0 && elite.error > tolerance && elite.error > kProgress * before) be_born(p, elite);
+  }
+  for (std::size_t i = kElites; i < kPoses; ++i) cross(p, p.next[i]);
+  for (std::size_t i = kElites; i < kPoses; ++i) std::swap(p.poses[i], p.next[i]);
+  sort(p.poses);
+}
+
+IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const IkOptions& options, IkScratch& scratch) {
+  Population p{set_up(tree, scratch), Chance(options.seed), {}, {}};
+  for (std::size_t i = 0; i < kPoses; ++i) {
+    p.poses[i].rotations = scratch.take<Rotation>(tree.nodes.size);
+    p.next[i].rotations = scratch.take<Rotation>(tree.nodes.size);
+  }
+  take(tree, p.poses[0]);
+  IkReport report;
+  if (p.poses[0].error > options.tolerance_m) {
+    for (std::size_t i = 1; i < kPoses; ++i) be_born(p, p.poses[i]);
+    sort(p.poses);
+  }
+  for (; p.poses[0].error > options.tolerance_m && report.iterations < options.max_iterations; ++report.iterations)
+    next_generation(p, options.tolerance_m);
+  put(tree, p.poses[0]);
+  report.error_m = p.poses[0].error;
+  report.why = report.error_m <= options.tolerance_m ? IkStop::reached : IkStop::iterations;
+  return report;
+}
+
+}  // namespace
+
+std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
+  IkOptions options;
+  options.method = IkMethod::ccd;
+  IkScratch poses;
+  for (std::size_t i = 0; i < 2 * kPoses; ++i) poses.take<Rotation>(problem.joints.size);
+  const std::size_t tree = ik_scratch_bytes(skeleton, problem, options);
+  return tree > 0 ? tree + poses.used : 0;
+}
+
+Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                        const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+  return solve_ik_by(solve_genetic, skeleton, local, scene_from_joint, problem, options, scratch,
+                     ik_genetic_scratch_bytes(skeleton, problem), report);
+}
+
+}  // namespace marrow

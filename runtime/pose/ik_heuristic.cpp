@@ -1,0 +1,259 @@
+// The iteration that FABRIK and CCD share, and the sums of turns that joints make in both.
+#include "pose/ik_heuristic.h"
+
+#include <algorithm>
+
+#include "pose/joint_limit.h"
+
+namespace marrow {
+namespace {
+
+void add_part(IkHeuristic& h, std::size_t part, std::uint16_t node, float weight) {
+  IkPart& p = h.parts[part];
+  p.next = h.parts[node].first;
+  h.parts[node].first = static_cast<std::uint16_t>(part);
+  p.weight = weight;
+  h.parts[node].weight += weight;
+}
+
+// Goals and their weights.
+void set_aims(IkHeuristic& h) {
+  const IkTree& tree = *h.tree;
+  float greatest = 0;
+  for (const IkEnd& end : tree.ends)
+    greatest = std::max({greatest, end.goal->position_weight, end.goal->rotation_weight * h.per_size});
+  const float scale = greatest > 0 ? 1.0f / greatest : 0.0f;
+  for (std::size_t k = 0; k < tree.ends.size; ++k) {
+    const IkEnd& end = tree.ends[k];
+    IkAim& aim = h.aims[k];
+    const float position = end.goal->position_weight * scale, turn = end.goal->rotation_weight * h.per_size * scale;
+    aim.goal = vector3(end.goal->position);
+    aim.rotation = normalised(rotation(end.goal->rotation)) * conjugate(end.rotation);
+    aim.position = position * position;
+    aim.turn = turn * turn;
+  }
+}
+
+// What hangs on what, with what weight: from the ends inwards.
+void set_shares(IkHeuristic& h) {
+  const IkTree& tree = *h.tree;
+  const std::size_t nodes = tree.nodes.size;
+  for (std::size_t k = 0; k < tree.ends.size; ++k) add_part(h, nodes + k, tree.ends[k].node, h.aims[k].position);
+  for (std::size_t i = nodes; i-- > 0;)
+    if (tree.nodes[i].parent != kNoParent) add_part(h, i, tree.nodes[i].parent, h.parts[i].weight);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const IkPart& node = h.parts[i];
+    for (std::uint16_t c = node.first; c != kNoPart; c = h.parts[c].next)
+      h.parts[c].share = node.weight > 0 ? h.parts[c].weight / node.weight : 0.0f;
+    h.free = h.free && tree.nodes[i].limit == nullptr && tree.nodes[i].ease_root == 1.0f;
+  }
+}
+
+float error_of(const IkHeuristic& h) {
+  float sum = 0;
+  for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
+    const IkEnd& end = h.tree->ends[k];
+    const Vector3 p = (h.aims[k].goal - h.end(k).at) * end.goal->position_weight;
+    sum += dot(p, p);
+    if (!(h.aims[k].turn > 0)) continue;
+    const Vector3 r = rotation_error(*h.tree, end) * end.goal->rotation_weight;
+    sum += dot(r, r);
+  }
+  return std::sqrt(sum);
+}
+
+void keep_pose(IkHeuristic& h) {
+  if (h.plain) {
+    for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) h.parts[i].was = h.parts[i].at;
+  } else {
+    for (std::size_t i = 0; i < h.tree->nodes.size; ++i) h.parts[i].before = h.tree->nodes[i].rotation;
+  }
+}
+
+bool at_rest(const IkHeuristic& h) {
+  for (std::size_t i = 0; h.plain && i <= h.tree->nodes.size; ++i) {
+    const Vector3 d = (h.parts[i].at - h.parts[i].was) * h.per_size;
+    if (dot(d, d) > 1e-13f) return false;
+  }
+  for (std::size_t i = 0; !h.plain && i < h.tree->nodes.size; ++i) {
+    const Rotation &a = h.parts[i].before, &b = h.tree->nodes[i].rotation;
+    const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z, w = a.w - b.w;
+    if (x * x + y * y + z * z + w * w > 1e-13f) return false;
+  }
+  return true;
+}
+
+void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
+  if (method == IkMethod::ccd) {
+    descend_once(h);
+    if (h.chain && h.free) {
+      pull(h);
+      reach_forward(h);
+    }
+  } else {
+    for (std::size_t k = 0; k < h.tree->ends.size; ++k) h.end(k).at = h.aims[k].goal;
+    reach_backward(h);
+    if (h.chain) {
+      reach_forward_by_points(h);
+      pull(h);
+    }
+    if (!h.plain) reach_forward(h);
+    if (!h.free) descend_once(h);  // what limits keep from turning, others make up for
+  }
+  if (h.chain && !h.free && problem.pole_weight > 0) face_pole(h, problem);
+}
+
+// The last iteration counts by as much as it was needed, so that the result does not jump where one more, or one less,
+// is enough: all of it if the error is just within the tolerance, nothing if it was before.
+void stop_smoothly(IkHeuristic& h, float was, float error, float tolerance, bool first) {
+  const float before = was - tolerance, after = 0.25f * (tolerance - error);
+  if (!(before > 0 && after > 0)) return;
+  const float share = before / (before + after);
+  for (std::size_t i = 0; h.plain && i <= h.tree->nodes.size; ++i)
+    h.parts[i].at = h.parts[i].was + (h.parts[i].at - h.parts[i].was) * share;
+  if (h.plain && first) h.turned = part_of(h.turned, share);
+  if (h.plain) return;
+  for (std::size_t i = 0; i < h.tree->nodes.size; ++i) {
+    IkNode& node = h.tree->nodes[i];
+    set_turned(node, h.parts[i].before * part_of(conjugate(h.parts[i].before) * node.rotation, share));
+  }
+  update_frames(*h.tree);
+  update_parts(h);
+}
+
+// Until the goals as they are in reach are reached, nothing moves, or iterations are over.
+void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options, IkReport& report) {
+  float error = error_of(h);
+  report.why = IkStop::reached;
+  while (error > options.tolerance_m) {
+    report.why = IkStop::iterations;
+    if (report.iterations >= options.max_iterations) return;
+    const float was = error;
+    keep_pose(h);
+    if (h.chain && report.iterations == 0) {
+      set_out(h);
+      if (options.method == IkMethod::ccd) reach_forward(h);
+    }
+    iterate_once(h, problem, options.method);
+    ++report.iterations;
+    error = error_of(h);
+    report.why = error <= options.tolerance_m ? IkStop::reached : IkStop::stalled;
+    if (report.why == IkStop::reached) stop_smoothly(h, was, error, options.tolerance_m, report.iterations == 1);
+    if (at_rest(h)) return;
+  }
+}
+
+}  // namespace
+
+std::size_t heuristic_scratch_bytes(const IkProblem& problem) {
+  IkScratch count;
+  count.take<IkPart>(problem.joints.size + problem.goals.size);
+  count.take<IkAim>(problem.goals.size);
+  return count.used;
+}
+
+IkHeuristic set_up(IkTree& tree, IkScratch& scratch) {
+  IkHeuristic h;
+  h.tree = &tree;
+  h.parts = scratch.take<IkPart>(tree.nodes.size + tree.ends.size);
+  h.aims = scratch.take<IkAim>(tree.ends.size);
+  for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.parts[i] = {};
+  update_parts(h);
+  for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.size_m += h.parts[i].length;
+  h.per_size = h.size_m > 0 && h.size_m < 1e15f ? 1.0f / h.size_m : 0.0f;
+  set_aims(h);
+  set_shares(h);
+  h.chain = tree.ends.size == 1 && h.aims[0].position > 0 && h.per_size > 0;
+  return h;
+}
+
+IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem, const IkOptions& options,
+                         IkScratch& scratch) {
+  IkHeuristic h = set_up(tree, scratch);
+  const float beyond = h.chain ? approach(h, options) : 0.0f;
+  IkReport report;
+  if (h.per_size > 0) {
+    h.plain = h.chain && h.free && h.aims[0].turn == 0 && options.method == IkMethod::fabrik;
+    iterate(h, problem, options, report);
+    if (h.plain) {
+      h.plain = false;
+      if (report.iterations > 0) turn_to_points(h);
+      // Lengths that depend on how joints are turned, by scales that are not the same in all directions.
+      if (report.why == IkStop::reached && error_of(h) > 1.1f * options.tolerance_m)
+        iterate(h, problem, options, report);
+    }
+  }
+  if (h.chain && h.free && problem.pole_weight > 0) face_pole(h, problem);
+  if (beyond > 0) straighten(h, beyond);
+  report.error_m = total_error(tree);
+  if (report.why == IkStop::reached && report.error_m > 1.1f * options.tolerance_m) report.why = IkStop::stalled;
+  return report;
+}
+
+void TurnSum::add(const Rotation& q, float w) {
+  const float s = dot(sum, q) < 0 ? -w : w;
+  sum = {sum.x + q.x * s, sum.y + q.y * s, sum.z + q.z * s, sum.w + q.w * s};
+  weight += w;
+}
+
+void TurnSum::add_arc(const Vector3& from, const Vector3& to, float w) {
+  const Vector3 a = along(from, 1.0f), b = along(to, 1.0f);
+  if (dot(a, a) == 0 || dot(b, b) == 0) return;
+  const Vector3 v = cross(a, b), sum_ab = a + b;
+  add({v.x, v.y, v.z, 0.5f * dot(sum_ab, sum_ab)}, w);
+  if (dot(across, across) == 0) across = any_across(a);
+}
+
+void TurnSum::add_arc_about(const Vector3& hinge, const Vector3& from, const Vector3& to, float w) {
+  add_arc(from - hinge * dot(from, hinge), to - hinge * dot(to, hinge), w);
+  if (dot(hinge, hinge) > 0) across = hinge;
+}
+
+Rotation TurnSum::turn() const {
+  if (dot(sum, sum) > 1e-8f * weight * weight) return sum;
+  return weight > 0 ? Rotation{across.x, across.y, across.z, 0.0f} : Rotation{};
+}
+
+InverseAxes::InverseAxes(const f32x4 (&axis)[3]) {
+  const Vector3 x = to_vector3(axis[0]), y = to_vector3(axis[1]), z = to_vector3(axis[2]);
+  rows[0] = cross(y, z);
+  rows[1] = cross(z, x);
+  rows[2] = cross(x, y);
+  const float volume = dot(x, rows[0]), size = std::fabs(volume);
+  exists = size > 1e-30f && size < 1e30f;
+  sign = volume < 0 ? -1.0f : 1.0f;
+  scale = exists ? 1.0f / size : 0.0f;
+}
+
+Rotation part_of(const Rotation& any, float share) {
+  if (share == 1.0f) return any;
+  const Rotation q = normalised(any);
+  const float s = q.w < 0 ? -share : share;
+  return normalised(Rotation{q.x * s, q.y * s, q.z * s, q.w * s + (1.0f - share)});
+}
+
+void set_turned(IkNode& node, const Rotation& rotation) {
+  if (!(node.ease_root > 0)) return;
+  const float squared = dot(rotation, rotation), k = std::sqrt(squared) * (1.0f / squared);
+  if (!(squared > 1e-30f && squared < 1e30f)) return;
+  node.rotation = {rotation.x * k, rotation.y * k, rotation.z * k, rotation.w * k};
+  if (node.limit != nullptr) node.rotation = clamped(*node.limit, node.rotation);
+}
+
+void update_parts(IkHeuristic& h) {
+  const IkTree& tree = *h.tree;
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    IkPart& part = h.parts[i];
+    part.at = to_vector3(tree.nodes[i].frame.origin);
+    const std::uint16_t parent = tree.nodes[i].parent;
+    part.length = parent == kNoParent ? 0.0f : length(part.at - h.parts[parent].at);
+  }
+  for (std::size_t k = 0; k < tree.ends.size; ++k) {
+    const IkEnd& end = tree.ends[k];
+    IkPart& part = h.end(k);
+    part.at = to_vector3(transform(tree.nodes[end.node].frame, end.point));
+    part.length = length(part.at - h.parts[end.node].at);
+  }
+}
+
+}  // namespace marrow

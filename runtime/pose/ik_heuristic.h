@@ -1,0 +1,112 @@
+// What FABRIK and CCD keep beside the tree: where joints are to go, and what goals count in moving them.
+#pragma once
+
+#include "pose/ik_tree.h"
+
+namespace marrow {
+
+inline constexpr std::uint16_t kNoPart = 0xFFFF;
+
+// One a node and, after those, one an end. What hangs on a node is a list of parts.
+struct IkPart {
+  Vector3 at;                     // where its point is, or where it is wanted: scene space
+  float length = 0;               // from the node that it hangs on to there
+  float weight = 0;               // of the positions to be reached by it and what hangs on it
+  float share = 0;                // of all weight that hangs on the same node
+  std::uint16_t next = kNoPart;   // on the same node
+  std::uint16_t first = kNoPart;  // what hangs on it, if it is a node
+  Vector3 was;                    // `at`, an iteration earlier
+  Rotation before;                // of a node: its rotation an iteration earlier; of an end: its node's in the scene
+};
+
+struct IkAim {
+  Vector3 goal;        // the position to reach; where that is out of reach, the nearest that is not
+  Rotation rotation;   // the goal's, for the node: in the scene
+  float position = 0;  // the weights, squared, relative to the greatest; a radian is as long as the tree
+  float turn = 0;
+};
+
+struct IkHeuristic {
+  IkTree* tree;
+  IkPart* parts;
+  IkAim* aims;
+  float size_m = 0;    // sum of all lengths
+  float per_size = 0;  // 1 / size_m; 0 for no size
+  bool free = true;    // neither limits nor stiffness
+  bool chain = false;  // one end, with a position to reach
+  bool plain = false;  // nothing but that: FABRIK goes by points alone, and joints turn when they are there
+  Rotation turned;     // of a plain chain, as a whole, in the scene
+
+  IkPart& end(std::size_t k) const { return parts[tree->nodes.size + k]; }
+};
+
+// The direction of v, so long; 0 if it has none. Root and quotient do not wait for each other.
+inline Vector3 along(const Vector3& v, float length) {
+  const float squared = dot(v, v);
+  return v * (squared > 1e-30f && squared < 1e30f ? length * (std::sqrt(squared) * (1.0f / squared)) : 0.0f);
+}
+
+// Takes its memory, in which the tree's positions, lengths and weights are then.
+IkHeuristic set_up(IkTree& tree, IkScratch& scratch);
+
+// A sum of turns: quaternions that are not of unit length weigh as they are long.
+struct TurnSum {
+  void add(const Rotation& q, float w);
+  // The shortest that takes a direction to another; none if one of them is none.
+  void add_arc(const Vector3& from, const Vector3& to, float w);
+  // The one about a hinge that takes a direction nearest to another; of no hinge, the shortest.
+  void add_arc_about(const Vector3& hinge, const Vector3& from, const Vector3& to, float w);
+  Rotation turn() const;  // not of unit length
+
+  Rotation sum = {0, 0, 0, 0};
+  float weight = 0;
+  Vector3 across;  // about what to turn if the turns cancel each other
+};
+
+// The inverse of the linear part of a frame.
+struct InverseAxes {
+  explicit InverseAxes(const f32x4 (&axis)[3]);
+  // Of the length that it has, but for a factor above 0: not to wait for a division.
+  Vector3 direction(const Vector3& v) const {
+    return Vector3{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)} * sign;
+  }
+  Vector3 operator*(const Vector3& v) const { return direction(v) * scale; }
+  Vector3 rows[3];
+  float sign, scale;
+  bool exists;
+};
+
+// `share` of the turn q, of any length, the shorter way round; q itself if that is all of it.
+Rotation part_of(const Rotation& any, float share);
+// Of unit length, and kept to the node's limit. A node that is quite stiff keeps its rotation.
+void set_turned(IkNode& node, const Rotation& rotation);
+// Positions and lengths of all parts, from the frames.
+void update_parts(IkHeuristic& h);
+
+// Of a chain with one end, before it moves: stretches bones, and puts a goal that is out of reach into reach. Returns
+// by how much the goal is beyond the chain: 0 not at all, 1 so far that the chain shall be straight.
+float approach(IkHeuristic& h, const IkOptions& options);
+// Then, before the first iteration: turns the whole towards the goal, and wants joints that are on a line to it off
+// that.
+void set_out(IkHeuristic& h);
+// Turns the chain about the line from its top to its end until it bends towards the pole.
+void face_pole(IkHeuristic& h, const IkProblem& problem);
+// Of a chain whose goal is beyond it.
+void straighten(IkHeuristic& h, float beyond);
+
+// FABRIK's first half: from the ends inwards, each joint is wanted where bones have their lengths.
+void reach_backward(IkHeuristic& h);
+// Its second half: from the top outwards, joints turn, within their limits, to where their parts are wanted.
+void reach_forward(IkHeuristic& h);
+// The same for the points of a plain chain: no joint turns.
+void reach_forward_by_points(IkHeuristic& h);
+// Then they do. Exact but for scales that are not the same in all directions.
+void turn_to_points(IkHeuristic& h);
+// One step of Newton's method on the points of a chain: all bones are bent towards one direction, each by as much as it
+// is across it, so that the end comes to its goal. What FABRIK and CCD are slow at, a chain that is nearly straight,
+// this does at once.
+void pull(IkHeuristic& h);
+// CCD: from the ends inwards, each joint turns to where the ends are nearest to their goals, but as it is stiff.
+void descend_once(IkHeuristic& h);
+
+}  // namespace marrow

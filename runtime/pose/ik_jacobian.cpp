@@ -1,0 +1,235 @@
+// Damped least squares and Gauss-Newton: steps along the Jacobian, solved in the space of the goals.
+//
+// Damped least squares (Nakamura and Hanafusa 1986; Wampler 1986) takes the step Jᵀ (J Jᵀ + λ²)⁻¹ e. λ² is proportional
+// to the error (Levenberg-Marquardt by Fan and Yuan 2005), which makes it Newton's method close to the goal, and as
+// stiff as a stretched chain where the goal is out of reach; and to a factor that follows how well the last step kept
+// its promise (Nielsen 1999). No step is taken back, so that the result moves continuously with the goals.
+//
+// Gauss-Newton minimises Σ |x|² / ease, x the rotation vectors from the pose that there was, under the constraint e =
+// 0. With that linearised, μ its Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
+// J Jᵀ μ = e + J x. The same damping keeps it safe where goals cannot be reached, and the pull back by x fades.
+#include "math/quaternion.h"
+#include "pose/ik_dense.h"
+#include "pose/ik_system.h"
+#include "pose/joint_limit.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kErrorDamping =
+    0.25f;  // of Σ |error| · reach: above 0.21, the stiffness of two stretched bones' bending
+constexpr float kSizeDamping = 1e-4f;  // of the mean of J Jᵀ's diagonal
+constexpr float kLeastTrust = 0.1f;    // of these, where steps keep their promise
+constexpr float kLongestStep_rad = 0.5f;
+constexpr float kStill_rad = 1e-5f;  // a step of less is none
+constexpr float kPull = 0.4f;        // of the way back, a step
+constexpr float kPullEnds = 10;      // half of it at so many times the tolerance
+constexpr float kStuck = 1e-3f;  // of J Jᵀ's trace, what an error's direction has at least unless the chain is straight
+constexpr float kBend_rad = 0.5f;
+constexpr int kPasses = 2;  // of joints meeting their limits, a step
+
+struct Progress {
+  float damping = 1;
+  float error = 0;     // Σ error² before the step
+  float promised = 0;  // what the step was to take of it, were the goals linear
+  float mended = 1;    // the share of the error that the step was to mend
+  int still = 0;       // steps without movement
+};
+
+// What a step does to the rows of task t, as long as it is linear.
+f32x4 linear_effect(const IkSystem& s, std::size_t t) {
+  return load(s.error + 3 * t) - load(s.rest + 3 * t) + effect(s.tasks[t], s.moves, &IkMove::answer);
+}
+
+// What a fixed part of the step does to task t need not be answered.
+void take_off(IkSystem& s, std::size_t t, f32x4 done) {
+  float* const rest = s.rest + 3 * t;
+  const Vector3 left = to_vector3(load(rest) - done);
+  store(rest, left);
+}
+
+// Gauss-Newton's pull back to where the pose began.
+void pull_back(IkSystem& s, float share) {
+  const IkTree& tree = *s.tree;
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    const IkNode& node = tree.nodes[i];
+    if (!(node.ease_root > 0)) continue;
+    s.moves[i].fixed = turn_of(conjugate(node.start) * node.rotation) * splat(-share / node.ease_root);
+  }
+  if (s.travel_ease > 0) s.moves[tree.nodes.size].fixed = to_f32x4(tree.travel) * splat(-share / s.travel_ease);
+  for (std::size_t t = 0; t < s.tasks.size; ++t) take_off(s, t, effect(s.tasks[t], s.moves, &IkMove::fixed));
+}
+
+// A straight chain whose goal is along it, but nearer, does not feel it: no joint's turn brings the end nearer, and the
+// task's own block of J Jᵀ is nought in that direction. There the joints bend a little about `axis` of the scene.
+void leave_singularity(IkSystem& s, f32x4 axis) {
+  const IkTree& tree = *s.tree;
+  const std::size_t stride = dense_stride(s.rows);
+  for (std::size_t t = 0; t < s.tasks.size; ++t) {
+    const IkTask& task = s.tasks[t];
+    const float *const e3 = s.error + 3 * t, *const block = s.a + 3 * t * (stride + 1);
+    const f32x4 e = load(e3);
+    float felt = 0, all = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      felt += e3[r] * dot3(load(block + r * stride), e);
+      all += kStuck * block[r * stride + r];
+    }
+    const float squared = dot3(e, e);
+    if (task.turn || !(felt < all * squared)) continue;
+    const float l = std::sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
+    const float bend = kBend_rad * stuck * std::sqrt(l / (l + task.longest));
+    const f32x4 end = transform(tree.nodes[task.end->node].frame, task.end->point);
+    for (std::uint16_t n = task.end->node; n != kNoParent; n = tree.nodes[n].parent) {
+      const IkNode& node = tree.nodes[n];
+      const f32x4 arm = end - node.frame.origin, about = across(node.frame.axis, axis);
+      const float inward = -dot3(arm, e), size = l * std::sqrt(dot3(arm, arm) * dot3(about, about));
+      if (!(inward > 0 && size > 0)) continue;
+      s.moves[n].answer = s.moves[n].answer + about * splat(bend * node.ease_root * (inward / size));
+    }
+  }
+}
+
+// The longest turn of the step; not finite if some is not.
+float longest_turn(const IkSystem& s) {
+  float most = 0;
+  for (std::size_t i = 0; i < s.tree->nodes.size; ++i) {
+    const f32x4 v = (s.moves[i].fixed + s.moves[i].answer) * splat(s.tree->nodes[i].ease_root);
+    const float squared = dot3(v, v);
+    if (!(squared <= most)) most = squared;
+  }
+  return std::sqrt(most);
+}
+
+// Where `factor` of the step leads. Joints that it would take beyond their limits go as far as they may. Returns
+// whether there are any.
+bool set_next(IkSystem& s, float factor) {
+  const IkTree& tree = *s.tree;
+  bool any = false;
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    const IkNode& node = tree.nodes[i];
+    IkMove& move = s.moves[i];
+    const f32x4 step = move.fixed + move.answer;
+    const Rotation next = normalised(node.rotation * turn_by(step * splat(factor * node.ease_root)));
+    move.next = next;
+    move.stopped = false;
+    if (node.limit == nullptr || !(node.ease_root > 0)) continue;
+    move.next = clamped(*node.limit, next);
+    const Rotation& in = move.next;
+    if (in.x == next.x && in.y == next.y && in.z == next.z && in.w == next.w) continue;
+    const f32x4 turn = turn_of(conjugate(node.rotation) * in) * splat(1.0f / node.ease_root), over = step - turn;
+    const float squared = dot3(over, over);
+    move.beyond = over * splat(squared > 1e-30f ? 1.0f / std::sqrt(squared) : 0.0f);
+    move.most = dot3(move.beyond, turn - move.fixed);
+    move.fixed = move.fixed + move.beyond * splat(move.most);
+    move.answer = turn - move.fixed;
+    move.stopped = any = true;
+  }
+  return any;
+}
+
+// The directions in which joints may not go on leave the equations: the others mend what they do not.
+void leave_out_stopped(IkSystem& s) {
+  for (std::size_t t = 0; t < s.tasks.size; ++t) {
+    const IkTask& task = s.tasks[t];
+    f32x4 done = splat(0.0f);
+    for (std::uint32_t k = 0; k < task.length; ++k) {
+      IkEntry& entry = task.path[k];
+      const IkMove& move = s.moves[entry.node];
+      if (!move.stopped) continue;
+      const f32x4 along = times(entry, move.beyond);
+      done = done + along * splat(move.most);
+      entry.column[0] = entry.column[0] - along * splat_lane<0>(move.beyond);
+      entry.column[1] = entry.column[1] - along * splat_lane<1>(move.beyond);
+      entry.column[2] = entry.column[2] - along * splat_lane<2>(move.beyond);
+    }
+    take_off(s, t, done);
+  }
+}
+
+// Nielsen's rule: less damping where the last step kept its promise, more where it did not.
+void update_damping(float error, Progress& p) {
+  if (p.promised > 1e-4f * p.error) {  // below, rounding decides
+    const float x = 2 * (p.error - error) / p.promised - 1, change = 1 - x * x * x;
+    p.damping *= change > 2 ? 2.0f : change > 1.0f / 3 ? change : 1.0f / 3;
+    p.damping = p.damping > 1 ? 1.0f : p.damping > kLeastTrust ? p.damping : kLeastTrust;
+  }
+  p.error = error;
+}
+
+void set_promise(const IkSystem& s, float factor, Progress& p) {
+  float mended = 0, all = 1e-30f;
+  p.promised = 0;
+  for (std::size_t t = 0; t < s.tasks.size; ++t) {
+    const f32x4 e = load(s.error + 3 * t), step = linear_effect(s, t) * splat(factor);
+    const float along = dot3(step, e);
+    p.promised += 2 * s.tasks[t].cut * along - dot3(step, step);
+    mended += along;
+    all += dot3(e, e);
+  }
+  p.mended = mended > 0 ? (mended < all ? mended / all : 1.0f) : 0.0f;
+}
+
+// One step. False, and nothing is changed, if it is not finite.
+bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axis, Progress& p) {
+  IkTree& tree = *s.tree;
+  set_entries(s);
+  for (std::size_t i = 0; i < s.rows; ++i) s.rest[i] = s.error[i];
+  for (IkMove& move : s.moves) move.fixed = splat(0.0f);
+  if (pull > 0) pull_back(s, pull);
+  const float damping = options.damping * p.damping;
+  float factor = 1;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    if (pass > 0) leave_out_stopped(s);
+    set_products(s);
+    solve_rows(s, damping * kErrorDamping, options.damping * kSizeDamping);
+    set_answers(s);
+    if (pass == 0) leave_singularity(s, bend_axis);
+    const float longest = longest_turn(s);
+    if (!(longest < 1e15f)) return false;
+    factor = longest > kLongestStep_rad ? kLongestStep_rad / longest : 1.0f;
+    if (!set_next(s, factor)) break;
+  }
+  set_promise(s, factor, p);
+  p.still = longest_turn(s) < kStill_rad ? p.still + 1 : 0;
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    if (tree.nodes[i].ease_root > 0) tree.nodes[i].rotation = s.moves[i].next;
+  }
+  const IkMove& travel = s.moves[tree.nodes.size];
+  tree.travel = tree.travel + to_vector3((travel.fixed + travel.answer) * splat(factor * s.travel_ease));
+  update_frames(tree);
+  return true;
+}
+
+}  // namespace
+
+std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
+  IkScratch count;
+  place_system(skeleton, problem, count);
+  return count.used;
+}
+
+IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
+                        IkScratch& scratch) {
+  IkSystem s = place_system(skeleton, problem, scratch);
+  set_tasks(tree, problem, s);
+  const bool newton = options.method == IkMethod::gauss_newton;
+  const float ends = kPullEnds * options.tolerance_m;
+  // To the other side next time, in case limits forbid the first or the chain lies along the axis.
+  constexpr float kBendAxes[2][4] = {{0.48f, 0.36f, 0.8f, 0}, {-0.36f, -0.8f, -0.48f, 0}};
+  IkReport report;
+  for (Progress p;; ++report.iterations) {
+    report.error_m = set_errors(s);
+    report.why = IkStop::reached;
+    if (report.error_m <= options.tolerance_m) return report;
+    report.why = IkStop::stalled;
+    if (p.still > 1) return report;  // twice: to either side, see leave_singularity()
+    report.why = IkStop::iterations;
+    if (report.iterations == options.max_iterations) return report;
+    update_damping(report.error_m * report.error_m, p);
+    const float pull = newton ? kPull * p.mended * report.error_m / (report.error_m + ends) : 0.0f;
+    report.why = IkStop::stalled;
+    if (!take_step(s, options, pull, load(kBendAxes[report.iterations % 2]), p)) return report;
+  }
+}
+
+}  // namespace marrow

@@ -1,0 +1,227 @@
+#include "pose/ik_system.h"
+
+#include "pose/ik_dense.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kLongestTurn = 2;     // of an error, in radians, that one step is to mend
+constexpr float kLeastPivot = 1e-5f;  // of the mean of J Jᵀ's diagonal: above what float's rounding leaves of a zero
+
+std::size_t tasks_of(const IkGoal& goal) {
+  return (goal.position_weight > 0 ? 1u : 0u) + (goal.rotation_weight > 0 ? 1u : 0u);
+}
+
+void add_task(const IkEnd& end, bool turn, float weight, IkEntry*& entries, IkSystem& s) {
+  const IkTree& tree = *s.tree;
+  const bool travels = s.travel_ease > 0;
+  std::uint32_t length = 0;
+  float reach = 0;
+  f32x4 from = transform(tree.nodes[end.node].frame, end.point);
+  for (std::uint16_t n = end.node; n != kNoParent; n = tree.nodes[n].parent) {
+    const f32x4 to = tree.nodes[n].frame.origin;
+    reach += std::sqrt(dot3(from - to, from - to));
+    from = to;
+    length += n == 0 && travels ? 2 : 1;
+  }
+  s.tasks.data[s.tasks.size++] = {&end, entries, length, turn, weight, weight * (turn ? kLongestTurn : reach), 0, 1};
+  IkEntry* entry = entries + length;
+  for (std::uint16_t n = end.node; n != kNoParent; n = tree.nodes[n].parent) (--entry)->node = n;
+  if (entry != entries) entries->node = static_cast<std::uint16_t>(tree.nodes.size);
+  entries += length;
+}
+
+// Metres of the root's own space that it travels as easily as a joint turns by a radian.
+float travel_ease(const IkTree& tree, float root_travel_m) {
+  if (!(root_travel_m > 0) || tree.nodes[0].place != 0) return 0;
+  const f32x4(&axis)[3] = tree.nodes[0].above.axis;
+  const f32x4 squares = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+  const float scale = std::sqrt(dot3(squares, splat(1.0f / 3)));
+  return scale > 1e-15f ? root_travel_m / scale : 0;
+}
+
+void set_entries(const IkSystem& s, const IkTask& task) {
+  const IkTree& tree = *s.tree;
+  f32x4 point = task.end->point;
+  IkEntry* entry = task.path + task.length;
+  for (std::uint16_t n = task.end->node; n != kNoParent;) {
+    const IkNode& node = tree.nodes[n];
+    const f32x4 factor = splat(task.weight * node.ease_root);
+    --entry;
+    if (task.turn) {
+      set_axes(node.turned, entry->column);
+      for (f32x4& c : entry->column) c = c * factor;
+    } else {  // axis × point, through the frame
+      const f32x4 at = point * factor;
+      const f32x4 x = splat_lane<0>(at), y = splat_lane<1>(at), z = splat_lane<2>(at);
+      const f32x4(&axis)[3] = node.frame.axis;
+      entry->column[0] = axis[2] * y - axis[1] * z;
+      entry->column[1] = axis[0] * z - axis[2] * x;
+      entry->column[2] = axis[1] * x - axis[0] * y;
+      point = transform(node.parent_from_frame, point);
+    }
+    if (dot(node.hinge, node.hinge) > 0) {
+      const f32x4 about = times(*entry, to_f32x4(node.hinge));
+      entry->column[0] = about * splat(node.hinge.x);
+      entry->column[1] = about * splat(node.hinge.y);
+      entry->column[2] = about * splat(node.hinge.z);
+    }
+    n = node.parent;
+  }
+  if (entry == task.path) return;
+  const f32x4 factor = splat(task.turn ? 0.0f : task.weight * s.travel_ease);
+  for (int i = 0; i < 3; ++i) task.path->column[i] = tree.nodes[0].above.axis[i] * factor;
+}
+
+// Rows `first` … `end` - 1 of those before `end`: what they still lack, damped; the rows before them shall stay.
+void solve_level(IkSystem& s, std::size_t first, std::size_t end, float damping, float least) {
+  const std::size_t from = dense_stride(s.rows), to = dense_stride(end);
+  for (std::size_t i = 0; i < end; ++i) {
+    const float* const row = s.a + i * from;
+    float* const out = s.work + i * to;
+    for (std::size_t j = i / 4 * 4; j < to; j += 4) store(out + j, load(row + j));
+    out[i] += i < first ? least : damping;
+    out[end] = 0;
+  }
+  for (std::size_t i = first; i < end; ++i) {
+    float lacks = s.rest[i];
+    for (std::size_t j = 0; j < first; ++j) lacks -= s.a[j * from + i] * s.sum[j];
+    s.work[i * to + end] = lacks;
+  }
+  solve_dense(s.work, end, least, s.x);
+  for (std::size_t i = 0; i < end; ++i) s.sum[i] += s.x[i];
+}
+
+}  // namespace
+
+IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch) {
+  std::size_t entries = 0, tasks = 0;
+  for (const IkGoal& goal : problem.goals) {
+    std::size_t depth = 1;  // the travel
+    for (std::uint16_t j = goal.joint; j < skeleton.joint_count; j = skeleton.parents[j]) ++depth;
+    entries += tasks_of(goal) * depth;
+    tasks += tasks_of(goal);
+  }
+  IkSystem s = {};
+  s.rows = 3 * tasks;
+  const std::size_t stride = dense_stride(s.rows), moves = (problem.joints.size + 1 + 3) / 4 * 4;
+  s.tasks.data = scratch.take<IkTask>(tasks);
+  s.entries = scratch.take<IkEntry>(entries);
+  s.moves = {scratch.take<IkMove>(moves), moves};
+  s.error = scratch.take<float>(stride);
+  s.rest = scratch.take<float>(stride);
+  s.x = scratch.take<float>(stride);
+  s.sum = scratch.take<float>(stride);
+  s.a = scratch.take<float>(s.rows * stride);
+  s.work = scratch.take<float>(s.rows * stride);
+  return s;
+}
+
+void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
+  s.tree = &tree;
+  s.travel_ease = travel_ease(tree, problem.root_travel_m);
+  IkEntry* entries = s.entries;
+  for (int priority = 0, next = 0; next < 256; priority = next) {
+    next = 256;
+    for (const IkEnd& end : tree.ends) {
+      const IkGoal& goal = *end.goal;
+      if (goal.priority > priority && goal.priority < next) next = goal.priority;
+      if (goal.priority != priority) continue;
+      if (goal.position_weight > 0) add_task(end, false, goal.position_weight, entries, s);
+      if (goal.rotation_weight > 0) add_task(end, true, goal.rotation_weight, entries, s);
+    }
+  }
+  for (std::size_t i = 0; i < s.rows * dense_stride(s.rows); ++i) s.a[i] = 0;
+  for (IkMove& move : s.moves) move = IkMove{};
+}
+
+float set_errors(IkSystem& s) {
+  float total = 0, *to = s.error;
+  for (IkTask& task : s.tasks) {
+    Vector3 e = task.turn ? rotation_error(*s.tree, *task.end) : position_error(*s.tree, *task.end);
+    e = e * task.weight;
+    const float squared = dot(e, e), l = std::sqrt(squared);
+    total += squared;
+    task.cut = l > task.longest && task.longest > 0 ? l / task.longest : 1.0f;
+    if (l > task.longest) e = e * (task.longest / l);
+    task.size = length(e) * (task.turn ? length(e) : task.longest);  // how a turn's error bends depends on its size
+    store(to, e);
+    to += 3;
+  }
+  return std::sqrt(total);
+}
+
+void set_entries(IkSystem& s) {
+  for (const IkTask& task : s.tasks) set_entries(s, task);
+}
+
+void set_products(IkSystem& s) {
+  const std::size_t stride = dense_stride(s.rows);
+  for (std::size_t i = 0; i < s.tasks.size; ++i) {
+    const IkTask& a = s.tasks[i];
+    for (std::size_t j = i; j < s.tasks.size; ++j) {
+      const IkTask& b = s.tasks[j];
+      const std::uint32_t most = a.length < b.length ? a.length : b.length;
+      f32x4 row0 = splat(0.0f), row1 = row0, row2 = row0;
+      for (std::uint32_t k = 0; k < most && a.path[k].node == b.path[k].node; ++k) {
+        for (int c = 0; c < 3; ++c) {
+          const f32x4 left = a.path[k].column[c], right = b.path[k].column[c];
+          row0 = row0 + splat_lane<0>(left) * right;
+          row1 = row1 + splat_lane<1>(left) * right;
+          row2 = row2 + splat_lane<2>(left) * right;
+        }
+      }
+      float* const to = s.a + 3 * i * stride + 3 * j;
+      store(to, row0);  // the fourth lane is 0, and the next block's
+      store(to + stride, row1);
+      store(to + 2 * stride, row2);
+    }
+  }
+}
+
+void solve_rows(IkSystem& s, float error_share, float size_share) {
+  const std::size_t stride = dense_stride(s.rows);
+  float trace = 0;
+  for (std::size_t i = 0; i < s.rows; ++i) trace += s.a[i * stride + i];
+  for (std::size_t i = 0; i < stride; ++i) s.sum[i] = 0;
+  const float mean = trace / static_cast<float>(s.rows), least = mean * kLeastPivot + 1e-30f;
+  const float size = mean * size_share + least;
+  for (std::size_t first = 0, task = 0; task < s.tasks.size; first = 3 * task) {
+    const int priority = s.tasks[task].end->goal->priority;
+    float damping = size;
+    for (; task < s.tasks.size && s.tasks[task].end->goal->priority == priority; ++task)
+      damping += s.tasks[task].size * error_share;
+    solve_level(s, first, 3 * task, damping, least);
+  }
+}
+
+void set_answers(IkSystem& s) {
+  for (IkMove& move : s.moves) move.answer = splat(0.0f);
+  const float* x = s.sum;
+  for (const IkTask& task : s.tasks) {
+    const f32x4 v = load(x);
+    for (std::uint32_t i = 0; i < task.length; ++i) {
+      f32x4& answer = s.moves[task.path[i].node].answer;
+      answer = answer + across(task.path[i].column, v);
+    }
+    x += 3;
+  }
+}
+
+f32x4 times(const IkEntry& entry, f32x4 v) {
+  return entry.column[0] * splat_lane<0>(v) + entry.column[1] * splat_lane<1>(v) + entry.column[2] * splat_lane<2>(v);
+}
+
+f32x4 across(const f32x4 (&column)[3], f32x4 v) {
+  f32x4 row0 = column[0] * v, row1 = column[1] * v, row2 = column[2] * v, none = splat(0.0f);
+  transpose(row0, row1, row2, none);
+  return row0 + row1 + row2;
+}
+
+f32x4 effect(const IkTask& task, Span<const IkMove> moves, f32x4 IkMove::*part) {
+  f32x4 sum = splat(0.0f);
+  for (std::uint32_t i = 0; i < task.length; ++i) sum = sum + times(task.path[i], moves[task.path[i].node].*part);
+  return sum;
+}
+
+}  // namespace marrow

@@ -1,0 +1,250 @@
+#include "pose/ik_tree.h"
+
+#include "core/check.h"
+#include "marrow/local_to_model.h"
+#include "math/quaternion.h"
+#include "pose/joint_limit.h"
+
+namespace marrow {
+namespace {
+
+IkFrame multiply(const IkFrame& a, const IkFrame& b) {
+  return {{turn(a, b.axis[0]), turn(a, b.axis[1]), turn(a, b.axis[2])}, transform(a, b.origin)};
+}
+
+IkFrame to_frame(const Affine& a) {
+  IkFrame f;
+  for (int i = 0; i < 3; ++i) f.axis[i] = to_f32x4({a.rows[0][i], a.rows[1][i], a.rows[2][i]});
+  f.origin = to_f32x4(origin(a));
+  return f;
+}
+
+// parent_from_joint of a joint that does not turn.
+IkFrame local_frame(Span<const SoaTransform> local, std::size_t joint) {
+  const Vector3 s = scale_of(local, joint);
+  IkFrame f;
+  set_axes(rotation_of(local, joint), f.axis);
+  f.axis[0] = f.axis[0] * splat(s.x);
+  f.axis[1] = f.axis[1] * splat(s.y);
+  f.axis[2] = f.axis[2] * splat(s.z);
+  f.origin = to_f32x4(translation_of(local, joint));
+  return f;
+}
+
+// What is above a node, up to the node that it hangs on, or to the scene.
+void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
+               const std::uint16_t* node_of, IkNode& node) {
+  std::uint16_t on = skeleton.parents[node.joint];
+  while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
+  node.parent = on == kNoParent ? kNoParent : node_of[on];
+  IkFrame above = {{}, to_f32x4(translation_of(local, node.joint))};
+  set_axes({}, above.axis);
+  Rotation turned;
+  std::uint16_t joint = node.joint, next = skeleton.parents[joint];
+  if (on == kNoParent) {
+    above = multiply(to_frame(next == kNoParent ? skeleton.scene_from_root[joint] : scene_from_joint[next]), above);
+    for (; next != kNoParent; joint = next, next = skeleton.parents[joint]) turned = rotation_of(local, next) * turned;
+    turned = rotation_of(skeleton.scene_from_root[joint]) * turned;
+  } else {
+    for (; next != on; next = skeleton.parents[next]) {
+      above = multiply(local_frame(local, next), above);
+      turned = rotation_of(local, next) * turned;
+    }
+    const f32x4 scale = to_f32x4(scale_of(local, on));
+    for (f32x4& axis : above.axis) axis = axis * scale;
+    above.origin = above.origin * scale;
+  }
+  node.above = above;
+  node.above_turned = turned;
+}
+
+void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std::uint16_t* node_of, IkEnd& end) {
+  std::uint16_t joint = end.goal->joint;
+  f32x4 point = to_f32x4(vector3(end.goal->offset)), bone{};
+  Rotation rotation;
+  for (; node_of[joint] == kNoParent; joint = skeleton.parents[joint]) {
+    const IkFrame frame = local_frame(local, joint);
+    point = transform(frame, point);
+    bone = transform(frame, bone);
+    rotation = rotation_of(local, joint) * rotation;
+  }
+  end.node = node_of[joint];
+  const f32x4 scale = to_f32x4(scale_of(local, joint));
+  end.point = point * scale;
+  end.bone = bone * scale;
+  end.rotation = rotation;
+}
+
+// Translations of all joints from the goal's up to, and not with, the first that turns.
+void stretch_bones(const Skeleton& skeleton, const IkTree& tree, float factor, Span<SoaTransform> local) {
+  for (std::uint16_t j = tree.ends[0].goal->joint; j != tree.nodes[0].joint; j = skeleton.parents[j])
+    for (float(&t)[4] : local[j / 4].translation) t[j % 4] *= factor;
+}
+
+}  // namespace
+
+// The axes of a rotation: as in local_to_model, so the same where q is not quite a unit.
+void set_axes(const Rotation& q, f32x4 (&axis)[3]) {
+  const float x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
+  const float xx = q.x * x2, yy = q.y * y2, zz = q.z * z2, xy = q.x * y2, xz = q.x * z2, yz = q.y * z2;
+  const float wx = q.w * x2, wy = q.w * y2, wz = q.w * z2;
+  axis[0] = to_f32x4({1.0f - (yy + zz), xy + wz, xz - wy});
+  axis[1] = to_f32x4({xy - wz, 1.0f - (xx + zz), yz + wx});
+  axis[2] = to_f32x4({xz + wy, yz - wx, 1.0f - (xx + yy)});
+}
+
+IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch) {
+  IkTreeMemory m;
+  m.nodes = scratch.take<IkNode>(problem.joints.size);
+  m.ends = scratch.take<IkEnd>(problem.goals.size);
+  m.node_of = scratch.take<std::uint16_t>(skeleton.joint_count);
+  return m;
+}
+
+Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
+                  const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree) {
+  constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // and moves a goal
+  std::uint16_t* const node_of = memory.node_of;
+  for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoParent;
+  for (const std::uint16_t j : problem.joints) node_of[j] = kMayTurn;
+  for (const IkGoal& goal : problem.goals) {
+    bool moves = false;
+    for (std::uint16_t j = goal.joint; j != kNoParent; j = skeleton.parents[j]) {
+      if (node_of[j] == kNoParent) continue;
+      node_of[j] = kMoves;
+      moves = true;
+    }
+    MARROW_REQUIRE(moves);
+    tree.turns = tree.turns || goal.rotation_weight > 0;
+  }
+  std::uint16_t count = 0;
+  for (std::size_t i = 0; i < problem.joints.size; ++i) {
+    const std::uint16_t joint = problem.joints[i];
+    if (node_of[joint] == kMayTurn) {
+      node_of[joint] = kNoParent;
+      continue;
+    }
+    IkNode& node = memory.nodes[count];
+    node.joint = joint;
+    node.place = static_cast<std::uint16_t>(i);
+    node.ease_root = problem.stiffness.empty() ? 1.0f : std::sqrt(1.0f - problem.stiffness[i]);
+    node.rotation = node.start = rotation_of(local, joint);
+    node.limit = find_limit(problem.limits, joint);
+    node.hinge = {};
+    if (node.limit != nullptr && node.limit->kind == LimitKind::hinge) {
+      const float* const q = node.limit->joint_from_limit;
+      node.hinge = rotate({q[0], q[1], q[2], q[3]}, {1, 0, 0});
+    }
+    set_above(skeleton, local, scene_from_joint, node_of, node);
+    if (node.limit != nullptr && node.ease_root > 0) node.rotation = clamped(*node.limit, node.rotation);
+    node_of[joint] = count++;
+  }
+  tree.nodes = {memory.nodes, count};
+  tree.ends = {memory.ends, problem.goals.size};
+  update_frames(tree);
+  f32x4 sum = splat(0.0f);
+  for (const IkNode& node : tree.nodes) {
+    sum = sum + node.frame.axis[0] + node.frame.axis[1] + node.frame.axis[2] + load(&node.above_turned.x);
+  }
+  for (std::size_t i = 0; i < problem.goals.size; ++i) {
+    IkEnd& end = memory.ends[i];
+    end.goal = &problem.goals[i];
+    set_end(skeleton, local, node_of, end);
+    sum = sum + transform(tree.nodes[end.node].frame, end.point) + load(&end.rotation.x);
+  }
+  const f32x4 lost = sum * splat(0.0f);  // 0, or NaN where something was not finite
+  MARROW_REQUIRE(dot3(lost, splat(1.0f)) == 0 && dot3(splat_lane<3>(lost), splat(1.0f)) == 0);
+  return Status::ok;
+}
+
+void update_frames(IkTree& tree, std::size_t first) {
+  for (std::size_t i = first; i < tree.nodes.size; ++i) {
+    IkNode& node = tree.nodes[i];
+    f32x4 axes[3];
+    set_axes(node.rotation, axes);
+    IkFrame& local = node.parent_from_frame;
+    for (int a = 0; a < 3; ++a) local.axis[a] = turn(node.above, axes[a]);
+    local.origin = node.above.origin;
+    if (i == 0) local.origin = local.origin + turn(node.above, to_f32x4(tree.travel));
+    const bool top = node.parent == kNoParent;
+    node.frame = top ? local : multiply(tree.nodes[node.parent].frame, local);
+    if (!tree.turns) continue;
+    const Rotation above = top ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
+    node.turned = above * node.rotation;
+  }
+}
+
+Vector3 rotation_error(const IkTree& tree, const IkEnd& end) {
+  const float* const to = end.goal->rotation;
+  return to_vector3(
+      turn_of(Rotation{to[0], to[1], to[2], to[3]} * conjugate(tree.nodes[end.node].turned * end.rotation)));
+}
+
+float total_error(const IkTree& tree) {
+  float sum = 0;
+  for (const IkEnd& end : tree.ends) {
+    const float p = end.goal->position_weight, r = end.goal->rotation_weight;
+    const Vector3 at = position_error(tree, end) * p;
+    sum += dot(at, at);
+    if (!(r > 0)) continue;
+    const Vector3 turn = rotation_error(tree, end) * r;
+    sum += dot(turn, turn);
+  }
+  return std::sqrt(sum);
+}
+
+float dot3(f32x4 a, f32x4 b) {
+  float f[4];
+  store(f, a * b);
+  return f[0] + f[1] + f[2];
+}
+
+Rotation turn_by(f32x4 v) {
+  Quaternions q = exp_rotation({splat_lane<0>(v), splat_lane<1>(v), splat_lane<2>(v)});
+  transpose(q.x, q.y, q.z, q.w);
+  Rotation out;
+  store(&out.x, q.x);
+  return out;
+}
+
+f32x4 turn_of(const Rotation& rotation) {
+  const Rotation unit = normalised(rotation);
+  f32x4 q = load(&unit.x);
+  q = flip(q, splat_lane<3>(q));
+  Vectors v = log_rotation({splat_lane<0>(q), splat_lane<1>(q), splat_lane<2>(q), splat_lane<3>(q)});
+  f32x4 none = splat(0.0f);
+  transpose(v.x, v.y, v.z, none);
+  return v.x;
+}
+
+Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
+                  Span<Affine> scene_from_joint) {
+  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
+    const IkNode& node = tree.nodes[i];
+    const Rotation &from = node.start, &to = node.rotation;
+    if (from.x == to.x && from.y == to.y && from.z == to.z && from.w == to.w) continue;
+    Rotation q = to;
+    if (weight < 1) {
+      const float other = dot(from, to) < 0 ? weight - 1 : 1 - weight;
+      store(&q.x, load(&from.x) * splat(other) + load(&to.x) * splat(weight));
+      q = normalised(q);
+    }
+    set_rotation(local, node.joint, q);
+  }
+  if (dot(tree.travel, tree.travel) > 0) {
+    const std::uint16_t joint = tree.nodes[0].joint;
+    float(&t)[3][4] = local[joint / 4].translation;
+    t[0][joint % 4] += tree.travel.x * weight;
+    t[1][joint % 4] += tree.travel.y * weight;
+    t[2][joint % 4] += tree.travel.z * weight;
+  }
+  if (tree.stretch != 1) stretch_bones(skeleton, tree, 1.0f + (tree.stretch - 1.0f) * weight, local);
+  for (const IkNode& node : tree.nodes) {
+    if (node.parent != kNoParent) continue;
+    const Status status = local_to_model_below(skeleton, local, node.joint, scene_from_joint);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow

@@ -1,0 +1,140 @@
+// What the iterative solvers work on: the joints that turn and move a goal, and nothing of the skeleton besides.
+//
+// Joints between that do not turn, translations and scales are folded into constant maps, so that every node is one
+// rotation: frame = frame of the parent node · above · rotation. A frame is a joint's space before its own scale, which
+// is folded into what hangs below; frames are exact for any scale all the same.
+#pragma once
+
+#include "marrow/ik_solve.h"
+#include "math/f32x4.h"
+#include "math/rotation.h"
+
+namespace marrow {
+
+// An affine map by its columns: axes and origin. Lane 3 of each is 0.
+struct IkFrame {
+  f32x4 axis[3];
+  f32x4 origin;
+};
+
+inline f32x4 turn(const IkFrame& f, const Vector3& v) {
+  return f.axis[0] * splat(v.x) + f.axis[1] * splat(v.y) + f.axis[2] * splat(v.z);
+}
+inline f32x4 turn(const IkFrame& f, f32x4 v) {
+  return f.axis[0] * splat_lane<0>(v) + f.axis[1] * splat_lane<1>(v) + f.axis[2] * splat_lane<2>(v);
+}
+inline f32x4 transform(const IkFrame& f, f32x4 point) {
+  return turn(f, point) + f.origin;
+}
+inline Vector3 to_vector3(f32x4 v) {
+  float f[4];
+  store(f, v);
+  return {f[0], f[1], f[2]};
+}
+inline f32x4 to_f32x4(const Vector3& v) {
+  return lanes(v.x, v.y, v.z, 0.0f);
+}
+
+struct IkNode {
+  IkFrame above;  // constant: from this joint's axes before they turn to the parent node's frame, or the scene
+  IkFrame parent_from_frame;  // above · rotation
+  IkFrame frame;              // scene_from_frame
+  Rotation rotation;          // the joint's local rotation
+  Rotation start;             // the same, as it was in the pose
+  Rotation above_turned;      // the rotation in `above`, or of what is above it in the scene
+  Rotation turned;            // of the frame in the scene; where goals ask for rotations only
+  const JointLimit* limit;    // or null
+  Vector3 hinge;              // the only axis that it turns about, in its own axes; 0: any
+  float ease_root;            // √(1 - stiffness)
+  std::uint16_t joint;
+  std::uint16_t parent;  // a node, before this one; kNoParent: what is above never moves
+  std::uint16_t place;   // in IkProblem::joints
+};
+
+// The end of a chain: one a goal.
+struct IkEnd {
+  const IkGoal* goal;
+  f32x4 point;        // that shall reach the goal, in the node's frame
+  f32x4 bone;         // of `point` the part that is translations of joints, and not the goal's offset
+  Rotation rotation;  // from the goal's joint to the node's axes
+  std::uint16_t node;
+};
+
+struct IkTree {
+  Span<IkNode> nodes;  // ascending: parents first
+  Span<IkEnd> ends;    // as IkProblem::goals
+  bool turns = false;  // some goal asks for a rotation
+  Vector3 travel;      // of node 0, in its parent joint's space; see IkProblem::root_travel_m
+  float stretch = 1;   // of the bones below node 0, of a tree with one end
+};
+
+// Hands out scratch memory piece by piece; without memory it only counts.
+struct IkScratch {
+  std::byte* memory = nullptr;
+  std::size_t used = 0;
+
+  template <class T>
+  T* take(std::size_t count) {
+    static_assert(alignof(T) <= 16);
+    std::byte* const at = memory == nullptr ? nullptr : memory + used;
+    used += (count * sizeof(T) + 15) / 16 * 16;
+    return reinterpret_cast<T*>(at);
+  }
+};
+
+// Room for the tree; the same calls with and without memory.
+struct IkTreeMemory {
+  IkNode* nodes;
+  IkEnd* ends;
+  std::uint16_t* node_of;  // of each of the skeleton's joints: its node or kNoParent
+};
+IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch);
+
+// Of a checked problem, frames and all. bad_argument if a goal hangs on no joint that turns, or the pose is not finite.
+Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
+                  const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree);
+
+// Frames of the nodes from `first` on, after rotations changed; nodes before it are up to date.
+void update_frames(IkTree& tree, std::size_t first = 0);
+
+// The axes of a rotation, as columns of its matrix.
+void set_axes(const Rotation& q, f32x4 (&axis)[3]);
+
+// Of the first three lanes.
+float dot3(f32x4 a, f32x4 b);
+
+// From where an end is to where it shall be: scene space, metres.
+inline Vector3 position_error(const IkTree& tree, const IkEnd& end) {
+  return vector3(end.goal->position) - to_vector3(transform(tree.nodes[end.node].frame, end.point));
+}
+// The turn that is missing, as a rotation vector (axis times angle ≤ π) in scene space.
+Vector3 rotation_error(const IkTree& tree, const IkEnd& end);
+
+// See IkReport.
+float total_error(const IkTree& tree);
+
+// The rotation by |v| about v, |v| ≤ 2π.
+Rotation turn_by(f32x4 v);
+// Axis times angle, the angle at most π.
+f32x4 turn_of(const Rotation& q);
+
+// Writes what changed into the pose, blended by `weight`, and brings the matrices below up to date.
+Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
+                  Span<Affine> scene_from_joint);
+
+// A method: changes rotations and frames of the tree. It takes what memory it needs of `scratch`.
+using IkSolver = IkReport (*)(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem,
+                              const IkOptions& options, IkScratch& scratch);
+IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
+                        IkScratch& scratch);
+IkReport solve_heuristic(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
+                         IkScratch& scratch);
+std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+std::size_t heuristic_scratch_bytes(const IkProblem& problem);
+
+// What is the same for all methods: checks, the tree, the method, the pose written.
+Status solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                   const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                   std::size_t scratch_bytes, IkReport* report);
+
+}  // namespace marrow
