@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "math/affine.h"
+#include "pose/joint_range.h"
 
 namespace marrow {
 namespace {
@@ -47,7 +48,8 @@ void transform_some(const Skeleton& skeleton, const SoaTransform* local, std::ui
   }
 }
 
-// Joints `first` … `end` - 1, whose parents are done.
+}  // namespace
+
 void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::uint32_t first, std::uint32_t end,
                       Affine* out) {
   std::uint32_t joint = first;
@@ -69,8 +71,6 @@ void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::
   }
   if (joint < end) transform_some(skeleton, local, joint, end, out);
 }
-
-}  // namespace
 
 Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out) {
   return local_to_model_first(skeleton, local, skeleton.joint_count, out);

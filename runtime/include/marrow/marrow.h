@@ -4,6 +4,7 @@
 #include "marrow/blend.h"           //    between them    several poses → one
 #include "marrow/clip_pack.h"       //    beside it       clips of another file
 #include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
+#include "marrow/feet.h"            //    after 3        soles on the ground
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh
 #include "marrow/ik.h"              //    after 3         limbs reach, heads look
 #include "marrow/ik_solve.h"        //    after 3         chains and whole bodies reach goals
@@ -14,6 +15,7 @@
 #include "marrow/playback.h"        //    before it       a playing clip: time, speed, loop
 #include "marrow/sample.h"          // 2. sample          Clip, time → local pose
 #include "marrow/skin.h"            // 5. skin            rigid, SSD, animation space
+#include "marrow/springs.h"         //    after 3         hair, tails and capes swing
 #include "marrow/status.h"          // how calls fail
 #include "marrow/transition.h"      //    between them    one clip → the next
 #include "marrow/unpack.h"          // 0. unpack          packed file → .mrw in memory

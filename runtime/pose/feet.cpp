@@ -1,0 +1,337 @@
+#include "marrow/feet.h"
+
+#include "core/check.h"
+#include "marrow/ik.h"
+#include "marrow/local_to_model.h"
+#include "math/exponential.h"
+#include "pose/axes.h"
+#include "pose/mask.h"
+#include "pose/turn_joint.h"
+#include "pose/twist.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kFarthest = 1e6f;
+constexpr float kAllButTwoPercent = 5.834f;  // (1 + x) e^-x = 0.02
+constexpr float kLeastRise = 0.173648178f;   // cos 80°
+
+struct FeetCall {
+  const Skeleton& skeleton;
+  const Feet& feet;
+  const FeetFrame& frame;
+  Vector3 up, origin;
+  float rate;    // 1/s, of what dies away
+  float decay;   // e^(-rate dt)
+  CosSin slope;  // the steepest
+  Span<SoaTransform> local;
+  Span<Affine> scene_from_joint;
+};
+
+bool near(const Vector3& v) {
+  return within(v.x, -kFarthest, kFarthest) && within(v.y, -kFarthest, kFarthest) && within(v.z, -kFarthest, kFarthest);
+}
+bool near(const Affine& a) {
+  return near(vector3(a.rows[0])) && near(vector3(a.rows[1])) && near(vector3(a.rows[2])) && near(origin(a));
+}
+
+Status check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
+  const Skeleton& skeleton = call.skeleton;
+  MARROW_REQUIRE(foot.ankle < skeleton.joint_count);
+  MARROW_REQUIRE(foot.hip < foot.knee && hangs_below(skeleton, foot.knee, foot.hip));
+  MARROW_REQUIRE(foot.knee < foot.ankle && hangs_below(skeleton, foot.ankle, foot.knee));
+  MARROW_REQUIRE(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
+  MARROW_REQUIRE(near(vector3(foot.sole)));
+  MARROW_REQUIRE(near(vector3(foot.bend_axis)));
+  MARROW_REQUIRE(within(foot.weight, 0, 1));
+  MARROW_REQUIRE(near(vector3(ground.point)));
+  MARROW_REQUIRE(near(vector3(ground.normal)));
+  const std::uint32_t joints[3] = {foot.hip, foot.knee, foot.ankle};
+  for (const std::uint32_t joint : joints) {
+    const Affine& m = call.scene_from_joint[joint];
+    MARROW_REQUIRE(near(m));
+    MARROW_REQUIRE(near(transform(call.frame.world_from_scene, origin(m))));
+    MARROW_REQUIRE(near(turn(m, vector3(foot.sole))));
+  }
+  return Status::ok;
+}
+
+Status check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
+  const Skeleton& skeleton = call.skeleton;
+  const FeetFrame& frame = call.frame;
+  MARROW_REQUIRE(call.local.size >= skeleton.soa_size());
+  MARROW_REQUIRE(call.scene_from_joint.size >= skeleton.joint_count);
+  MARROW_REQUIRE(ground.size >= call.feet.feet.size);
+  MARROW_REQUIRE(motion.size >= call.feet.feet.size);
+  MARROW_REQUIRE(within(frame.dt_s, 0, kFarthest));
+  MARROW_REQUIRE(within(frame.weight, 0, 1));
+  MARROW_REQUIRE(within(dot(call.up, call.up), 0.999f, 1.001f));
+  MARROW_REQUIRE(near(frame.world_from_scene));
+  MARROW_REQUIRE(determinant(frame.world_from_scene) > 1e-12f);
+  MARROW_REQUIRE(within(call.feet.lower_m, 0, kFarthest));
+  MARROW_REQUIRE(within(call.feet.reach, 0, 1));
+  MARROW_REQUIRE(within(call.feet.slope_rad, 0, 1.5f));
+  MARROW_REQUIRE(within(call.feet.ease_s, 1e-3f, 1e3f));
+  const std::uint32_t pelvis = call.feet.pelvis;
+  MARROW_REQUIRE(pelvis == kNoJoint || pelvis < skeleton.joint_count);
+  if (pelvis != kNoJoint) MARROW_REQUIRE(near(call.scene_from_joint[pelvis]));
+  for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
+    const Status foot = check_foot(call, call.feet.feet[i], ground[i]);
+    if (foot != Status::ok) return foot;
+  }
+  return Status::ok;
+}
+
+// x'' + 2 r x' + r² x = 0, exactly, for a step whose e^(-r dt) is given.
+void die_away(float rate, float dt_s, float decay, float& x, float& speed) {
+  const float both = speed + rate * x;
+  x = (x + both * dt_s) * decay;
+  speed = (speed - rate * both * dt_s) * decay;
+}
+void die_away(const FeetCall& call, float (&x)[3], float (&speed)[3]) {
+  for (int i = 0; i < 3; ++i) die_away(call.rate, call.frame.dt_s, call.decay, x[i], speed[i]);
+}
+
+Vector3 level(const FeetCall& call, const Vector3& v) {
+  return normalised_or(v - call.up * dot(v, call.up), {});
+}
+
+// About up, from one level direction to another.
+Rotation level_turn(const FeetCall& call, const Vector3& from, const Vector3& to) {
+  const float s = dot(cross(from, to), call.up), c = dot(from, to);
+  const float w = 1.0f + c;
+  if (w < 1e-6f && s * s < 1e-6f) {  // half a turn, or no direction
+    if (c == 0) return {};
+    return {call.up.x, call.up.y, call.up.z, 0};
+  }
+  return normalised(Rotation{call.up.x * s, call.up.y * s, call.up.z * s, w});
+}
+
+Rotation share_of(const Rotation& q, float share) {
+  return normalised(Rotation{q.x * share, q.y * share, q.z * share, q.w * share + (1.0f - share)});
+}
+
+// The ground's normal, not steeper than the foot leans.
+Vector3 lean_of(const FeetCall& call, const Vector3& normal) {
+  const float c = dot(normal, call.up);
+  if (c >= call.slope.cos) return normal;
+  return call.up * call.slope.cos + level(call, normal) * call.slope.sin;
+}
+
+// A plane that the sole can stand on: the ray's, or the animation's own.
+struct Ground {
+  Vector3 point, normal;
+  bool hit;
+};
+Ground ground_of(const FeetCall& call, const FootGround& given) {
+  const Vector3 normal = normalised_or(vector3(given.normal), {});
+  if (given.hit && dot(normal, call.up) > kLeastRise) return {vector3(given.point), normal, true};
+  return {call.origin, call.up, false};
+}
+// By how much the animated sole is lifted to be as high above the plane as it is above the animation's level ground.
+float lift_to(const FeetCall& call, const Ground& ground, const Vector3& sole) {
+  const float above = dot(sole - call.origin, call.up);
+  return above + dot(ground.point - sole, ground.normal) / dot(ground.normal, call.up);
+}
+
+// Another plane than in the last frame makes no difference yet: the offset makes up for it.
+void change_ground(const FeetCall& call, const Ground& now, const Vector3& sole, FootMotion& m) {
+  Ground was = {vector3(m.point), vector3(m.normal), m.hit != 0};
+  if (!was.hit) was = {call.origin, call.up, false};
+  const float step = lift_to(call, now, sole) - lift_to(call, was, sole);
+  store(m.offset, vector3(m.offset) - call.up * step);
+  store(m.lean, vector3(m.lean) + lean_of(call, was.normal) - lean_of(call, now.normal));
+}
+
+// The heading of a planted foot: captured, held, or on its way back.
+void follow_heading(const FeetCall& call, const RightAxes& ankle, bool planted, FootMotion& m) {
+  if (m.planted != 0) {
+    store(m.turn, level_turn(call, level(call, ankle.axis[m.axis]), vector3(m.heading)));
+    m.turn_share = 1;
+    m.turn_share_speed = 0;
+    if (planted) return;
+  }
+  die_away(call.rate, call.frame.dt_s, call.decay, m.turn_share, m.turn_share_speed);
+  if (!planted) return;
+  const auto rise = [&](int i) { return std::fabs(dot(ankle.axis[i], call.up)); };
+  m.axis = rise(0) <= rise(1) && rise(0) <= rise(2) ? 0 : rise(1) <= rise(2) ? 1 : 2;
+  store(m.heading, level(call, rotate(share_of(rotation(m.turn), m.turn_share), ankle.axis[m.axis])));
+}
+
+Vector3 sole_of(const FeetCall& call, const Foot& foot) {
+  return transform(call.frame.world_from_scene, transform(call.scene_from_joint[foot.ankle], vector3(foot.sole)));
+}
+
+// One foot's motion by one frame.
+void follow(const FeetCall& call, const Foot& foot, const FootGround& given, FootMotion& m) {
+  const Vector3 sole = sole_of(call, foot);
+  const Ground ground = ground_of(call, given);
+  if (m.begun == 0 || call.frame.teleported) {
+    m = {};
+    m.begun = 1;
+    m.turn[3] = 1;
+  } else {
+    change_ground(call, ground, sole, m);
+  }
+  const Vector3 target = sole + call.up * lift_to(call, ground, sole), was = vector3(m.offset);
+  die_away(call, m.offset, m.offset_speed);
+  die_away(call, m.lean, m.lean_speed);
+  Vector3 shown = target + vector3(m.offset);
+  follow_heading(call, right_axes(call.frame.world_from_scene, call.scene_from_joint[foot.ankle]), given.planted, m);
+  if (given.planted && m.planted != 0) {
+    shown = vector3(m.place) + call.up * dot(shown - vector3(m.place), call.up);
+    const Vector3 offset = shown - target;
+    if (call.frame.dt_s > 0) {  // level, with what speed it is left behind; up and down, as it dies away
+      const Vector3 speed = (offset - was) * (1.0f / call.frame.dt_s);
+      store(m.offset_speed, speed + call.up * dot(vector3(m.offset_speed) - speed, call.up));
+    }
+    store(m.offset, offset);
+  }
+  m.planted = given.planted ? 1 : 0;
+  m.hit = ground.hit ? 1 : 0;
+  store(m.place, shown);
+  store(m.point, ground.point);
+  store(m.normal, ground.normal);
+}
+
+// From the animated attitude of a foot to the one that is shown.
+Rotation turn_of(const FeetCall& call, const FootMotion& m) {
+  const Vector3 normal = normalised_or(lean_of(call, vector3(m.normal)) + vector3(m.lean), call.up);
+  return shortest_arc(call.up, normal) * share_of(rotation(m.turn), m.turn_share);
+}
+
+Vector3 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, const Rotation& turned) {
+  const Vector3 sole = turn(call.scene_from_joint[foot.ankle], vector3(foot.sole));
+  return vector3(m.place) - rotate(turned, turn(call.frame.world_from_scene, sole));
+}
+
+// By how much the pelvis is too high, `lift` included, for a leg no longer than it may be. A leg that the animation has
+// longer may be so, too, less the way that its ankle is moved.
+float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, float lift) {
+  const auto place = [&](std::uint32_t joint) {
+    return transform(call.frame.world_from_scene, origin(call.scene_from_joint[joint]));
+  };
+  const Vector3 hip = place(foot.hip), knee = place(foot.knee), ankle = place(foot.ankle);
+  const Vector3 leg = hip + call.up * lift - ankle_of(call, foot, m, turn_of(call, m)), animated = hip - ankle;
+  const float most = call.feet.reach * (length(knee - hip) + length(ankle - knee));
+  const float own = length(animated) - length(leg - animated), longest = most > own ? most : own;
+  const float down = dot(leg, call.up), square = longest * longest - (dot(leg, leg) - down * down);
+  const float highest = square > 0 ? std::sqrt(square) : 0.0f;
+  return down > highest ? down - highest : 0.0f;
+}
+
+// The pelvis goes by the lowest sole, and further down as legs need it.
+float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
+  const float most = call.feet.lower_m;
+  float lift = 0, excess = 0;
+  bool first = true;
+  for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
+    const Foot& foot = call.feet.feet[i];
+    const float own = foot.weight * dot(vector3(motion[i].place) - sole_of(call, foot), call.up);
+    lift = first || own < lift ? own : lift;
+    first = false;
+  }
+  lift = lift < most ? lift : most;
+  for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
+    const Foot& foot = call.feet.feet[i];
+    const float own = foot.weight * too_high(call, foot, motion[i], lift);
+    excess = own > excess ? own : excess;
+  }
+  lift -= excess;
+  return call.frame.weight * (lift > -most ? lift : -most);
+}
+
+// `way` in the space of a matrix's columns; none if they have no volume.
+Vector3 into(const Affine& m, const Vector3& way) {
+  const Vector3 r0 = vector3(m.rows[0]), r1 = vector3(m.rows[1]), r2 = vector3(m.rows[2]);
+  const float volume = determinant(m);
+  if (!(std::fabs(volume) > 1e-30f)) return {};
+  return (cross(r1, r2) * way.x + cross(r2, r0) * way.y + cross(r0, r1) * way.z) * (1.0f / volume);
+}
+
+Status move_pelvis(const FeetCall& call, float lift) {
+  const std::uint32_t joint = call.feet.pelvis;
+  if (joint == kNoJoint || lift == 0) return Status::ok;
+  const Affine& parent = joint < call.skeleton.root_count ? call.skeleton.scene_from_root[joint]
+                                                          : call.scene_from_joint[call.skeleton.parents[joint]];
+  const Vector3 way = into(parent, into(call.frame.world_from_scene, call.up * lift));
+  if (!near(way)) return Status::ok;
+  float(&t)[3][4] = call.local[joint / 4].translation;
+  t[0][joint % 4] += way.x, t[1][joint % 4] += way.y, t[2][joint % 4] += way.z;
+  return local_to_model_below(call.skeleton, call.local, joint, call.scene_from_joint);
+}
+
+// Leg to `goal`, ankle to the axes `want`.
+Status turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const RightAxes& want, bool& reached) {
+  const Affine& ankle = call.scene_from_joint[foot.ankle];
+  const Status limb = solve_two_bone(call.skeleton, {foot.hip, foot.knee, foot.ankle}, goal, call.local,
+                                     call.scene_from_joint, &reached);
+  if (limb != Status::ok) return limb;
+  const Rotation q = rotation_between(right_axes(call.frame.world_from_scene, ankle), want);
+  const float mirror = determinant(ankle) < 0 ? -1.0f : 1.0f;  // the third axis is then the other way round
+  const float own[4] = {mirror * q.x, mirror * q.y, q.z, q.w};
+  turn_joint(call.local, foot.ankle, own);
+  return local_to_model_below(call.skeleton, call.local, foot.ankle, call.scene_from_joint);
+}
+
+Status place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
+  const Affine& world = call.frame.world_from_scene;
+  TwoBone goal;
+  goal.weight = call.frame.weight * foot.weight;
+  if (goal.weight == 0) return Status::ok;
+  store(goal.bend_axis, vector3(foot.bend_axis));
+  const Rotation whole = turn_of(call, m), turned = share_of(whole, goal.weight);
+  RightAxes want = right_axes(world, call.scene_from_joint[foot.ankle]);
+  for (Vector3& axis : want.axis) axis = rotate(turned, axis);
+  Vector3 target = ankle_of(call, foot, m, whole);
+  // Once, but where joints are scaled unevenly and the foot is not the shape that it was before the leg turned.
+  for (int i = 0; i < 3; ++i) {
+    store(goal.target, into(world, target - origin(world)));
+    bool reached = false;
+    const Status turning = turn_leg(call, foot, goal, want, reached);
+    if (turning != Status::ok) return turning;
+    m.reached = reached ? 1 : 0;
+    const Vector3 miss = vector3(m.place) - sole_of(call, foot);
+    const Vector3 leg = target - transform(world, origin(call.scene_from_joint[foot.hip]));
+    if (goal.weight < 1 || !reached || dot(miss, miss) <= 1e-8f * dot(leg, leg)) break;
+    target = transform(world, origin(call.scene_from_joint[foot.ankle])) + miss;
+  }
+  return Status::ok;
+}
+
+float e_to_minus(float x) {
+  alignas(16) float out[4];
+  store(out, exp_negative(splat(-x)));
+  return out[0];
+}
+
+}  // namespace
+
+Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
+                 float (&sole_world)[3]) {
+  MARROW_REQUIRE(foot.ankle < scene_from_joint.size);
+  store(sole_world, transform(world_from_scene, transform(scene_from_joint[foot.ankle], vector3(foot.sole))));
+  return Status::ok;
+}
+
+Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
+                  Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
+  FeetCall call{skeleton, feet,   frame, vector3(frame.up), origin(frame.world_from_scene), 0,
+                0,        {1, 0}, local, scene_from_joint};
+  const Status checked = check_feet(call, ground, motion);
+  if (checked != Status::ok) return checked;
+  call.rate = kAllButTwoPercent / feet.ease_s;
+  call.decay = e_to_minus(call.rate * frame.dt_s);
+  call.slope = cos_sin(feet.slope_rad);
+  for (std::size_t i = 0; i < feet.feet.size; ++i) follow(call, feet.feet[i], ground[i], motion[i]);
+  if (frame.weight == 0) return Status::ok;
+  const Status pelvis = move_pelvis(call, pelvis_lift(call, motion));
+  if (pelvis != Status::ok) return pelvis;
+  for (std::size_t i = 0; i < feet.feet.size; ++i) {
+    const Status placed = place_foot(call, feet.feet[i], motion[i]);
+    if (placed != Status::ok) return placed;
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow

@@ -1,0 +1,53 @@
+// Spring bones in memory: four bones and one chain.
+#pragma once
+
+#include "marrow/springs.h"
+
+namespace marrow {
+
+inline constexpr std::uint16_t kNoBone = 0xFFFF;
+
+// Four bones in the order of their chains, one lane each. Everything is in the world, but for the settings.
+struct alignas(16) SpringGroup {
+  // Motion.
+  float direction[3][4];  // unit; 0: at rest where the next frame shows it
+  float velocity[3][4];   // of the direction, 1/s; across it
+  float animated[3][4];   // unit, or 0 for a bone without length: the direction in the last frame's pose
+  float bent[4][4];       // rotation from the animated to the simulated pose above the bone, of any length
+  // Settings.
+  float stiffness[4];  // ω², 1/s²
+  float damping[4];    // 2 ζ ω, 1/s
+  float drag[4];
+  float gravity[4];
+  float radius_m[4];
+  float weight[4];
+  // Places.
+  std::uint16_t joint[4];  // kNoBone: the lane is empty
+  std::uint16_t end[4];    // joint at the bone's end; kNoBone: the chain's tip
+  std::uint16_t root[4];   // which chain
+};
+
+// Joints first … end - 1.
+struct JointRange {
+  std::uint16_t first, end;
+};
+
+// What chains feel of the character's motion. The arrays of four are rows for transposing.
+struct alignas(16) SpringRoot {
+  Affine parent;           // scene_from_joint of what the chain hangs on, in the last frame
+  Affine world;            // world_from_scene of the last frame
+  float position[3];       // of the first joint, in the last frame
+  float velocity[3];       // at its end
+  float mean_velocity[3];  // over it
+  float frame_s;           // its length
+  float tip[3];            // SpringChain::tip
+  std::uint32_t frames;    // since the beginning, up to 2
+  std::uint32_t first;     // joint
+  std::uint32_t shown;     // whether any weight is above 0
+  std::uint32_t moved;     // this frame: the chain is moved along, by `turn`
+  float turn[3][3];
+  alignas(16) float air[2][4];           // wind - V at both ends of this frame
+  alignas(16) float acceleration[2][4];  // at both ends of this frame
+};
+
+}  // namespace marrow

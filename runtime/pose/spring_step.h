@@ -1,0 +1,191 @@
+// One step of four spring bones; see simulate_springs() for the model and the method.
+#pragma once
+
+#include "math/exponential.h"
+#include "math/quaternion.h"
+#include "math/vectors.h"
+
+namespace marrow {
+
+// No acceleration beyond what a step can take: that of a bone of 3 mm in the gravity of the earth.
+inline constexpr float kMostField = 3000.0f;  // 1/s²
+
+// How a step of a bone is weighed.
+struct SpringStrengths {
+  f32x4 decay;  // of the velocity in half a step
+  f32x4 first_kick, drift, last_kick;
+};
+
+// cos √p and the divided difference (cos √p - cos √q) / (p - q), for both in [-8, 4.2], within 3e-6 of cosh √8: the
+// series, and by its Horner scheme the difference without cancellation.
+inline f32x4 cos_of_root_and_slope(f32x4 p, f32x4 q, f32x4& slope) {
+  constexpr float c[] = {1.0f, -1.0f / 2, 1.0f / 24, -1.0f / 720, 1.0f / 40320, -1.0f / 3628800, 1.0f / 479001600};
+  f32x4 sum = splat(c[6]);
+  slope = splat(0.0f);
+  for (int i = 5; i >= 0; --i) {
+    slope = slope * q + sum;
+    sum = sum * p + splat(c[i]);
+  }
+  return sum;
+}
+
+// sin √q / √q in the same range.
+inline f32x4 sinc_of_root_series(f32x4 q) {
+  constexpr float c[] = {1.0f, -1.0f / 6, 1.0f / 120, -1.0f / 5040, 1.0f / 362880, -1.0f / 39916800};
+  f32x4 sum = splat(1.0f / 6227020800.0f);
+  for (int i = 5; i >= 0; --i) sum = sum * q + splat(c[i]);
+  return sum;
+}
+
+// For y'' + 2 γ y' + |F| y = 0 the step has the trace and the determinant of the exact solution, hence its frequency
+// and its decay, and takes a velocity to the exact place: with x = γ h, q = |F| h² - x² and both kicks the same
+//   drift = h sin √q / √q,   1 - kick |F| drift = cos √q / cosh x,   decay = e^-x.
+// What keeps the trace is free: first kick (1 - β), last kick (1 + β e^2x). β makes a release from rest exact, too, as
+// |F| h² goes to 0: 1 - β = (1 + e^-2x) (1 / (1 - e^-2x) - 1 / 2x).
+// damping: 2 γ.
+inline SpringStrengths spring_strengths(f32x4 damping, f32x4 field, float step_s) {
+  const f32x4 zero = splat(0.0f), one = splat(1.0f), h = splat(step_s);
+  const f32x4 most = splat(2.8f), highest = splat(4.2f), least = splat(1e-3f);
+  f32x4 x = damping * splat(0.5f * step_s), y = field * (h * h);
+  x = select(x < most, x, most);
+  y = select(y < highest, y, highest);
+  const f32x4 minus_xx = zero - x * x, q = y + minus_xx;
+  f32x4 slope;
+  const f32x4 cosh = cos_of_root_and_slope(minus_xx, q, slope);
+  const f32x4 s = sinc_of_root_series(q);
+  const f32x4 kick = splat(-step_s) * slope / (cosh * s);
+  const f32x4 decay = exp_negative(zero - x), squared = decay * decay;
+  const f32x4 some = select(least < x, x, least), lost = select(least < x, one - squared, one);
+  const f32x4 less = one - (one + squared) * (one / lost - splat(0.5f) / some);
+  const f32x4 beta = select(least < x, less, zero);
+  return {decay, kick - kick * beta, h * s, kick + kick * beta / squared};
+}
+
+// `v`, no longer than `most`.
+inline FourVectors no_longer(const FourVectors& v, float most) {
+  const f32x4 squared = dot(v, v), limit = splat(most * most);
+  return v * select(limit < squared, splat(most) * inverse_length(squared), splat(1.0f));
+}
+
+// v turned by rotations of any length; as it is by those of none.
+inline FourVectors turned(const Quaternions& by, f32x4 two_over_squared, const FourVectors& v) {
+  const FourVectors axis = {by.x, by.y, by.z};
+  const FourVectors t = cross(axis, v);
+  return v + (t * by.w + cross(axis, t)) * two_over_squared;
+}
+inline f32x4 two_over_squared(const Quaternions& q) {
+  const f32x4 squared = dot(q, q), zero = splat(0.0f);
+  return select(zero < squared, splat(2.0f) / squared, zero);
+}
+
+// What pulls four bones in this frame, linear in time from its beginning (u = 0) to its end (1).
+struct SpringPull {
+  FourVectors animated, animated_change;  // the animated direction, up to its length
+  f32x4 stiffness;
+  FourVectors dragged;              // 2 ζ ω dt'/dt
+  FourVectors field, field_change;  // gravity, inertia, wind
+};
+
+// The animated direction at a time; 0 where there is none.
+inline FourVectors animated_at(const SpringPull& pull, f32x4 u) {
+  const FourVectors a = pull.animated + pull.animated_change * u;
+  return a * inverse_length(dot(a, a));
+}
+
+// The whole field, the bones above being bent as they are.
+inline FourVectors field_at(const SpringPull& pull, const FourVectors& animated, f32x4 u, const Quaternions& bent) {
+  const FourVectors spring = animated * pull.stiffness + pull.dragged;
+  return turned(bent, two_over_squared(bent), spring) + pull.field + pull.field_change * u;
+}
+
+struct SpringMotion {
+  FourVectors direction, velocity;
+};
+
+// Along the great circle by the angle 2 atan(|Δ| / 2), which needs no root: off by |Δ|³ / 12.
+struct SpringWay {
+  FourVectors begin, end;  // Δ, as seen from both ends
+  f32x4 scale, half;       // to - from = scale (begin - half from) = scale (end + half to)
+};
+inline SpringMotion drifted(const SpringMotion& m, f32x4 drift, SpringWay& way) {
+  const FourVectors delta = m.velocity * drift;
+  const f32x4 half = splat(0.5f) * dot(delta, delta), one = splat(1.0f);
+  const f32x4 scale = one / (one + splat(0.5f) * half);
+  // Halfway is d + Δ/2; what the velocity is at the end is parallel to what it was.
+  const FourVectors middle = m.direction + delta * splat(0.5f);
+  const SpringMotion out = {m.direction + (delta - m.direction * half) * scale,
+                            m.velocity - middle * (dot(m.velocity, delta) * scale)};
+  way = {delta, out.velocity * drift, scale, half};
+  return out;
+}
+
+// The field's part along the bone, and the rest, which moves it.
+struct SpringForce {
+  f32x4 along;
+  FourVectors across;
+};
+inline SpringForce force_on(const FourVectors& field, const FourVectors& direction) {
+  const f32x4 along = dot(field, direction);
+  return {along, field - direction * along};
+}
+
+// Twice the work of the forces on a way, by their mean. Not by the field itself: most of that is along the bone, and
+// its rounding would be more than the energy of a small swing.
+inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const SpringWay& way) {
+  return way.scale * (dot(begin.across, way.begin) + dot(end.across, way.end) + way.half * (end.along - begin.along));
+}
+
+// The same between any two directions: where a collider has cut the way short.
+inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const FourVectors& from,
+                        const FourVectors& to) {
+  return dot(begin.across + from * begin.along + end.across + to * end.along, to - from);
+}
+
+// Columns of ½ (1 + K), K Davenport's symmetric matrix: the projection on the rotations that take `from` to `to`, both
+// unit; the identity where `from` is 0. Slightly more than a half, so that nothing vanishes where they are opposite.
+struct NearestRotation {
+  f32x4 columns[4][4];  // [lane][column]
+};
+inline void nearest_rotation(const FourVectors& from, const FourVectors& to, NearestRotation& out) {
+  const f32x4 half = splat(0.5f), zero = splat(0.0f);
+  const FourVectors t = to * half;
+  const f32x4 xx = t.x * from.x, yy = t.y * from.y, zz = t.z * from.z;
+  const f32x4 one = select(zero < dot(from, from), splat(0.500001f), splat(1.0f));
+  const f32x4 xy = t.x * from.y + t.y * from.x, xz = t.x * from.z + t.z * from.x, yz = t.y * from.z + t.z * from.y;
+  const FourVectors z = cross(from, t);
+  const f32x4 columns[4][4] = {{one + (xx - yy - zz), xy, xz, z.x},
+                               {xy, one + (yy - xx - zz), yz, z.y},
+                               {xz, yz, one + (zz - xx - yy), z.z},
+                               {z.x, z.y, z.z, one + (xx + yy + zz)}};
+  for (int c = 0; c < 4; ++c) {
+    f32x4 a = columns[c][0], b = columns[c][1], d = columns[c][2], e = columns[c][3];
+    transpose(a, b, d, e);
+    out.columns[0][c] = a, out.columns[1][c] = b, out.columns[2][c] = d, out.columns[3][c] = e;
+  }
+}
+
+// How the bones above each of four are bent; `above` is taken on from bone to bone, and begins anew with a chain.
+inline Quaternions bend(const NearestRotation& nearest, const bool (&begins)[4], f32x4& above) {
+  alignas(16) constexpr float kIdentity[4] = {0, 0, 0, 1};
+  f32x4 rows[4];
+  for (int lane = 0; lane < 4; ++lane) {
+    if (begins[lane]) above = load_aligned(kIdentity);
+    rows[lane] = above;
+    const f32x4(&c)[4] = nearest.columns[lane];
+    above = (c[0] * splat_lane<0>(above) + c[1] * splat_lane<1>(above)) +
+            (c[2] * splat_lane<2>(above) + c[3] * splat_lane<3>(above));
+  }
+  transpose(rows[0], rows[1], rows[2], rows[3]);
+  return {rows[0], rows[1], rows[2], rows[3]};
+}
+
+// Held down so that the kinetic energy grows by no more than the field's work.
+inline FourVectors no_faster(const FourVectors& velocity, const FourVectors& was, f32x4 twice_work) {
+  const f32x4 zero = splat(0.0f), one = splat(1.0f);
+  f32x4 most = dot(was, was) + twice_work;
+  most = select(zero < most, most, zero);
+  const f32x4 squared = dot(velocity, velocity), least = splat(1e-30f);
+  return velocity * select(most < squared, sqrt(most / select(least < squared, squared, least)), one);
+}
+
+}  // namespace marrow
