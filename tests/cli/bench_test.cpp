@@ -141,7 +141,7 @@ TEST(Bench, HashesDoNotDependOnIterationsOrOnOtherRows) {
 TEST(Bench, WithoutModelsTheSampleStandsInAndItIsSaid) {
   const TemporaryFolder none;
   const AssetsAt empty(none / "");
-  const Rows rows = bench("[!s]*", "1");
+  const Rows rows = bench("[!is]*", "1");
   const int joints = joints_of_the_sample();
   for (const char* name : {"blend/2", "blend/4", "blend/2_masked", "blend/4_masked", "blend/2_additive1",
                            "local_to_model", "palette", "frame"}) {

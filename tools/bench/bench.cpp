@@ -29,7 +29,8 @@ struct Result {
 
 RowGroup all_rows(const Models& models) {
   RowGroup all;
-  for (const RowGroup& group : {sampling_rows(), pose_rows(models), skinning_rows(), morphing_rows()}) {
+  for (const RowGroup& group : {sampling_rows(), pose_rows(models), reaching_rows(), chain_rows(), body_rows(),
+                                limit_rows(), following_rows(), skinning_rows(), morphing_rows()}) {
     all.names += group.names;
     all.rows.insert(all.rows.end(), group.rows.begin(), group.rows.end());
   }

@@ -46,6 +46,11 @@ RowGroup sampling_rows();
 RowGroup pose_rows(const Models& models);  // on pab, or else on the sample
 RowGroup skinning_rows();
 RowGroup morphing_rows();
+RowGroup limit_rows();
+RowGroup chain_rows();
+RowGroup body_rows();
+RowGroup reaching_rows();
+RowGroup following_rows();
 
 // xorshift32 (Marsaglia, Journal of Statistical Software 8(14), 2003): the same numbers everywhere.
 class Noise {

@@ -1,13 +1,19 @@
 // A game's calls, so that tools/sizes/code.sh can say what linking them costs. Never run. STAGES: 0 nothing, 1 poses,
-// 2 and skinning; UNPACK: a function of marrow/draco.h or marrow/meshopt.h.
+// 2 and skinning; UNPACK: a function of marrow/draco.h or marrow/meshopt.h; IK: 1 limbs and eyes, 2 and chains and
+// bodies, 3 and limits, springs and feet, 4 and the genetic solver.
 #include "marrow/blend.h"
 #include "marrow/draco.h"
+#include "marrow/feet.h"
 #include "marrow/file.h"
+#include "marrow/ik.h"
+#include "marrow/ik_solve.h"
+#include "marrow/limits.h"
 #include "marrow/local_to_model.h"
 #include "marrow/meshopt.h"
 #include "marrow/palette.h"
 #include "marrow/sample.h"
 #include "marrow/skin.h"
+#include "marrow/springs.h"
 #include "marrow/unpack.h"
 
 #if STAGES == 0
@@ -25,7 +31,44 @@ struct Memory {
   marrow::Affine *joints, *palette;
   float *positions, *normals, *coordinates;
   std::size_t size;
+  struct {
+    marrow::TwoBone limb;
+    marrow::Aim aim;
+    const std::uint32_t* joints;
+    marrow::IkProblem problem;
+    marrow::IkOptions options;
+    marrow::RotationFollower* followers;
+    marrow::SpringChain springs;
+    marrow::SpringFrame spring_frame;
+    marrow::Feet feet;
+    marrow::FeetFrame feet_frame;
+    const marrow::FootGround* ground;
+    marrow::FootMotion* motion;
+  } ik;
 };
+
+#ifdef IK
+void reach(const marrow::Skeleton& skeleton, const Memory& m) {
+  const marrow::Span<marrow::SoaTransform> local(m.poses[0], m.size);
+  const marrow::Span<marrow::Affine> scene(m.joints, m.size);
+  solve_two_bone(skeleton, {m.ik.joints[0], m.ik.joints[1], m.ik.joints[2]}, m.ik.limb, local, scene);
+  solve_look_at(skeleton, {m.ik.joints, m.size}, m.ik.aim, 0.5f, local, scene);
+#if IK >= 2
+  solve_ik(skeleton, local, scene, m.ik.problem, m.ik.options, {m.bytes, m.size});
+#endif
+#if IK >= 3
+  limit_pose(skeleton.limits, local);
+  follow_pose(skeleton.limits, {m.ik.followers, m.size}, 0.01f, local);
+  marrow::Springs springs;
+  make_springs(skeleton, {&m.ik.springs, 1}, {m.bytes, m.size}, springs);
+  simulate_springs(skeleton, m.ik.spring_frame, springs, local, scene);
+  place_feet(skeleton, m.ik.feet, m.ik.feet_frame, {m.ik.ground, m.size}, {m.ik.motion, m.size}, local, scene);
+#endif
+#if IK >= 4
+  solve_ik_genetic(skeleton, local, scene, m.ik.problem, m.ik.options, {m.bytes, m.size});
+#endif
+}
+#endif
 
 marrow::Status frame(marrow::Span<const std::byte> bytes, const Memory& m) {
 #ifdef UNPACK
@@ -42,6 +85,9 @@ marrow::Status frame(marrow::Span<const std::byte> bytes, const Memory& m) {
   }
   blend(skeleton, {layers, 2}, {m.poses[0], m.size});
   local_to_model(skeleton, {m.poses[0], m.size}, {m.joints, m.size});
+#ifdef IK
+  reach(skeleton, m);
+#endif
 #if STAGES == 2
   const marrow::Mesh mesh = file.mesh(0);
   build_palette(mesh, {m.joints, m.size}, {m.palette, m.size});
