@@ -238,10 +238,33 @@ void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath
       ->check(CLI::ExistingDirectory);
 }
 
+void add_reach(CLI::App* command, ReachArguments& a) {
+  CLI::Option* const goal =
+      command->add_option("--ik", a.goals, "bring a joint to a point of the scene, metres; may be given several times")
+          ->type_name("JOINT=X,Y,Z")
+          ->expected(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      ->add_option("--ik-solver", a.solver,
+                   "two_bone: the two joints above, in closed form; others: by iteration, within the limits that the "
+                   "file has")
+      ->check(CLI::IsMember(ik_solver_names()))
+      ->capture_default_str()
+      ->needs(goal);
+  command
+      ->add_option("--ik-joints", a.joints,
+                   "how many joints above turn, not counting those called twist or roll; two_bone: two")
+      ->type_name("N")
+      ->check(CLI::Range(1, 32767))
+      ->capture_default_str()
+      ->needs(goal);
+}
+
 void add_render(CLI::App& app) {
   RenderArguments& a = arguments_of<RenderArguments>();
   CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
   add_look(command, a, kSkinPaths);
+  add_reach(command, a.reach);
   add_movie(command, a);
   command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
   command->callback([&a, command] {

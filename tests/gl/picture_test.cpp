@@ -139,6 +139,19 @@ TEST_F(Picture, ShowsModelsTheSameOnEveryPath) {
   EXPECT_GE(compared, 4u * 4);
 }
 
+TEST_F(Picture, ShowsAJointBroughtToAPoint) {
+  const std::string goal = "--ik hand.L=0.45,0.9,0.25 ";
+  ASSERT_EQ(render("", "plain.png"), 0);
+  ASSERT_EQ(render(goal, "reach.png"), 0);
+  ASSERT_EQ(render(goal + "--ik hand.R=-0.3,0.7,0.35 --ik-solver dls --ik-joints 4", "both.png"), 0);
+  EXPECT_GT(difference(pixels("plain.png"), pixels("reach.png")), 0.005);
+  EXPECT_GT(difference(pixels("reach.png"), pixels("both.png")), 0.005);
+  EXPECT_EQ(render("--ik tentacle=1,2,3 2>/dev/null", "none.png"), 1);
+  EXPECT_EQ(render("--path crowd 2>/dev/null " + goal, "none.png"), 1);
+  EXPECT_EQ(render("--ik-solver dls 2>/dev/null", "none.png"), 1) << "without a goal";
+  EXPECT_FALSE(fs::exists(path("none.png")));
+}
+
 TEST_F(Picture, IsTheSameForAnyNumberOfThreads) {
   ASSERT_EQ(render("--deformer as", "one.png", "LP_NUM_THREADS=1"), 0);
   ASSERT_EQ(render("--deformer as", "again.png", "LP_NUM_THREADS=1"), 0);

@@ -13,6 +13,7 @@
 #include "common/load_mrw.h"
 #include "cook/cook.h"
 #include "demo/measure.h"
+#include "demo/moves.h"
 #include "demo/sheet.h"
 #include "sample/sample.h"
 
@@ -98,6 +99,14 @@ std::string unique_stem(std::vector<std::string>& taken, const std::string& inpu
   return name;
 }
 
+// What the sample does beyond its clips.
+void show_moves(const Gl& gl, const std::string& directory) {
+  const LoadedFile loaded = load_mrw((std::filesystem::path(directory) / "newt.mrw").string());
+  const std::string png = (std::filesystem::path(directory) / "newt-ik.png").string();
+  write_png(png, make_moves_sheet(gl, loaded.file));
+  std::fprintf(stderr, "%s: feet on a slope, a hand and the eyes on a point\n", png.c_str());
+}
+
 }  // namespace
 
 void run_demo(const DemoArguments& arguments) {
@@ -114,6 +123,7 @@ void run_demo(const DemoArguments& arguments) {
     std::fprintf(stderr, "%s: cooking and drawing\n", input.c_str());
     rows.push_back(show(gl, arguments, input, unique_stem(taken, input)));
   }
+  if (arguments.inputs.empty()) show_moves(gl, arguments.directory);
   print_table(rows);
   std::printf("times: CPU, medians, one thread; skinning every vertex with its normal\nGL driver: %s\n",
               gl.driver().c_str());

@@ -102,6 +102,7 @@ void Character::pose(std::span<const PlayLayer> layers) {
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
     pose_skeleton(i, layers);
     check(local_to_model(file_.skeleton(i), local_[i], model_[i]));
+    if (change_) change_(i, local_[i], model_[i]);
   }
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
     const Mesh mesh = file_.mesh(i, level_);

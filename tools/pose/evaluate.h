@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "marrow/marrow.h"
@@ -63,6 +65,11 @@ class Character {
   Character(const Character&) = delete;
   Character& operator=(const Character&) = delete;
 
+  // Called in each pose() for each skeleton, when its joints are posed and nothing has been built from them yet; it may
+  // change them, both forms alike.
+  using Change = std::function<void(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint)>;
+  void set_change(Change change) { change_ = std::move(change); }
+
   void pose(const Play& play, float time_s);
   // A blend. Weights add up to 1; a skeleton that a play leaves alone rests in it.
   void pose(std::span<const PlayLayer> layers);
@@ -82,6 +89,7 @@ class Character {
 
   File file_;
   std::uint32_t level_;
+  Change change_;
   std::vector<std::vector<SoaTransform>> local_;  // a skeleton
   std::vector<SoaTransform> blended_;             // of the skeleton that is being blended
   std::vector<std::vector<Affine>> model_;        // a skeleton

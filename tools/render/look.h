@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pose/choose.h"
+#include "pose/reach.h"
 #include "render/figure.h"
 #include "render/paths.h"
 
@@ -20,6 +21,7 @@ struct LookArguments {
   std::string size = "960x720";
   std::uint32_t lod = 0;
   Choice choice;
+  ReachArguments reach;
 };
 
 // Width and height, 1 … 8192 each. Throws Failure (usage).

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common/failure.h"
 #include "common/load_mrw.h"
 #include "render/heat.h"
+#include "render/mark.h"
 
 namespace marrow::tools {
 namespace {
@@ -20,14 +22,25 @@ Sitting::Sitting(const LookArguments& arguments)
       normals_(*parse_as_normals(arguments.normals)),
       loaded_(load_mrw(arguments.file)),
       chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
+      reach_(loaded_.file, arguments.reach),
       character_(loaded_.file, normals_, arguments.lod),
-      performance_(loaded_.file, character_, chosen_.play),
+      performance_(loaded_.file, reaching(), chosen_.play),
       textures_(gl_, arguments.file, loaded_.file, folder_of_images(arguments)),
       figure_(gl_, loaded_.file, &textures_, normals_, arguments.lod),
       studio_(gl_, size_.first, size_.second) {
   if (manner_.path != SkinPath::crowd || manner_.heat) return;
   baked_ = figure_.bake(arguments.file, chosen_.play);
   manner_.baked = baked_.get();
+}
+
+Character& Sitting::reaching() {
+  if (reach_.empty()) return character_;
+  if (manner_.path == SkinPath::crowd)
+    throw Failure(Exit::usage, "--ik", "", "crowds are baked, without inverse kinematics", "use another --path");
+  character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
+    reach_.apply(skeleton, local, scene_from_joint);
+  });
+  return character_;
 }
 
 void Sitting::agree_on_heat(std::span<const Instant> instants) {
@@ -53,7 +66,9 @@ Image Sitting::shoot(const Instant& instant) {
   if (baked_) baked_->blend(instant.time_s);
   const std::vector<Drawable> drawables =
       drawables_of(arguments_.file, loaded_.file, character_, figure_, manner_, shot);
-  return studio_.shoot(shot, drawables);
+  Image image = studio_.shoot(shot, drawables);
+  for (const Reach::Goal& goal : reach_.goals()) draw_mark(image, shot.camera, goal.position);
+  return image;
 }
 
 }  // namespace marrow::tools

@@ -30,15 +30,18 @@ class Sitting {
   // says on stdout what they mean. Without it nothing.
   void agree_on_heat(std::span<const Instant> instants);
 
+  // With marks at the goals of inverse kinematics, if there are any.
   Image shoot(const Instant& instant);
 
  private:
+  Character& reaching();
   const LookArguments& arguments_;
   std::pair<int, int> size_;
   Manner manner_;
   AsNormals normals_;
   LoadedFile loaded_;
   Chosen chosen_;
+  Reach reach_;
   Character character_;
   Performance performance_;
   Gl gl_;

@@ -1,0 +1,128 @@
+#include "pose/reach.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "common/failure.h"
+
+namespace marrow::tools {
+namespace {
+
+struct NamedMethod {
+  const char* name;
+  IkMethod method;
+};
+constexpr NamedMethod kMethods[] = {{"fabrik", IkMethod::fabrik},
+                                    {"ccd", IkMethod::ccd},
+                                    {"dls", IkMethod::damped_least_squares},
+                                    {"gauss_newton", IkMethod::gauss_newton}};
+constexpr std::uint16_t kIterations = 64;
+
+[[noreturn]] void refuse(const std::string& goal, std::string rule) {
+  throw Failure(Exit::usage, "--ik", "", "\"" + goal + "\": " + std::move(rule),
+                "give JOINT=X,Y,Z, a joint by name and a point of the scene in metres");
+}
+
+// Joints that share out a bone's twist do not bend: rigs call them so.
+bool is_twist(std::string name) {
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name.find("twist") != std::string::npos || name.find("roll") != std::string::npos;
+}
+
+// Joints above `joint` that bend, the nearest first.
+std::vector<std::uint16_t> above(const File& file, const Skeleton& skeleton, std::uint32_t joint, std::uint32_t most) {
+  std::vector<std::uint16_t> out;
+  for (std::uint16_t j = skeleton.parents[joint]; j != kNoParent && out.size() < most; j = skeleton.parents[j])
+    if (!is_twist(file.text(skeleton.names[j]))) out.push_back(j);
+  return out;
+}
+
+void check_solved(Status status, const Skeleton& skeleton) {
+  if (status == Status::ok) return;
+  throw Failure(Exit::invalid, "--ik", std::string("skeleton \"") + skeleton.name + "\"",
+                "the pose or the goals are beyond what can be solved", "look for poses that are not finite");
+}
+
+}  // namespace
+
+std::vector<std::string> ik_solver_names() {
+  std::vector<std::string> out = {"two_bone"};
+  for (const NamedMethod& m : kMethods) out.emplace_back(m.name);
+  return out;
+}
+
+Reach::Reach(const File& file, const ReachArguments& arguments)
+    : file_(file), solver_(arguments.solver), joints_(arguments.solver == "two_bone" ? 2 : arguments.joints) {
+  for (const std::string& text : arguments.goals) {
+    const std::size_t equals = text.rfind('=');
+    Goal goal;
+    auto& [x, y, z] = goal.position;
+    int end = 0;
+    if (equals == std::string::npos) refuse(text, "no point");
+    const std::string point = text.substr(equals + 1);
+    const bool read = std::sscanf(point.c_str(), "%f,%f,%f%n", &x, &y, &z, &end) == 3;
+    if (!read || static_cast<std::size_t>(end) != point.size()) refuse(text, "no point");
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) refuse(text, "the point is not finite");
+    goal.name = text.substr(0, equals);
+    bool found = false;
+    for (std::uint32_t s = 0; s < file.skeleton_count() && !found; ++s) {
+      const Skeleton skeleton = file.skeleton(s);
+      for (std::uint32_t j = 0; j < skeleton.joint_count && !found; ++j) {
+        if (goal.name != file.text(skeleton.names[j])) continue;
+        goal.skeleton = s;
+        goal.joint = j;
+        found = true;
+        const std::size_t least = solver_ == "two_bone" ? 2 : 1;
+        if (above(file_, skeleton, j, joints_).size() < least) refuse(text, "too few joints above it");
+      }
+    }
+    if (!found) refuse(text, "there is no such joint");
+    goals_.push_back(std::move(goal));
+  }
+}
+
+void Reach::apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const {
+  if (std::ranges::find(goals_, skeleton, &Goal::skeleton) == goals_.end()) return;
+  if (solver_ == "two_bone") return solve_limbs(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
+  solve_chains(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
+}
+
+void Reach::solve_limbs(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local,
+                        Span<Affine> scene) const {
+  for (const Goal& goal : goals_) {
+    if (goal.skeleton != index) continue;
+    const std::vector<std::uint16_t> joints = above(file_, skeleton, goal.joint, 2);
+    TwoBone two_bone;
+    std::ranges::copy(goal.position, two_bone.target);
+    check_solved(solve_two_bone(skeleton, {joints[1], joints[0], goal.joint}, two_bone, local, scene), skeleton);
+  }
+}
+
+void Reach::solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local,
+                         Span<Affine> scene) const {
+  std::vector<IkGoal> goals;
+  std::vector<std::uint16_t> joints;
+  for (const Goal& from : goals_) {
+    if (from.skeleton != index) continue;
+    IkGoal& goal = goals.emplace_back();
+    goal.joint = static_cast<std::uint16_t>(from.joint);
+    std::ranges::copy(from.position, goal.position);
+    const std::vector<std::uint16_t> turning = above(file_, skeleton, from.joint, joints_);
+    joints.insert(joints.end(), turning.begin(), turning.end());
+  }
+  std::ranges::sort(joints);
+  joints.erase(std::ranges::unique(joints).begin(), joints.end());
+  IkProblem problem;
+  problem.goals = goals;
+  problem.joints = joints;
+  problem.limits = skeleton.limits;
+  IkOptions options;
+  options.method = std::ranges::find(kMethods, solver_, [](const NamedMethod& m) { return m.name; })->method;
+  options.max_iterations = kIterations;
+  std::vector<std::byte> scratch(ik_scratch_bytes(skeleton, problem, options));
+  check_solved(solve_ik(skeleton, local, scene, problem, options, scratch), skeleton);
+}
+
+}  // namespace marrow::tools

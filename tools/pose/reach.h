@@ -1,0 +1,49 @@
+// Joints brought to points after a pose was sampled, as a game would: what `--ik` asks.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "marrow/marrow.h"
+
+namespace marrow::tools {
+
+struct ReachArguments {
+  std::vector<std::string> goals;  // "JOINT=X,Y,Z"
+  std::string solver = "two_bone";
+  std::uint32_t joints = 3;  // above each goal's joint that turn, but for those that twist; of two_bone always two
+};
+
+// Names that ReachArguments::solver may have.
+std::vector<std::string> ik_solver_names();
+
+class Reach {
+ public:
+  // Throws Failure (usage): a goal that cannot be read, a joint that is not there, or with too few above it.
+  Reach(const File& file, const ReachArguments& arguments);
+
+  bool empty() const { return goals_.empty(); }
+  // Brings the joints of this skeleton to their goals. Throws Failure (invalid) if a pose is not finite.
+  void apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const;
+
+  struct Goal {
+    std::uint32_t skeleton = 0;
+    std::uint32_t joint = 0;
+    std::array<float, 3> position{};  // scene space
+    std::string name;                 // of the joint
+  };
+  const std::vector<Goal>& goals() const { return goals_; }
+
+ private:
+  void solve_limbs(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local, Span<Affine> scene) const;
+  void solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local, Span<Affine> scene) const;
+
+  File file_;
+  std::vector<Goal> goals_;
+  std::string solver_;
+  std::uint32_t joints_;
+};
+
+}  // namespace marrow::tools
