@@ -8,7 +8,7 @@
 // Gauss-Newton minimises Σ |x|² / ease, x the rotation vectors from the pose that there was, under the constraint e =
 // 0. With that linearised, μ its Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
 // J Jᵀ μ = e + J x. The same damping keeps it safe where goals cannot be reached, and the pull back by x fades.
-#include "math/quaternion.h"
+#include "math/rotation_vector.h"
 #include "pose/ik_dense.h"
 #include "pose/ik_system.h"
 #include "pose/joint_limit.h"
@@ -109,7 +109,7 @@ bool set_next(IkSystem& s, float factor) {
     const IkNode& node = tree.nodes[i];
     IkMove& move = s.moves[i];
     const f32x4 step = move.fixed + move.answer;
-    const Rotation next = normalised(node.rotation * turn_by(step * splat(factor * node.ease_root)));
+    const Rotation next = normalised(node.rotation * exp_rotation(step * splat(factor * node.ease_root)));
     move.next = next;
     move.stopped = false;
     if (node.limit == nullptr || !(node.ease_root > 0)) continue;

@@ -28,6 +28,7 @@ Status check_goal(const Skeleton& skeleton, const IkGoal& goal) {
 
 Status check_problem(const Skeleton& skeleton, const IkProblem& problem) {
   MARROW_REQUIRE(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
+  MARROW_REQUIRE(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number
   MARROW_REQUIRE(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
   MARROW_REQUIRE(within_range(problem.root_travel_m, 0, kMost));
   for (const IkGoal& goal : problem.goals) {

@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 #include "marrow/local_to_model.h"
-#include "math/quaternion.h"
+#include "math/rotation_vector.h"
 #include "pose/joint_limit.h"
 
 namespace marrow {
@@ -199,22 +199,8 @@ float dot3(f32x4 a, f32x4 b) {
   return f[0] + f[1] + f[2];
 }
 
-Rotation turn_by(f32x4 v) {
-  Quaternions q = exp_rotation({splat_lane<0>(v), splat_lane<1>(v), splat_lane<2>(v)});
-  transpose(q.x, q.y, q.z, q.w);
-  Rotation out;
-  store(&out.x, q.x);
-  return out;
-}
-
 f32x4 turn_of(const Rotation& rotation) {
-  const Rotation unit = normalised(rotation);
-  f32x4 q = load(&unit.x);
-  q = flip(q, splat_lane<3>(q));
-  Vectors v = log_rotation({splat_lane<0>(q), splat_lane<1>(q), splat_lane<2>(q), splat_lane<3>(q)});
-  f32x4 none = splat(0.0f);
-  transpose(v.x, v.y, v.z, none);
-  return v.x;
+  return log_rotation(normalised(rotation));
 }
 
 Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,

@@ -113,8 +113,6 @@ Vector3 rotation_error(const IkTree& tree, const IkEnd& end);
 // See IkReport.
 float total_error(const IkTree& tree);
 
-// The rotation by |v| about v, |v| ≤ 2π.
-Rotation turn_by(f32x4 v);
 // Axis times angle, the angle at most π.
 f32x4 turn_of(const Rotation& q);
 

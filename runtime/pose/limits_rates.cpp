@@ -1,6 +1,6 @@
 // Limits over time: what follows a target, with limited speed and acceleration.
 #include "core/check.h"
-#include "math/quaternion.h"
+#include "math/rotation_vector.h"
 #include "pose/joint_limit.h"
 
 namespace marrow {
@@ -91,22 +91,12 @@ bool is_limit(const RateLimit& limit) {
 
 // The rotation vector of the shorter turn.
 Vector3 log_of(const Rotation& q) {
-  const Rotation r = q.w < 0 ? Rotation{-q.x, -q.y, -q.z, -q.w} : q;
-  const Vectors v = log_rotation({splat(r.x), splat(r.y), splat(r.z), splat(r.w)});
-  float x[4], y[4], z[4];
-  store(x, v.x);
-  store(y, v.y);
-  store(z, v.z);
-  return {x[0], y[0], z[0]};
+  float v[4];
+  store(v, log_rotation(q));
+  return vector3(v);
 }
 Rotation exp_of(const Vector3& v) {
-  const Quaternions q = exp_rotation({splat(v.x), splat(v.y), splat(v.z)});
-  float x[4], y[4], z[4], w[4];
-  store(x, q.x);
-  store(y, q.y);
-  store(z, q.z);
-  store(w, q.w);
-  return {x[0], y[0], z[0], w[0]};
+  return exp_rotation(lanes(v.x, v.y, v.z, 0.0f));
 }
 
 // As the rotation vector p changes with velocity v, the rotation turns by J v about the parent's axes: J is the left

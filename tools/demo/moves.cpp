@@ -1,11 +1,15 @@
 #include "demo/moves.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "common/aligned_bytes.h"
@@ -21,14 +25,14 @@
 namespace marrow::tools {
 namespace {
 
-constexpr float kSlope = 0.22f;  // metres up a metre along +X, through the origin
-constexpr glm::vec3 kHalfRamp = {0.7f, 0.16f, 0.55f};
+constexpr float kSlope = 0.22f;                 // metres up a metre along +X, through the origin
+constexpr glm::vec2 kHalfRamp = {0.7f, 0.55f};  // along X and Z
 constexpr std::array<float, 3> kTarget = {0.46f, 0.88f, 0.3f};
 constexpr float kFrame_s = 1.0f / 60;
 
 // A wedge with the slope as its upper side, and flat sides.
 cook::RawScene ramp_scene() {
-  const auto [x, y, z] = std::array{kHalfRamp.x, kSlope * kHalfRamp.x, kHalfRamp.z};
+  const float x = kHalfRamp.x, y = kSlope * x, z = kHalfRamp.y;
   const glm::vec3 low_front = {-x, -y, z}, low_back = {-x, -y, -z}, high_front = {x, y, z}, high_back = {x, y, -z};
   const glm::vec3 below_front = {x, -y, z}, below_back = {x, -y, -z};
   cook::RawPrimitive primitive;

@@ -70,9 +70,9 @@ std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem,
 // up to date for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
 // may be null.
 // A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
-// Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending, a
-// goal such that no joint turns it, a number not finite, a weight or a stiffness out of range, or the pose not finite
-// on the way to a goal.
+// Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending,
+// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
+// of range, or the pose not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
 Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,

@@ -289,6 +289,10 @@ TEST(IkGoals, BadCallsWriteNothing) {
       [](PosedSkeleton& p, float) { p.stiffness = {0.5f}; },
       [](PosedSkeleton& p, float) { p.goals[0].joint = 20; },
       [](PosedSkeleton& p, float) { p.goals.clear(); },
+      [](PosedSkeleton& p, float) {
+        p.options.method = IkMethod::fabrik;  // which takes little memory a goal
+        p.goals.assign(kMaxJoints + 1, IkGoal(p.goals[0]));
+      },
       [](PosedSkeleton& p, float) { p.joints.clear(); },
       [](PosedSkeleton& p, float) {
         p.joints = {0, 2, 2, 5};
@@ -319,7 +323,7 @@ TEST(IkGoals, BadCallsWriteNothing) {
       ++cases;
     }
   }
-  EXPECT_EQ(cases, 81);
+  EXPECT_EQ(cases, 84);
   // A byte of scratch too few; and just enough, of any alignment.
   PosedSkeleton p(rig, IkMethod::gauss_newton);
   p.add_goal(kLeftFoot, {0.1, 0.4, 0.2});
