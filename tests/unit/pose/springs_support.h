@@ -22,6 +22,19 @@ inline Vec3 times(const Vec3& a, double s) {
   return {a[0] * s, a[1] * s, a[2] * s};
 }
 
+inline double distance(const Vec3& a, const Vec3& b) {
+  return length(minus(a, b));
+}
+
+// Settings of most tests.
+inline SpringJoint soft() {
+  SpringJoint s;
+  s.frequency_hz = 1.5f;
+  s.damping_ratio = 0.3f;
+  s.drag = 1;
+  return s;
+}
+
 // Joint 0 carries joints 1 … n, each `length_m` along the x axis of the one before it; bones are 1 → 2, 2 → 3 … and the
 // last one's tip.
 class Rod {

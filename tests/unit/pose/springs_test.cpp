@@ -9,6 +9,7 @@
 namespace marrow {
 namespace {
 
+using test::distance;
 using test::Pendulum;
 using test::Rod;
 using test::Vec3;
@@ -35,10 +36,6 @@ void set_motion(Rod& rod, std::size_t bone, const Vec3& direction, const Vec3& v
     rod.springs.groups[bone / 4].velocity[i][bone % 4] = static_cast<float>(velocity[i]);
   }
 }
-double distance(const Vec3& a, const Vec3& b) {
-  return test::length(test::minus(a, b));
-}
-
 // A swing let go at 0.1 rad, without gravity: the linear oscillator, by its closed form.
 double oscillator(double frequency_hz, double damping_ratio, double time_s) {
   const double omega = kTurn * frequency_hz, gamma = damping_ratio * omega;
