@@ -21,7 +21,6 @@ marrow_embed(marrow_cook_tests stride_v1 golden/stride_v1.mrw)
 marrow_embed(marrow_cook_tests lod_v1 golden/lod_v1.mrw)
 marrow_embed(marrow_cook_tests limits_v1 golden/limits_v1.mrw)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_deform marrow_export marrow_sample draco::draco)
-target_compile_definitions(marrow_cook_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow unit/cook/settings_test.cpp unit/cook/workflow_test.cpp)
@@ -49,15 +48,11 @@ marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp ro
   road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp
   ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_export)
-target_compile_definitions(marrow_road_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-  MARROW_DEFAULT_ASSETS="${PROJECT_SOURCE_DIR}/../shared/assets")
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
   cli/atomic_test.cpp cli/compare_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/split_test.cpp cli/view_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
-target_compile_definitions(marrow_cli_tests PRIVATE MARROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-  MARROW_PROGRAM="$<TARGET_FILE:marrow>")
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_GLES)
@@ -66,8 +61,7 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
     target_link_libraries(marrow_reset_shim PRIVATE ${CMAKE_DL_LIBS})
     marrow_warnings(marrow_reset_shim)
     add_dependencies(marrow_cli_tests marrow_reset_shim)
-    target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_VIEW
-      MARROW_RESET_SHIM="$<TARGET_FILE:marrow_reset_shim>")
+    target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_VIEW)
   endif()
 endif()
 target_compile_options(marrow_cli_tests PRIVATE -O0)

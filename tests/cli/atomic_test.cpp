@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 std::string golden(const std::string& name) {
-  return std::string(MARROW_SOURCE_DIR) + "/tests/golden/" + name;
+  return in_golden(name);
 }
 
 TEST(Atomic, KilledAtAnyMoment) {
@@ -41,7 +42,7 @@ TEST(Atomic, KilledAtAnyMoment) {
   for (int i = 0; i < kKills; ++i) {
     const int source = last == bytes[0] ? 1 : 0;  // so that every cook would change the output
     const auto after = took[source] * (2 * i + 1) / (2 * kKills);
-    const Ran ran = run_program({MARROW_PROGRAM, "cook", sources[source], "-o", out, "--report", report}, after);
+    const Ran ran = run_program({program(), "cook", sources[source], "-o", out, "--report", report}, after);
     killed += ran.code == 1009;
     const std::string now = read_text(out);
     ASSERT_TRUE(now == bytes[source] || now == last) << "killed after " << after.count() << " us";
@@ -74,8 +75,8 @@ TEST(Atomic, AStaleTemporaryFileIsUsedUp) {
 
 TEST(Atomic, WritersOfOneFileWait) {
   const TemporaryFolder folder;
-  const std::string cook = "'" + std::string(MARROW_PROGRAM) + "' cook '" + tiny_gltf() + "' -o '" +
-                           (folder / "x.mrw") + "' >/dev/null 2>&1 || echo failed";
+  const std::string cook =
+      "'" + program() + "' cook '" + tiny_gltf() + "' -o '" + (folder / "x.mrw") + "' >/dev/null 2>&1 || echo failed";
   const Ran ran = run_program({"sh", "-c", "for i in 1 2 3 4 5 6 7 8; do (" + cook + ") & done; wait"});
   EXPECT_EQ(ran.out, "");
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"x.mrw"});
@@ -85,7 +86,7 @@ TEST(Atomic, WritersOfOneFileWait) {
 
 TEST(Atomic, AFullDiskKeepsTheOldFiles) {
   const TemporaryFolder folder;
-  const std::string cook = "'" + std::string(MARROW_PROGRAM) + "' cook '" + golden("dance.gltf") + "' -o ";
+  const std::string cook = "'" + program() + "' cook '" + golden("dance.gltf") + "' -o ";
   // A limit on the size of files: 512 bytes.
   for (const std::string name : {"x.mrw", "r.json"}) write_text(folder / name, "precious");
   const Ran limited = run_program(
@@ -104,8 +105,8 @@ TEST(Atomic, AFullFileSystemKeepsTheOldFile) {
   const Ran ran =
       run_program({"unshare", "--mount", "sh", "-c",
                    "mount -t tmpfs -o size=4k tmpfs '" + folder.path() + "' || exit 77; printf precious > '" + x +
-                       "'; '" + MARROW_PROGRAM + "' cook '" + golden("dance.gltf") + "' -o '" + x +
-                       "'; code=$?; cat '" + x + "'; ls -A '" + folder.path() + "'; exit $code"});
+                       "'; '" + program() + "' cook '" + golden("dance.gltf") + "' -o '" + x + "'; code=$?; cat '" + x +
+                       "'; ls -A '" + folder.path() + "'; exit $code"});
   if (ran.code == 77 || ran.err.find("unshare: ") != std::string::npos) GTEST_SKIP() << "no mounts here: " << ran.err;
   EXPECT_EQ(ran.code, 2) << ran.err;
   EXPECT_EQ(ran.out, "preciousx.mrw\n");
@@ -117,7 +118,7 @@ TEST(Atomic, AReadOnlyFolder) {
   write_text(folder / "x.mrw", "precious");
   ::chmod(folder.path().c_str(), 0555);
   ::chmod((folder / "x.mrw").c_str(), 0444);
-  std::vector<std::string> cook = {MARROW_PROGRAM, "cook", tiny_gltf(), "-o", folder / "x.mrw"};
+  std::vector<std::string> cook = {program(), "cook", tiny_gltf(), "-o", folder / "x.mrw"};
   if (::geteuid() == 0) cook.insert(cook.begin(), {"setpriv", "--reuid=65534", "--clear-groups"});
   const Ran one = run_program(cook);
   if (one.code == 127 || one.code == 126) GTEST_SKIP() << "another user cannot run the program: " << one.err;

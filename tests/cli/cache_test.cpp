@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -67,8 +68,7 @@ TEST_F(CliCache, WhatCounts) {
 
 // A pack is another one for another character.
 TEST_F(CliCache, CountsTheSkeleton) {
-  const std::string source = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf",
-                    character = folder_ / "c.gltf";
+  const std::string source = in_golden("dance.gltf"), character = folder_ / "c.gltf";
   nlohmann::json scene = nlohmann::json::parse(read_text(source));
   write_text(character, scene.dump());
   const auto pack = [&] {
@@ -161,7 +161,7 @@ TEST_F(CliCache, StaysBelowItsSize) {
 }
 
 TEST_F(CliCache, ByTheEnvironmentAndWithout) {
-  const std::vector<std::string> cook = {MARROW_PROGRAM, "cook", gltf(), "-o", out()};
+  const std::vector<std::string> cook = {program(), "cook", gltf(), "-o", out()};
   std::vector<std::string> with = {"env", "MARROW_CACHE=" + cache()};
   with.insert(with.end(), cook.begin(), cook.end());
   EXPECT_EQ(run_program(with).code, 0);
@@ -199,7 +199,7 @@ TEST_F(CliCache, Shared) {
     write_triangle(name + ".gltf", name + ".bin", 1.0f + static_cast<float>(i));
   }
   ASSERT_EQ(run_marrow({"cook", folder_ / "in", "-o", folder_ / "want/"}).code, 0);
-  std::string script = "set -e; for k in 1 2 3 4; do (for n in 1 2 3; do '" + std::string(MARROW_PROGRAM) + "' cook '" +
+  std::string script = "set -e; for k in 1 2 3 4; do (for n in 1 2 3; do '" + program() + "' cook '" +
                        (folder_ / "in") + "' -o '" + (folder_ / "got") + "'$k/ --cache '" + cache() +
                        "' --cache-size 12KB >/dev/null || touch '" + (folder_ / "failed") + "'; done) & done; wait";
   const Ran ran = run_program({"sh", "-c", script});

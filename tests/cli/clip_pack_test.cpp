@@ -6,12 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
 
 std::string dance_gltf() {
-  return std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf";
+  return in_golden("dance.gltf");
 }
 
 class CliClipPack : public ::testing::Test {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -18,7 +19,7 @@ TEST(Depfile, NamesWhatWasRead) {
   const TemporaryFolder folder;
   write_triangle(folder / "a.gltf", folder / "a.bin", 1);
   write_text(folder / "marrow.toml", "");
-  const std::string in_folder = "cd '" + folder.path() + "' && exec '" + MARROW_PROGRAM + "' cook ";
+  const std::string in_folder = "cd '" + folder.path() + "' && exec '" + program() + "' cook ";
   ASSERT_EQ(run_program({"sh", "-c", in_folder + "a.gltf -o a.mrw --depfile a.d"}).code, 0);
   EXPECT_EQ(read_text(folder / "a.d"), "a.mrw: a.gltf a.bin marrow.toml\n");
   // From a cache too, and a rule an output.
@@ -59,7 +60,7 @@ TEST_F(Ninja, BuildsAgainWhenAnInputChanges) {
   const std::string odd = "a b#c$d(e)";
   write_triangle(folder_ / (odd + ".gltf"), folder_ / (odd + ".bin"), 1);
   change("marrow.toml", "");
-  write_text(folder_ / "build.ninja", "rule cook\n  command = '" + std::string(MARROW_PROGRAM) +
+  write_text(folder_ / "build.ninja", "rule cook\n  command = '" + program() +
                                           "' cook $in -o $out --depfile $out.d\n  depfile = $out.d\n  deps = gcc\n"
                                           "build out.mrw: cook a$ b#c$$d(e).gltf\n");
   EXPECT_TRUE(build());
@@ -77,7 +78,7 @@ TEST_F(Ninja, BuildsAgainWhenAnInputChanges) {
 TEST_F(Ninja, BuildsAgainWhenTheSettingsChange) {
   write_triangle(folder_ / "a.gltf", folder_ / "a.bin", 1);
   change("marrow.toml", "");
-  write_text(folder_ / "build.ninja", "rule cook\n  command = '" + std::string(MARROW_PROGRAM) +
+  write_text(folder_ / "build.ninja", "rule cook\n  command = '" + program() +
                                           "' cook $in -o $out --depfile $out.d\n  depfile = $out.d\n"
                                           "build out.mrw: cook a.gltf\n");
   EXPECT_TRUE(build());
@@ -90,7 +91,7 @@ TEST_F(Ninja, BuildsAgainWhenTheSettingsChange) {
 TEST_F(Ninja, StopsWhereTheOutputStaysTheSame) {
   write_triangle(folder_ / "a.gltf", folder_ / "a.bin", 1);
   write_text(folder_ / "build.ninja",
-             "rule cook\n  command = '" + std::string(MARROW_PROGRAM) +
+             "rule cook\n  command = '" + program() +
                  "' cook $in -o $out --depfile $out.d --cache cache\n  depfile = $out.d\n  deps = gcc\n  restat = 1\n"
                  "rule copy\n  command = echo packed >> log && cp $in $out\n"
                  "build out.mrw: cook a.gltf\nbuild game.pak: copy out.mrw\n");

@@ -9,12 +9,13 @@
 
 #include "cli/process.h"
 #include "road/reference.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
 
 std::string golden(const char* name) {
-  return std::string(MARROW_SOURCE_DIR) + "/tests/golden/" + name;
+  return in_golden(name);
 }
 
 nlohmann::json json_of(const std::string& glb) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -21,9 +22,7 @@ class Looks : public ::testing::Test {
     fs::create_directory(folder_ / "source");
     fs::copy_file(golden("looks.gltf"), folder_ / "source/looks.gltf");
   }
-  static std::string golden(const std::string& name) {
-    return std::string(MARROW_SOURCE_DIR) + "/tests/golden/" + name;
-  }
+  static std::string golden(const std::string& name) { return in_golden(name); }
   void add_picture() const { fs::copy_file(golden("dot.png"), folder_ / "source/dot.png"); }
   Ran cook(std::vector<std::string> options) const {
     options.insert(options.begin(), {"cook", folder_ / "source/looks.gltf", "-o", folder_ / "out.mrw"});

@@ -1,4 +1,5 @@
 #include "cli/process.h"
+#include "support/places.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -69,7 +70,7 @@ void write_triangle(const std::string& gltf, const std::string& bin, float size)
 }
 
 std::string tiny_gltf() {
-  return std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny.gltf";
+  return in_golden("tiny.gltf");
 }
 
 std::vector<std::string> Ran::complaints() const {
@@ -81,7 +82,7 @@ std::vector<std::string> Ran::complaints() const {
 }
 
 Ran run_marrow(const std::vector<std::string>& arguments) {
-  std::vector<std::string> all = {MARROW_PROGRAM};
+  std::vector<std::string> all = {program()};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(all);
 }
@@ -130,7 +131,7 @@ Ran run_marrow_on_terminal(const std::vector<std::string>& arguments) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0)
     throw std::runtime_error("cannot make a terminal");
-  std::vector<std::string> all = {MARROW_PROGRAM};
+  std::vector<std::string> all = {program()};
   all.insert(all.end(), arguments.begin(), arguments.end());
   const pid_t child = start(all, folder / "out", ::ptsname(terminal));
   std::string err;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -90,7 +91,7 @@ TEST(Report, SubdividedMeshesHaveNoOtherDeformers) {
 // The report and `marrow info` list a clip's channels.
 TEST(Report, Channels) {
   const TemporaryFolder folder;
-  const std::string face = std::string(MARROW_SOURCE_DIR) + "/tests/golden/face.gltf";
+  const std::string face = in_golden("face.gltf");
   const Ran cooked = run_marrow({"cook", face, "-o", folder / "f.mrw", "--json"});
   ASSERT_EQ(cooked.code, 0) << cooked.err;
   const nlohmann::json names = {"nodes[2].weights[0]", "nodes[2].weights[1]", "head.bells[1]", "face.smile",
@@ -171,7 +172,7 @@ TEST(Report, OnStdoutIsTheSame) {
 // In the report, and on stderr too, located.
 TEST(Report, WarningsAreSaid) {
   const TemporaryFolder folder;
-  const std::string looks = std::string(MARROW_SOURCE_DIR) + "/tests/golden/looks.gltf";
+  const std::string looks = in_golden("looks.gltf");
   const Ran ran = run_marrow({"cook", looks, "-o", folder / "t.mrw", "--report", folder / "r.json"});
   const nlohmann::json r = nlohmann::json::parse(read_text(folder / "r.json"));
   ASSERT_EQ(r.at("warnings").size(), 4u);

@@ -9,6 +9,7 @@
 
 #include "cli/process.h"
 #include "road/reference.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -63,7 +64,7 @@ TEST_F(CliRoad, CookingAgainGivesTheSameBytes) {
                         "none"})
                 .code,
             0);
-  EXPECT_TRUE(read_text(mrw()) == read_text(std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny_v1.mrw"));
+  EXPECT_TRUE(read_text(mrw()) == read_text(in_golden("tiny_v1.mrw")));
 }
 
 TEST_F(CliRoad, InfoSaysWhatIsInside) {
@@ -105,7 +106,7 @@ TEST_F(CliRoad, PoseWritesWhatTheReferenceSays) {
 }
 
 TEST_F(CliRoad, InfoTellsCodedClipsFromRawOnes) {
-  const std::string dance = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance_v1.mrw";
+  const std::string dance = in_golden("dance_v1.mrw");
   EXPECT_NE(run_marrow({"info", dance}).out.find("12 tracks, segments\n"), std::string::npos);
   EXPECT_NE(run_marrow({"info", mrw()}).out.find("tracks, raw\n"), std::string::npos);
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -18,7 +19,7 @@ class SettingsFile : public ::testing::Test {
  protected:
   SettingsFile() {
     fs::create_directories(folder_ / "in/chars/deep");
-    const std::string golden = std::string(MARROW_SOURCE_DIR) + "/tests/golden/";
+    const std::string golden = in_golden("");
     fs::copy_file(golden + "dance.gltf", folder_ / "in/chars/dance.gltf");
     fs::copy_file(golden + "tiny.gltf", folder_ / "in/tiny.gltf");
     fs::copy_file(golden + "tiny.gltf", folder_ / "in/chars/deep/tiny.gltf");
@@ -61,7 +62,7 @@ TEST_F(SettingsFile, TheNearestCounts) {
   // A file that is named on the command line: no further than its own folder, or the working directory above it.
   write_text(folder_ / "marrow.toml", "wrong = 1\n");
   EXPECT_EQ(run_marrow({"cook", folder_ / "in/tiny.gltf", "-o", folder_ / "t.mrw"}).code, 0);
-  const std::string from_above = "cd '" + folder_.path() + "' && exec '" + MARROW_PROGRAM + "' cook ";
+  const std::string from_above = "cd '" + folder_.path() + "' && exec '" + program() + "' cook ";
   EXPECT_EQ(run_program({"sh", "-c", from_above + "in/chars/dance.gltf -o t.mrw"}).code, 0);
   fs::remove(folder_ / "in/marrow.toml");
   const Ran ran = run_program({"sh", "-c", from_above + "in/tiny.gltf -o t.mrw"});

@@ -5,11 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
 
-const std::string kNewt = std::string(MARROW_SOURCE_DIR) + "/tools/sample/newt.glb";
+const std::string kNewt = newt_glb();
 
 // Lines of a text that begin with this.
 std::size_t lines(const std::string& text, const std::string& start) {

@@ -10,6 +10,7 @@
 #include <png.h>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -39,7 +40,7 @@ class ViewTest : public ::testing::Test {
   }
   std::string mrw() const { return folder_ / "t.mrw"; }
   Ran view(const std::vector<std::string>& options) const {
-    std::vector<std::string> all = {"xvfb-run", "-a", "-s", "-screen 0 800x600x24", MARROW_PROGRAM, "view", mrw()};
+    std::vector<std::string> all = {"xvfb-run", "-a", "-s", "-screen 0 800x600x24", program(), "view", mrw()};
     all.insert(all.end(), options.begin(), options.end());
     return run_program(all);
   }
@@ -118,9 +119,9 @@ TEST_F(ViewTest, OutlivesAResetOfTheDriver) {
                                     "-s",
                                     "-screen 0 800x600x24",
                                     "env",
-                                    "LD_PRELOAD=" MARROW_RESET_SHIM,
+                                    "LD_PRELOAD=" + reset_shim(),
                                     std::string("MARROW_RESET_AT=") + at,
-                                    MARROW_PROGRAM,
+                                    program(),
                                     "view",
                                     mrw(),
                                     "--size",
@@ -152,7 +153,7 @@ TEST_F(ViewTest, SaysWhatIsWrong) {
   EXPECT_NE(joint.err.find("no joint \"nose\""), std::string::npos) << joint.err;
   EXPECT_EQ(run_marrow({"view", mrw(), "--frames", "3"}).code, 1);
   EXPECT_EQ(run_marrow({"view", mrw(), "--weights", "a", "--heatmap", "ssd:as"}).code, 1);
-  const Ran blind = run_program({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", MARROW_PROGRAM, "view", mrw()});
+  const Ran blind = run_program({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", program(), "view", mrw()});
   EXPECT_EQ(blind.code, 4);
   ASSERT_EQ(blind.complaints().size(), 1u) << blind.err;
   EXPECT_EQ(blind.err.find("window: "), 0u) << blind.err;

@@ -9,6 +9,7 @@
 #include "gl/stage.h"
 #include "gl/troop.h"
 #include "marrow/marrow.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -40,7 +41,7 @@ void main() { colour = colour_of_one; }
 
 // The newt, many times, in rows over the picture: what a game has of a crowd.
 struct Parade {
-  Parade() : model(*cook_model(MARROW_SAMPLE)), mesh(model.file.mesh(0)), reel(skeleton(), clips(), 20) {
+  Parade() : model(*cook_model(newt_glb())), mesh(model.file.mesh(0)), reel(skeleton(), clips(), 20) {
     programs.roles[0] = {kVertex, kFragment, {}};
     const Geometry& g = mesh.geometry;
     const float scale = 0.3f / (g.box_max[0] - g.box_min[0]);

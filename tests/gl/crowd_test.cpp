@@ -9,6 +9,7 @@
 #include "gl/troop.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
+#include "support/places.h"
 #include "support/rig.h"
 
 namespace marrow::test {
@@ -17,7 +18,7 @@ namespace {
 using gles3::CrowdInstance;
 
 TEST(Crowd, DrawsTheNewtAsTheCpuDoes) {
-  const std::optional<Model> model = cook_model(MARROW_SAMPLE);
+  const std::optional<Model> model = cook_model(newt_glb());
   ASSERT_TRUE(model.has_value());
   const Mesh mesh = model->file.mesh(0);
   const Reel reel(model->file.skeleton(mesh.skeleton), all_clips(model->file, mesh.skeleton), 30);

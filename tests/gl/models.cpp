@@ -8,33 +8,25 @@
 #include "common/failure.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
+#include "support/places.h"
 
 namespace marrow::test {
-namespace {
-
 namespace fs = std::filesystem;
 
-fs::path assets() {
-  const char* const given = std::getenv("MARROW_ASSETS");
-  return given != nullptr ? given : MARROW_DEFAULT_ASSETS;
-}
-
-}  // namespace
-
 bool have_assets() {
-  return fs::is_directory(assets());
+  return fs::is_directory(assets_folder());
 }
 
 std::vector<std::string> model_paths() {
   std::vector<std::string> paths;
   if (have_assets()) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(assets())) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(assets_folder())) {
       const std::string extension = entry.path().extension().string();
       if (extension == ".glb" || extension == ".gltf") paths.push_back(entry.path().string());
     }
   }
   std::sort(paths.begin(), paths.end());
-  paths.insert(paths.begin(), MARROW_SAMPLE);
+  paths.insert(paths.begin(), newt_glb());
   return paths;
 }
 

@@ -18,6 +18,7 @@
 #include "gl/models.h"
 #include "marrow/gles3.h"
 #include "support/millipede.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -31,14 +32,14 @@ class Picture : public ::testing::Test {
               ("marrow_picture_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
                std::to_string(std::hash<std::string>{}(std::to_string(::getpid()))));
     fs::create_directories(folder_);
-    ASSERT_EQ(run("cook " + std::string(MARROW_SAMPLE) + " -o " + path("newt.mrw") + " 2>/dev/null"), 0);
+    ASSERT_EQ(run("cook " + newt_glb() + " -o " + path("newt.mrw") + " 2>/dev/null"), 0);
   }
   void TearDown() override { fs::remove_all(folder_); }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   // Exit code of the program.
   static int run(const std::string& arguments, const std::string& environment = "") {
-    const int status = std::system((environment + " " + MARROW_PROGRAM + " " + arguments + " >/dev/null").c_str());
+    const int status = std::system((environment + " " + program() + " " + arguments + " >/dev/null").c_str());
     return status < 0 ? -1 : status / 256;
   }
   int render(const std::string& options, const std::string& name, const std::string& environment = "") const {
@@ -221,7 +222,7 @@ TEST_F(Picture, OfACrowdIsRefusedWhereCrowdsCannot) {
     return run("render " + path("other.mrw") + " --size 40x40 --path crowd " + options + " -o " + path("other.png"),
                "exec 2>/dev/null;");
   };
-  const std::string face = MARROW_GOLDEN "/face.gltf", tiny = MARROW_GOLDEN "/tiny.gltf";
+  const std::string face = in_golden("face.gltf"), tiny = in_golden("tiny.gltf");
   EXPECT_EQ(shoot(face, "--clip 0"), 4);
   EXPECT_FALSE(fs::exists(path("other.png")));
   EXPECT_EQ(shoot(tiny + " --additive wave=rest", "--clip wave"), 4);
@@ -231,7 +232,7 @@ TEST_F(Picture, OfACrowdIsRefusedWhereCrowdsCannot) {
 
 // Targets whose weights are 0 are no hindrance in the rest pose; under the clip, which has channels for them, they are.
 TEST_F(Picture, OfACrowdShowsTargetsAtRest) {
-  std::ifstream in(MARROW_GOLDEN "/face.gltf");
+  std::ifstream in(in_golden("face.gltf"));
   std::string face{std::istreambuf_iterator<char>(in), {}};
   for (const std::string weights : {"\"weights\": [0.5, 0]", "\"weights\": [0.25, 0.75]"}) {
     const std::size_t at = face.find(weights);

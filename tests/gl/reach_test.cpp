@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "gl/models.h"
 #include "pose/evaluate.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -34,7 +35,7 @@ double worst_distance(const File& file, const tools::Reach& reach) {
 }
 
 TEST(Reach, EverySolverBringsJointsToTheirGoals) {
-  const auto model = cook_model(std::string(MARROW_SAMPLE));
+  const auto model = cook_model(newt_glb());
   ASSERT_TRUE(model);
   tools::ReachArguments arguments;
   arguments.goals = {"hand.L=0.44,0.88,0.25", "hand.R=-0.44,0.88,0.25"};
@@ -46,7 +47,7 @@ TEST(Reach, EverySolverBringsJointsToTheirGoals) {
 }
 
 TEST(Reach, RefusesWhatItCannotRead) {
-  const auto model = cook_model(std::string(MARROW_SAMPLE));
+  const auto model = cook_model(newt_glb());
   ASSERT_TRUE(model);
   for (const char* goal : {"", "hand.L", "hand.L=", "hand.L=1,2", "hand.L=1,2,3,4", "hand.L=1,2,x", "hand.L=1,2,nan",
                            "hand.L=1,2,1e999", "=1,2,3", "hand=1,2,3", "pelvis=1,2,3", "spine_1=1,2,3"}) {

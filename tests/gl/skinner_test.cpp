@@ -11,6 +11,7 @@
 #include "gl/stage.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -128,7 +129,7 @@ std::size_t different(const std::vector<std::uint8_t>& a, const std::vector<std:
   return out;
 }
 
-const std::string kFace = MARROW_GOLDEN "/face.gltf";
+const std::string kFace = in_golden("face.gltf");
 
 TEST(Skinner, EveryPathDrawsTheSame) {
   on_a_thread([] {

@@ -11,6 +11,7 @@
 #include <png.h>
 #include <unistd.h>
 
+#include "support/places.h"
 #include "unit/cook/gltf_document.h"
 
 namespace marrow::cook {
@@ -55,7 +56,7 @@ class TexturedQuad : public ::testing::Test {
     std::ofstream(path(name), std::ios::binary) << bytes;
   }
   static int run(const std::string& arguments) {
-    const int status = std::system((std::string(MARROW_PROGRAM) + " " + arguments + " >/dev/null 2>&1").c_str());
+    const int status = std::system((test::program() + " " + arguments + " >/dev/null 2>&1").c_str());
     return status < 0 ? -1 : status / 256;
   }
 

@@ -7,6 +7,7 @@
 
 #include "cook/cook.h"
 #include "support/golden.h"
+#include "support/places.h"
 
 namespace marrow {
 namespace {
@@ -17,7 +18,7 @@ cook::CookResult cook_file(const char* name, bool raw_clips, const std::vector<c
   options.additive = additive;
   options.keep_vertex_order = raw_clips;
   options.raw_clips = raw_clips;
-  return cook::cook_file(std::string(MARROW_SOURCE_DIR) + "/tests/golden/" + name, options);
+  return cook::cook_file(test::in_golden(name), options);
 }
 
 void expect_golden(const cook::CookResult& cooked, const test::AlignedBlock& golden) {
@@ -33,8 +34,7 @@ TEST(GoldenCook, GivesTheGoldenBytes) {
   expect_golden(cook_file("face.gltf", false, {{"speak", "first"}}), test::golden_channels_copy());
   cook::CookOptions pack;
   pack.clips_only = true;
-  expect_golden(cook::cook_file(std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf", pack),
-                test::golden_pack_copy());
+  expect_golden(cook::cook_file(test::in_golden("dance.gltf"), pack), test::golden_pack_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfLooks) {
@@ -42,8 +42,7 @@ TEST(GoldenCook, GivesTheGoldenBytesOfLooks) {
   options.images = cook::Images::embed;
   options.mesh_codec = cook::MeshCodec::none;
   options.keep = {"*"};
-  expect_golden(cook::cook_file(std::string(MARROW_SOURCE_DIR) + "/tests/golden/looks.gltf", options),
-                test::golden_looks_copy());
+  expect_golden(cook::cook_file(test::in_golden("looks.gltf"), options), test::golden_looks_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfLevels) {
@@ -51,8 +50,7 @@ TEST(GoldenCook, GivesTheGoldenBytesOfLevels) {
   options.mesh_codec = cook::MeshCodec::none;
   options.raw_clips = true;
   options.lod = {{0.5, 8}, {0.25, 1}};
-  expect_golden(cook::cook_file(std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny.gltf", options),
-                test::golden_lod_copy());
+  expect_golden(cook::cook_file(test::in_golden("tiny.gltf"), options), test::golden_lod_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfLimits) {

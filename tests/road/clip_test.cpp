@@ -15,6 +15,7 @@
 #include "marrow/sample.h"
 #include "road/models.h"
 #include "road/reference.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -185,7 +186,7 @@ TEST_P(Clips, InPartsAreTheSame) {
 }
 
 TEST(ClipPromise, IsOverriddenByJoint) {
-  const std::string path = std::string(MARROW_SOURCE_DIR) + "/tests/golden/dance.gltf";
+  const std::string path = in_golden("dance.gltf");
   cook::RawScene raw = cook::read_gltf(path);
   constexpr double kLoose = 1e-3, kStrict = 2e-5;
   cook::CookOptions options = without_meshes();

@@ -9,11 +9,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
+
 namespace marrow::test {
 
 inline std::filesystem::path assets() {
-  const char* const given = std::getenv("MARROW_ASSETS");
-  return given != nullptr ? std::filesystem::path(given) : std::filesystem::path(MARROW_DEFAULT_ASSETS);
+  return assets_folder();
 }
 
 // The manifest's models, then the embedded sample; only what exists, so that its absence is one test's failure or skip.
@@ -25,10 +26,8 @@ inline std::vector<std::string> models() {
     for (const auto& asset : json.at("assets"))
       out.push_back((assets() / asset.at("file").get<std::string>()).string());
   }
-  const std::filesystem::path sample = std::filesystem::path(MARROW_SOURCE_DIR) / "tools/sample/newt.glb";
-  if (std::filesystem::exists(sample)) out.push_back(sample.string());
-  for (const char* name : {"tiny.gltf", "dance.gltf", "face.gltf"})
-    out.push_back((std::filesystem::path(MARROW_SOURCE_DIR) / "tests/golden" / name).string());
+  out.push_back(newt_glb());
+  for (const char* name : {"tiny.gltf", "dance.gltf", "face.gltf"}) out.push_back(in_golden(name));
   return out;
 }
 

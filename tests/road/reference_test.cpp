@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "road/reference.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
@@ -44,7 +45,7 @@ TEST(Reference, SlerpTakesTheShorterArc) {
 
 TEST(Reference, MorphsByHand) {
   // face.gltf at rest: node 1 is turned by 0.6 + 0.8 k above; smile has 0.5 and moves vertex 0 by 0.1 along x.
-  const Reference reference(std::string(MARROW_SOURCE_DIR) + "/tests/golden/face.gltf");
+  const Reference reference(in_golden("face.gltf"));
   const ReferencePose pose = reference.rest();
   ASSERT_EQ(pose.positions.size(), 8u);
   // (0.05, 0, 0) turned about z by 2 acos 0.8: cos 0.28, sin 0.96.
@@ -75,7 +76,7 @@ TEST(Reference, KeepsTheEightLargestInfluences) {
 // The arm of the golden file: scaled by 2, turned a quarter about z and moved by (0, 0, 1) above the shoulder, so a
 // bind vertex (x, y, z) rests at (-2 y, 2 x, 2 z + 1), whatever its node's own transform.
 TEST(Reference, RestPoseOfTheGoldenFileByHand) {
-  const Reference reference(std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny.gltf");
+  const Reference reference(in_golden("tiny.gltf"));
   const ReferencePose rest = reference.rest();
   ASSERT_EQ(rest.positions.size(), 29u);
   const auto expect = [](const Vec3& got, const Vec3& want) { EXPECT_LT(length(minus(got, want)), 1e-6) << got[0]; };

@@ -9,11 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "road/cooked.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
 
-const std::string kSample = std::string(MARROW_SOURCE_DIR) + "/tools/sample/newt.glb";
+const std::string kSample = newt_glb();
 
 nlohmann::json read_json() {
   std::ifstream in(kSample, std::ios::binary);

@@ -15,13 +15,14 @@
 #include "pose/evaluate.h"
 #include "support/aligned.h"
 #include "support/millipede.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
 
 using cook::MeshCodec;
 
-const std::string kNewt = std::string(MARROW_SOURCE_DIR) + "/tools/sample/newt.glb";
+const std::string kNewt = newt_glb();
 constexpr std::size_t kWhole = kMaxJoints;
 
 struct CookedParts {

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,7 +41,7 @@ std::vector<Include> includes_under(const fs::path& folder) {
   return out;
 }
 
-const fs::path kRuntime = fs::path(MARROW_SOURCE_DIR) / "runtime";
+const fs::path kRuntime = marrow::test::in_source("runtime");
 
 // Which folder stands behind a public header: where its functions are implemented.
 const std::map<std::string, std::string> kHeaders = {
@@ -47,10 +49,10 @@ const std::map<std::string, std::string> kHeaders = {
     {"marrow/glm.h", "math"},     {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
     {"marrow/sample.h", "pose"},  {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
     {"marrow/limits.h", "asset"}, {"marrow/transition.h", "pose"},     {"marrow/playback.h", "pose"},
-    {"marrow/ik.h", "pose"},      {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
+    {"marrow/ik.h", "ik"},        {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
     {"marrow/morph.h", "skin"},   {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
-    {"marrow/draco.h", "draco"},  {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "pose"},
-    {"marrow/feet.h", "pose"},    {"marrow/ik_solve.h", "pose"}};
+    {"marrow/draco.h", "draco"},  {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "springs"},
+    {"marrow/feet.h", "ik"},      {"marrow/ik_solve.h", "ik"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
@@ -67,6 +69,9 @@ TEST(Includes, PointOneWay) {
       {"math", {"core", "math"}},
       {"asset", {"core", "math", "asset"}},
       {"pose", {"core", "math", "asset", "pose"}},
+      {"limits", {"core", "math", "asset", "limits"}},
+      {"ik", {"core", "math", "asset", "pose", "limits", "ik"}},
+      {"springs", {"core", "math", "asset", "pose", "springs"}},
       {"curve", {"core", "math", "curve"}},
       {"skin", {"core", "math", "asset", "skin"}},
       {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
@@ -86,8 +91,8 @@ TEST(Includes, PointOneWay) {
 }
 
 TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
-  const std::set<std::string> known = {"include", "core",  "math",   "asset", "pose",   "curve",
-                                       "skin",    "gles3", "unpack", "draco", "meshopt"};
+  const std::set<std::string> known = {"include", "core",  "math", "asset", "pose",   "limits", "ik",
+                                       "springs", "curve", "skin", "gles3", "unpack", "draco",  "meshopt"};
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }
@@ -109,7 +114,7 @@ TEST(Includes, TheRuntimeKnowsNoFilesNoJsonNoStreams) {
 TEST(Includes, OnlyTheCookerKnowsTinygltf) {
   int found = 0;
   for (const char* folder : {"runtime", "platform", "tools"}) {
-    for (const Include& include : includes_under(fs::path(MARROW_SOURCE_DIR) / folder)) {
+    for (const Include& include : includes_under(marrow::test::in_source(folder))) {
       if (include.name.find("tiny_gltf") == std::string::npos) continue;
       ++found;
       EXPECT_NE(include.file.string().find("/tools/cook/"), std::string::npos) << include.file;
@@ -123,7 +128,7 @@ TEST(Includes, IntrinsicsAreSpokenInOnePlace) {
                                             "smmintrin.h", "tmmintrin.h", "arm_neon.h",  "wasm_simd128.h"};
   int found = 0;
   for (const char* folder : {"runtime", "platform", "tools"}) {
-    for (const Include& include : includes_under(fs::path(MARROW_SOURCE_DIR) / folder)) {
+    for (const Include& include : includes_under(marrow::test::in_source(folder))) {
       if (!intrinsics.count(include.name)) continue;
       ++found;
       EXPECT_EQ(include.file.parent_path(), kRuntime / "math") << include.file;

@@ -11,12 +11,13 @@
 #include "common/failure.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
+#include "support/places.h"
 #include "unit/cook/gltf_document.h"
 
 namespace marrow::cook {
 namespace {
 
-const char* const kElbow = MARROW_SOURCE_DIR "/tests/golden/elbow.gltf";
+const std::string kElbow = test::in_golden("elbow.gltf");
 constexpr float kStep_s = 0.25f;  // between its keys
 constexpr double kBulge_m = 0.1;
 

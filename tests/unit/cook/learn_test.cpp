@@ -9,12 +9,13 @@
 #include "cook/trainees.h"
 #include "deform/animation_space.h"
 #include "marrow/marrow.h"
+#include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {
 namespace {
 
-const char* const kNewt = MARROW_SOURCE_DIR "/tools/sample/newt.glb";
+const std::string kNewt = test::newt_glb();
 
 CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
   CookOptions options;

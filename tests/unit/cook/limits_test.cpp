@@ -6,6 +6,7 @@
 
 #include "export/export.h"
 #include "marrow/limits.h"
+#include "support/places.h"
 #include "unit/cook/gltf_document.h"
 #include "unit/cook/loaded_cook.h"
 
@@ -71,7 +72,7 @@ class Schema {
 };
 
 Json schema_file() {
-  return Json::parse(std::ifstream(std::string(MARROW_SOURCE_DIR) + "/docs/limits.schema.json"));
+  return Json::parse(std::ifstream(test::in_source("docs/limits.schema.json")));
 }
 
 // skinned() with limits on its first joint, node 1.
@@ -225,7 +226,7 @@ TEST(CookLimits, ComeBackFromGltf) {
 }
 
 TEST(CookLimits, OfTheSampleAreKeptByItsClips) {
-  const LoadedCook cooked(cook_file(MARROW_SOURCE_DIR "/tools/sample/newt.glb", {}));
+  const LoadedCook cooked(cook_file(test::newt_glb(), {}));
   const Skeleton skeleton = cooked.file.skeleton(0);
   ASSERT_EQ(skeleton.limits.size, 5U);  // knees, elbows, neck
   std::vector<SoaTransform> local(skeleton.soa_size());

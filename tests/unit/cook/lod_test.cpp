@@ -12,12 +12,11 @@
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
 #include "cook/options.h"
+#include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {
 namespace {
-
-const std::string kSources = MARROW_SOURCE_DIR;
 
 CookOptions levels(const std::string& lod, MeshCodec codec = MeshCodec::none) {
   CookOptions options = to_options({{"lod", {{lod, {"--lod", ""}}}}});
@@ -47,7 +46,7 @@ double distance(const glm::vec3& p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
 class LodCodecs : public testing::TestWithParam<MeshCodec> {};
 
 TEST_P(LodCodecs, NewtHasTheLevelsAskedFor) {
-  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.5,0.25", GetParam())));
+  const LoadedCook cooked(cook_file(test::newt_glb(), levels("0.5,0.25", GetParam())));
   ASSERT_GT(cooked.file.mesh_count(), 0u);
   for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m) {
     const Mesh full = cooked.file.mesh(m);
@@ -76,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Codecs, LodCodecs, testing::Values(MeshCodec::none, Mes
 
 // The error in the file is that of anchors that stay; the nearest point of the surface is nearer still.
 TEST(Lod, ErrorBoundsTheDistanceOfSurfaces) {
-  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.3")));
+  const LoadedCook cooked(cook_file(test::newt_glb(), levels("0.3")));
   double worst = 0, bound = 0;
   std::size_t checked = 0;
   for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m) {
@@ -102,7 +101,7 @@ TEST(Lod, ErrorBoundsTheDistanceOfSurfaces) {
 }
 
 TEST(Lod, FewerInfluencesAreThose) {
-  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.5,0.49:2,0.48:1")));
+  const LoadedCook cooked(cook_file(test::newt_glb(), levels("0.5,0.49:2,0.48:1")));
   std::uint32_t most[4] = {};
   for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m)
     for (std::uint32_t level = 0; level < 4; ++level)
@@ -122,7 +121,7 @@ TEST(Lod, AnimationSpaceHasLevels) {
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
   options.learn.half_joints = 1;
-  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", options));
+  const LoadedCook cooked(cook_file(test::newt_glb(), options));
   const Mesh full = cooked.file.mesh(0), less = cooked.file.mesh(0, 1);
   ASSERT_NE(full.geometry.as_residual, nullptr);
   ASSERT_NE(less.geometry.as_residual, nullptr);
@@ -132,7 +131,7 @@ TEST(Lod, AnimationSpaceHasLevels) {
 
 // Every vertex of a level is one of the full mesh, in place, normal and texture.
 TEST(Lod, VerticesAreTheMeshsOwn) {
-  const LoadedCook cooked(cook_file(kSources + "/tools/sample/newt.glb", levels("0.2")));
+  const LoadedCook cooked(cook_file(test::newt_glb(), levels("0.2")));
   const Geometry full = cooked.file.mesh(0).geometry, less = cooked.file.mesh(0, 1).geometry;
   const auto lane = [](const float* blocks, std::uint32_t slot) {
     return glm::vec3(blocks[slot % 4], blocks[4 + slot % 4], blocks[8 + slot % 4]);
@@ -151,7 +150,7 @@ TEST(Lod, VerticesAreTheMeshsOwn) {
 
 // Meshes that hang on a node, with morph targets, of two triangles each: one of them is the least there can be.
 TEST(Lod, SaysWhatCannotBeReached) {
-  const LoadedCook cooked(cook_file(kSources + "/tests/golden/face.gltf", levels("0.1", MeshCodec::draco)));
+  const LoadedCook cooked(cook_file(test::in_golden("face.gltf"), levels("0.1", MeshCodec::draco)));
   std::size_t warned = 0;
   for (const auto& w : cooked.report["warnings"]) warned += w["rule"] == "lod-not-reached" ? 1u : 0u;
   EXPECT_EQ(warned, 2u);
@@ -167,7 +166,7 @@ TEST(Lod, SaysWhatCannotBeReached) {
 TEST(Lod, KeepsTheSourcesOrderOfTheFullMeshAlone) {
   CookOptions options = levels("0.5");
   options.keep_vertex_order = true;
-  const LoadedCook cooked(cook_file(kSources + "/tests/golden/tiny.gltf", options));
+  const LoadedCook cooked(cook_file(test::in_golden("tiny.gltf"), options));
   EXPECT_GT(cooked.file.mesh(0).geometry.source_slots.size, 0u);
   EXPECT_EQ(cooked.file.mesh(0, 1).geometry.source_slots.size, 0u);
 }
@@ -186,7 +185,7 @@ TEST(Lod, OptionIsReadWhole) {
 }
 
 TEST(Lod, SameBytesEveryTime) {
-  const RawScene scene = read_gltf(kSources + "/tools/sample/newt.glb");
+  const RawScene scene = read_gltf(test::newt_glb());
   const CookOptions options = levels("0.5,0.1:2", MeshCodec::meshopt);
   EXPECT_EQ(cook_scene(scene, options).file, cook_scene(scene, options).file);
 }

@@ -11,14 +11,15 @@
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
 #include "cook/subdivide.h"
+#include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/looped.h"
 
 namespace marrow::cook {
 namespace {
 
-const std::string kTiny = std::string(MARROW_SOURCE_DIR) + "/tests/golden/tiny.gltf";
-const std::string kNewt = std::string(MARROW_SOURCE_DIR) + "/tools/sample/newt.glb";
+const std::string kTiny = test::in_golden("tiny.gltf");
+const std::string kNewt = test::newt_glb();
 
 std::uint32_t slot_of(const Geometry& g, std::size_t corner) {
   std::uint32_t out = 0;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pose/spring_state.h"
+#include "springs/spring_state.h"
 #include "support/allocations.h"
 #include "support/pose_file.h"
 #include "support/poses.h"

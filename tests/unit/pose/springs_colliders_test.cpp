@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pose/spring_state.h"
+#include "springs/spring_state.h"
 #include "unit/pose/springs_support.h"
 
 namespace marrow {

@@ -1,6 +1,6 @@
-#include "pose/ik_system.h"
+#include "ik/system.h"
 
-#include "pose/ik_dense.h"
+#include "ik/dense.h"
 
 namespace marrow {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/check.h"
 #include "pose/mask.h"
-#include "pose/spring_state.h"
+#include "springs/spring_state.h"
 
 namespace marrow {
 namespace {

@@ -4,7 +4,7 @@
 // Kinematics in Robotics and Animation), with cyclic coordinate descent in the place of its gradient steps.
 #include <algorithm>
 
-#include "pose/ik_heuristic.h"
+#include "ik/heuristic.h"
 
 namespace marrow {
 namespace {

@@ -1,9 +1,9 @@
-#include "pose/ik_tree.h"
+#include "ik/tree.h"
 
 #include "core/check.h"
+#include "limits/joint_limit.h"
 #include "marrow/local_to_model.h"
 #include "math/rotation_vector.h"
-#include "pose/joint_limit.h"
 
 namespace marrow {
 namespace {

@@ -1,4 +1,4 @@
-#include "pose/limits_ranges.h"
+#include "limits/limit_ranges.h"
 
 namespace marrow::ranges {
 

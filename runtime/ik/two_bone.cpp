@@ -1,12 +1,12 @@
-#include "pose/two_bone.h"
+#include "ik/two_bone.h"
 #include <bit>
 
 #include "core/check.h"
+#include "ik/goals.h"
+#include "ik/turn_joint.h"
+#include "ik/twist.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
-#include "pose/goals.h"
-#include "pose/turn_joint.h"
-#include "pose/twist.h"
 
 namespace marrow {
 namespace {

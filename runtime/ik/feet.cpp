@@ -1,13 +1,13 @@
 #include "marrow/feet.h"
 
 #include "core/check.h"
+#include "ik/turn_joint.h"
+#include "ik/twist.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
+#include "math/axes.h"
 #include "math/exponential.h"
-#include "pose/axes.h"
 #include "pose/mask.h"
-#include "pose/turn_joint.h"
-#include "pose/twist.h"
 
 namespace marrow {
 namespace {

@@ -1,7 +1,7 @@
 // Limits over time: what follows a target, with limited speed and acceleration.
 #include "core/check.h"
+#include "limits/joint_limit.h"
 #include "math/rotation_vector.h"
-#include "pose/joint_limit.h"
 
 namespace marrow {
 namespace {

@@ -1,12 +1,12 @@
 #include "marrow/springs.h"
 
 #include "core/check.h"
-#include "pose/axes.h"
+#include "math/axes.h"
 #include "pose/joint_range.h"
 #include "pose/mask.h"
-#include "pose/spring_colliders.h"
-#include "pose/spring_state.h"
-#include "pose/spring_step.h"
+#include "springs/spring_colliders.h"
+#include "springs/spring_state.h"
+#include "springs/spring_step.h"
 
 namespace marrow {
 namespace {

@@ -1,4 +1,4 @@
-#include "pose/ik_dense.h"
+#include "ik/dense.h"
 
 #include "math/f32x4.h"
 

@@ -1,9 +1,9 @@
 // The iteration that FABRIK and CCD share, and the sums of turns that joints make in both.
-#include "pose/ik_heuristic.h"
+#include "ik/heuristic.h"
 
 #include <algorithm>
 
-#include "pose/joint_limit.h"
+#include "limits/joint_limit.h"
 
 namespace marrow {
 namespace {

@@ -1,7 +1,7 @@
 // What FABRIK and CCD keep beside the tree: where joints are to go, and what goals count in moving them.
 #pragma once
 
-#include "pose/ik_tree.h"
+#include "ik/tree.h"
 
 namespace marrow {
 

@@ -1,6 +1,6 @@
 #include "core/check.h"
+#include "limits/joint_limit.h"
 #include "math/quaternion.h"
-#include "pose/joint_limit.h"
 
 namespace marrow {
 namespace {

@@ -8,10 +8,10 @@
 // Gauss-Newton minimises Σ |x|² / ease, x the rotation vectors from the pose that there was, under the constraint e =
 // 0. With that linearised, μ its Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
 // J Jᵀ μ = e + J x. The same damping keeps it safe where goals cannot be reached, and the pull back by x fades.
+#include "ik/dense.h"
+#include "ik/system.h"
+#include "limits/joint_limit.h"
 #include "math/rotation_vector.h"
-#include "pose/ik_dense.h"
-#include "pose/ik_system.h"
-#include "pose/joint_limit.h"
 
 namespace marrow {
 namespace {

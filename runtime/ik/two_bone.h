@@ -1,7 +1,7 @@
 // A limb of two bones solved, one limb or four at a time: the same operations in the same order, so the same bits.
 #pragma once
 
-#include "pose/turn_onto.h"
+#include "ik/turn_onto.h"
 
 namespace marrow {
 

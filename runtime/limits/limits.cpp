@@ -1,9 +1,9 @@
 #include "marrow/limits.h"
 
 #include "core/check.h"
+#include "limits/joint_limit.h"
+#include "limits/limit_ranges.h"
 #include "math/slerp.h"
-#include "pose/joint_limit.h"
-#include "pose/limits_ranges.h"
 
 namespace marrow::ranges {
 namespace {

@@ -1,11 +1,11 @@
 #include "core/check.h"
+#include "ik/goals.h"
+#include "ik/turn_joint.h"
+#include "ik/turn_onto.h"
+#include "ik/twist.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
 #include "math/affine.h"
-#include "pose/goals.h"
-#include "pose/turn_joint.h"
-#include "pose/turn_onto.h"
-#include "pose/twist.h"
 
 namespace marrow {
 namespace {

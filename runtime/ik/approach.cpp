@@ -1,7 +1,7 @@
 // What chains with one goal have besides FABRIK and CCD: how they set out, reach, stretch, and face a pole.
 #include <algorithm>
 
-#include "pose/ik_heuristic.h"
+#include "ik/heuristic.h"
 
 namespace marrow {
 namespace {

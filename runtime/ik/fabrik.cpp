@@ -1,5 +1,5 @@
 // FABRIK (Aristidou and Lasenby 2011) on a tree of joints, and the Newton step on points that both heuristics end with.
-#include "pose/ik_heuristic.h"
+#include "ik/heuristic.h"
 
 namespace marrow {
 namespace {

@@ -1,5 +1,5 @@
 // Cyclic coordinate descent (Wang and Chen 1991) on a tree of joints.
-#include "pose/ik_heuristic.h"
+#include "ik/heuristic.h"
 
 namespace marrow {
 namespace {

@@ -1,7 +1,7 @@
 #include "marrow/ik_solve.h"
 
 #include "core/check.h"
-#include "pose/ik_tree.h"
+#include "ik/tree.h"
 
 namespace marrow {
 namespace {

@@ -4,7 +4,7 @@
 // divided by the square root of its ease, and rows of goals are multiplied by their weights.
 #pragma once
 
-#include "pose/ik_tree.h"
+#include "ik/tree.h"
 
 namespace marrow {
 
