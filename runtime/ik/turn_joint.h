@@ -1,6 +1,7 @@
 // What a kernel of inverse kinematics found, put into a pose.
 #pragma once
 
+#include "marrow/file.h"
 #include "math/rotation.h"
 
 namespace marrow {
