@@ -55,18 +55,10 @@ Status time_at_distance(const Curve& curve, const ArcLength& table, float distan
     return Status::ok;
   }
   if (distance < 0.0f) distance = 0.0f;
-  std::size_t low = 0, high = last;  // lengths[low] ≤ distance < lengths[high]
-  while (high - low > 1) {
-    const std::size_t middle = low + (high - low) / 2;
-    if (distance < lengths[middle]) {
-      high = middle;
-    } else {
-      low = middle;
-    }
-  }
-  const float part = (distance - lengths[low]) / (lengths[high] - lengths[low]);
-  const std::size_t key = low / table.steps;
-  const float u = (static_cast<float>(low % table.steps) + part) / static_cast<float>(table.steps);
+  const std::size_t step = find_interval(lengths, last, distance);
+  const float part = (distance - lengths[step]) / (lengths[step + 1] - lengths[step]);
+  const std::size_t key = step / table.steps;
+  const float u = (static_cast<float>(step % table.steps) + part) / static_cast<float>(table.steps);
   time_s = (1.0f - u) * curve.times_s[key] + u * curve.times_s[key + 1];
   return Status::ok;
 }

@@ -1,7 +1,8 @@
 // Easings: 0 … 1 → 0 … 1 with character.
 #include "core/check.h"
-#include "curve/elementary.h"
-#include "curve/segment.h"
+#include "marrow/curve.h"
+#include "math/elementary.h"
+#include "math/finite.h"
 
 namespace marrow {
 namespace {

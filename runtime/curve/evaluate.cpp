@@ -59,7 +59,7 @@ Status evaluate_curve(const Curve& curve, float time_s, Span<float> out) {
     copy_key(curve, 0, out);
     return Status::ok;
   }
-  const Moment m = find_moment(curve.times_s, time_s);
+  const Moment m = find_moment(curve.times_s.data, curve.times_s.size, time_s);
   if (curve.kind == CurveKind::step) {
     copy_key(curve, m.key + (m.u >= 1.0f ? 1 : 0), out);
     return Status::ok;
@@ -78,9 +78,9 @@ Status curve_velocity(const Curve& curve, float time_s, Span<float> out) {
   std::memset(out.data, 0, sizeof(float) * curve.components);
   if (times_s.size == 1 || curve.kind == CurveKind::step) return Status::ok;
   if (time_s < times_s[0] || times_s[times_s.size - 1] < time_s) return Status::ok;
-  const Moment m = find_moment(times_s, time_s);
+  const Moment m = find_moment(times_s.data, times_s.size, time_s);
   segment_slope(make_segment(curve, m.key), m.u, out.data);
-  const float span_s = times_s[m.key + 1] - times_s[m.key];
+  const float span_s = times_s[m.key + 1] - times_s[m.key];  // at both ends, too
   for (std::uint32_t i = 0; i < curve.components; ++i) out[i] /= span_s;
   return Status::ok;
 }

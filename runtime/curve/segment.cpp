@@ -97,7 +97,7 @@ void make_catmull_rom(const Curve& curve, std::size_t key, Segment& s) {
 }
 
 Weights value_weights(const Segment& s, float u) {
-  const float v = 1.0f - u, u2 = u * u, u3 = u2 * u;
+  const float v = 1.0f - u;
   switch (s.basis) {
     case Basis::linear:
       return {{v, u, 0.0f, 0.0f}};
@@ -108,13 +108,14 @@ Weights value_weights(const Segment& s, float u) {
       return {{w.a, w.b, 0.0f, 0.0f}};
     }
     case Basis::bernstein2:
-      return {{v * v, 2.0f * u * v, u2, 0.0f}};
+      return {{v * v, 2.0f * u * v, u * u, 0.0f}};
     case Basis::bernstein3:
       return bernstein3(u);
     case Basis::hermite:
       break;
   }
-  return {{2.0f * u3 - 3.0f * u2 + 1.0f, u3 - 2.0f * u2 + u, 3.0f * u2 - 2.0f * u3, u3 - u2}};
+  const HermiteWeights w = hermite_weights(u);
+  return {{w.from, w.leave, w.to, w.arrive}};
 }
 
 Weights slope_weights(const Segment& s, float u) {
@@ -141,22 +142,6 @@ void weigh(const Segment& s, const Weights& weights, float* out) {
 }
 
 }  // namespace
-
-Moment find_moment(Span<const float> times_s, float time_s) {
-  const std::size_t count = times_s.size;
-  if (!(times_s[0] < time_s)) return {0, 0.0f};
-  if (!(time_s < times_s[count - 1])) return {count - 2, 1.0f};
-  std::size_t low = 0, high = count - 1;  // times[low] ≤ time < times[high], sorted or not
-  while (high - low > 1) {
-    const std::size_t middle = low + (high - low) / 2;
-    if (time_s < times_s[middle]) {
-      high = middle;
-    } else {
-      low = middle;
-    }
-  }
-  return {low, (time_s - times_s[low]) / (times_s[high] - times_s[low])};
-}
 
 Segment make_segment(const Curve& curve, std::size_t key) {
   const Reader read{curve};

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "marrow/curve.h"
+#include "math/finite.h"
+#include "math/keys.h"
 
 namespace marrow {
 
@@ -24,13 +26,6 @@ struct Segment {
 
 // Whether the counts of a curve fit together: what must hold before any key is read.
 Status check_counts(const Curve& curve);
-
-// Where a time falls among at least two key times: `key` has a next one, and u is 0 … 1, whatever the times are.
-struct Moment {
-  std::size_t key;
-  float u;
-};
-Moment find_moment(Span<const float> times_s, float time_s);
 
 // The interval from `key` to the next; any kind but step.
 Segment make_segment(const Curve& curve, std::size_t key);
@@ -61,17 +56,6 @@ inline bool normalise(float* q) {
   if (!(squared > 0.0f)) return false;
   const float inverse = 1.0f / __builtin_sqrtf(squared);
   for (int i = 0; i < 4; ++i) q[i] *= inverse;
-  return true;
-}
-
-// Not infinite, and a number.
-inline bool is_finite(float x) {
-  return x - x == 0.0f;
-}
-inline bool all_finite(const float* values, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!is_finite(values[i])) return false;
-  }
   return true;
 }
 

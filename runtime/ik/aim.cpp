@@ -2,10 +2,10 @@
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
 #include "ik/turn_onto.h"
-#include "ik/twist.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
 #include "math/affine.h"
+#include "math/elementary.h"
 
 namespace marrow {
 namespace {

@@ -2,12 +2,11 @@
 
 #include "core/check.h"
 #include "ik/turn_joint.h"
-#include "ik/twist.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
 #include "math/axes.h"
-#include "math/exponential.h"
-#include "pose/mask.h"
+#include "math/elementary.h"
+#include "math/finite.h"
 
 namespace marrow {
 namespace {
@@ -299,12 +298,6 @@ Status place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   return Status::ok;
 }
 
-float e_to_minus(float x) {
-  alignas(16) float out[4];
-  store(out, exp_negative(splat(-x)));
-  return out[0];
-}
-
 }  // namespace
 
 Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
@@ -321,7 +314,7 @@ Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& f
   const Status checked = check_feet(call, ground, motion);
   if (checked != Status::ok) return checked;
   call.rate = kAllButTwoPercent / feet.ease_s;
-  call.decay = e_to_minus(call.rate * frame.dt_s);
+  call.decay = exp_negative(-(call.rate * frame.dt_s));
   call.slope = cos_sin(feet.slope_rad);
   for (std::size_t i = 0; i < feet.feet.size; ++i) follow(call, feet.feet[i], ground[i], motion[i]);
   if (frame.weight == 0) return Status::ok;

@@ -235,7 +235,7 @@ Rotation part_of(const Rotation& any, float share) {
 void set_turned(IkNode& node, const Rotation& rotation) {
   if (!(node.ease_root > 0)) return;
   const float squared = dot(rotation, rotation), k = std::sqrt(squared) * (1.0f / squared);
-  if (!(squared > 1e-30f && squared < 1e30f)) return;
+  if (!has_direction(squared)) return;
   node.rotation = {rotation.x * k, rotation.y * k, rotation.z * k, rotation.w * k};
   if (node.limit != nullptr) node.rotation = clamped(*node.limit, node.rotation);
 }

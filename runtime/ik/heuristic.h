@@ -43,7 +43,7 @@ struct IkHeuristic {
 // The direction of v, so long; 0 if it has none. Root and quotient do not wait for each other.
 inline Vector3 along(const Vector3& v, float length) {
   const float squared = dot(v, v);
-  return v * (squared > 1e-30f && squared < 1e30f ? length * (std::sqrt(squared) * (1.0f / squared)) : 0.0f);
+  return v * (has_direction(squared) ? length * (std::sqrt(squared) * (1.0f / squared)) : 0.0f);
 }
 
 // Takes its memory, in which the tree's positions, lengths and weights are then.

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "ik/tree.h"
+#include "math/finite.h"
 
 namespace marrow {
 namespace {
@@ -9,20 +10,14 @@ namespace {
 constexpr float kMost = 1e15f;         // of numbers that are squared
 constexpr float kMostWeight = 100.0f;  // of what positions are multiplied by: still so
 
-bool within_range(float value, float least, float most) {
-  return value >= least && value <= most;
-}
-
-bool all_within(const float* v, int count) {
-  bool good = true;
-  for (int i = 0; i < count; ++i) good = good && within_range(v[i], -kMost, kMost);
-  return good;
+bool all_good(const float* v, std::size_t count) {
+  return all_within(v, count, -kMost, kMost);
 }
 
 Status check_goal(const Skeleton& skeleton, const IkGoal& goal) {
   MARROW_REQUIRE(goal.joint < skeleton.joint_count);
-  MARROW_REQUIRE(within_range(goal.position_weight, 0, kMostWeight) && within_range(goal.rotation_weight, 0, kMost));
-  MARROW_REQUIRE(all_within(goal.offset, 3) && all_within(goal.position, 3) && all_within(goal.rotation, 4));
+  MARROW_REQUIRE(within(goal.position_weight, 0, kMostWeight) && within(goal.rotation_weight, 0, kMost));
+  MARROW_REQUIRE(all_good(goal.offset, 3) && all_good(goal.position, 3) && all_good(goal.rotation, 4));
   return Status::ok;
 }
 
@@ -30,7 +25,7 @@ Status check_problem(const Skeleton& skeleton, const IkProblem& problem) {
   MARROW_REQUIRE(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
   MARROW_REQUIRE(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number
   MARROW_REQUIRE(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
-  MARROW_REQUIRE(within_range(problem.root_travel_m, 0, kMost));
+  MARROW_REQUIRE(within(problem.root_travel_m, 0, kMost));
   for (const IkGoal& goal : problem.goals) {
     const Status status = check_goal(skeleton, goal);
     if (status != Status::ok) return status;
@@ -39,19 +34,19 @@ Status check_problem(const Skeleton& skeleton, const IkProblem& problem) {
     MARROW_REQUIRE(problem.joints[i] < skeleton.joint_count);
     MARROW_REQUIRE(i == 0 || problem.joints[i - 1] < problem.joints[i]);
   }
-  for (const float s : problem.stiffness) MARROW_REQUIRE(within_range(s, 0, 1));
+  for (const float s : problem.stiffness) MARROW_REQUIRE(within(s, 0, 1));
   for (std::size_t i = 0; i < problem.limits.size; ++i) {
     MARROW_REQUIRE(is_valid(problem.limits[i]));
     MARROW_REQUIRE(i == 0 || problem.limits[i - 1].joint < problem.limits[i].joint);
   }
-  MARROW_REQUIRE(all_within(problem.pole, 3) && within_range(problem.pole_weight, 0, 1));
+  MARROW_REQUIRE(all_good(problem.pole, 3) && within(problem.pole_weight, 0, 1));
   return Status::ok;
 }
 
 Status check_options(const IkOptions& options) {
   MARROW_REQUIRE(options.method <= IkMethod::gauss_newton);
-  MARROW_REQUIRE(within_range(options.tolerance_m, 0, kMost) && within_range(options.damping, 0, kMost));
-  MARROW_REQUIRE(within_range(options.weight, 0, 1) && within_range(options.stretch, 1, kMost));
+  MARROW_REQUIRE(within(options.tolerance_m, 0, kMost) && within(options.damping, 0, kMost));
+  MARROW_REQUIRE(within(options.weight, 0, 1) && within(options.stretch, 1, kMost));
   return Status::ok;
 }
 

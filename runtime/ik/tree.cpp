@@ -152,8 +152,7 @@ Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span
     set_end(skeleton, local, node_of, end);
     sum = sum + transform(tree.nodes[end.node].frame, end.point) + load(&end.rotation.x);
   }
-  const f32x4 lost = sum * splat(0.0f);  // 0, or NaN where something was not finite
-  MARROW_REQUIRE(dot3(lost, splat(1.0f)) == 0 && dot3(splat_lane<3>(lost), splat(1.0f)) == 0);
+  MARROW_REQUIRE(all_finite(sum));
   return Status::ok;
 }
 

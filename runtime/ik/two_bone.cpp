@@ -4,9 +4,9 @@
 #include "core/check.h"
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
-#include "ik/twist.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
+#include "math/elementary.h"
 
 namespace marrow {
 namespace {

@@ -1,9 +1,9 @@
 // Four limbs at once, a limb a lane.
 #include "core/check.h"
 #include "ik/goals.h"
-#include "ik/twist.h"
 #include "ik/two_bone.h"
 #include "marrow/ik.h"
+#include "math/elementary.h"
 
 namespace marrow {
 namespace {

@@ -83,7 +83,7 @@ bool follow(Motion& m, const Vector3& from, bool on_target, float time_s, float 
 }
 
 bool is_time(float dt_s) {
-  return dt_s >= 0 && dt_s < 3e38f;
+  return dt_s >= 0 && is_finite(dt_s);
 }
 bool is_limit(const RateLimit& limit) {
   return limit.speed >= 0 && limit.speed < 1e18f && limit.acceleration >= 0 && limit.acceleration < 1e18f;
@@ -106,11 +106,8 @@ struct Jacobian {
   float sinc, cos, squared;  // of half the angle; its whole square
 
   explicit Jacobian(const Vector3& at) : p(at), squared(dot(at, at)) {
-    float s[4], c[4];
-    store(s, sinc_of_root(splat(0.25f * squared)));
-    store(c, cos_of_root(splat(0.25f * squared)));
-    sinc = s[0];
-    cos = c[0];
+    sinc = sinc_of_root(0.25f * squared);
+    cos = cos_of_root(0.25f * squared);
   }
   Vector3 turn_of(const Vector3& v) const {
     const Vector3 a = cross(p, v), b = cross(p, a);
@@ -153,7 +150,7 @@ Status follow_rotation(RotationFollower& state, const float (&target)[4], float 
   MARROW_REQUIRE(is_time(dt_s));
   MARROW_REQUIRE(is_limit(limit));
   const Rotation to = rotation(target), unit = normalised(to);
-  MARROW_REQUIRE(dot(to, to) > 1e-30f && dot(to, to) < 1e30f);
+  MARROW_REQUIRE(has_direction(dot(to, to)));
   if (state.mode == kNotBegun) {
     state = {};
     store(state.rotation, to);

@@ -3,7 +3,7 @@
 #include "core/check.h"
 #include "limits/joint_limit.h"
 #include "limits/limit_ranges.h"
-#include "math/slerp.h"
+#include "math/elementary.h"
 
 namespace marrow::ranges {
 namespace {
@@ -110,14 +110,14 @@ namespace marrow {
 float angle_between(const Rotation& a, const Rotation& b) {
   const Rotation d = conjugate(a) * b;
   const float sine_squared = dot(axis_part(d), axis_part(d)), w = std::fabs(d.w);
-  if (sine_squared < 0.5f) return 2.0f * std::sqrt(sine_squared) * asinc_of_square(sine_squared);
-  return 3.14159265f - 2.0f * w * asinc_of_square(w * w);
+  if (sine_squared < 0.5f) return 2.0f * std::sqrt(sine_squared) * asinc_for_slerp(sine_squared);
+  return 3.14159265f - 2.0f * w * asinc_for_slerp(w * w);
 }
 
 Rotation clamped(const JointLimit& limit, const Rotation& q) {
   if (limit.kind == LimitKind::none) return q;
   const float squared = dot(q, q);
-  if (!(squared > 1e-30f && squared < 1e30f)) return q;
+  if (!has_direction(squared)) return q;
   const float k = 1.0f / std::sqrt(squared);
   const Rotation unit = {q.x * k, q.y * k, q.z * k, q.w * k};
   const Rotation limit_from_parent = rotation(limit.limit_from_parent);
@@ -134,7 +134,7 @@ Rotation clamped(const JointLimit& limit, const Rotation& q) {
 Status clamp_rotation(const JointLimit& limit, float (&local)[4]) {
   const Rotation q = rotation(local);
   const float squared = dot(q, q);
-  MARROW_REQUIRE(squared > 1e-30f && squared < 1e30f);
+  MARROW_REQUIRE(has_direction(squared));
   store(local, clamped(limit, q));
   return Status::ok;
 }
@@ -143,7 +143,7 @@ float limit_excess(const JointLimit& limit, const float (&local)[4]) {
   const Rotation q = rotation(local), in = clamped(limit, q);
   const bool same = q.x == in.x && q.y == in.y && q.z == in.z && q.w == in.w;
   const float squared = dot(q, q);
-  if (same || !(squared > 1e-30f && squared < 1e30f)) return 0;
+  if (same || !has_direction(squared)) return 0;
   return angle_between(normalised(q), in);
 }
 

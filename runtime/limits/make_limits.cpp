@@ -1,6 +1,6 @@
 #include "core/check.h"
 #include "limits/joint_limit.h"
-#include "math/quaternion.h"
+#include "math/elementary.h"
 
 namespace marrow {
 namespace {
@@ -12,10 +12,7 @@ constexpr float kRounding = 1e-6f;
 // For angles of at most half a turn: tan(angle / 4).
 float quarter_tangent(float angle_rad) {
   const float a = 0.25f * angle_rad;
-  float sinc[4], cos[4];
-  store(sinc, sinc_of_root(splat(a * a)));
-  store(cos, cos_of_root(splat(a * a)));
-  return a * sinc[0] / cos[0];
+  return a * sinc_of_root(a * a) / cos_of_root(a * a);
 }
 
 bool is_direction(const float (&v)[3]) {

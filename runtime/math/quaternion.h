@@ -3,7 +3,7 @@
 #pragma once
 
 #include "marrow/pose.h"
-#include "math/f32x4.h"
+#include "math/elementary.h"
 
 namespace marrow {
 
@@ -52,38 +52,6 @@ inline Quaternions normalised(const Quaternions& q) {
 // All four components negated where the sign bit of `by` is set: the same rotation.
 inline Quaternions flip(const Quaternions& q, f32x4 by) {
   return {flip(q.x, by), flip(q.y, by), flip(q.z, by), flip(q.w, by)};
-}
-
-namespace detail {
-
-// 1 + y (c0 + y (c1 + …)): exactly 1 at y = 0.
-template <std::size_t N>
-inline f32x4 one_and_more(const float (&c)[N], f32x4 y) {
-  f32x4 sum = splat(c[N - 1]);
-  for (std::size_t i = N - 1; i > 0; --i) sum = splat(c[i - 1]) + y * sum;
-  return splat(1.0f) + y * sum;
-}
-
-}  // namespace detail
-
-// cos √y for y in [0, π²], within 1.2e-8 and rounding. Minimax fit of degree 6.
-inline f32x4 cos_of_root(f32x4 y) {
-  constexpr float c[] = {-0.499999925f, 0.0416665179f, -1.3887906e-3f, 2.4771644e-5f, -2.70934882e-7f, 1.72906225e-9f};
-  return detail::one_and_more(c, y);
-}
-
-// sin √y / √y for y in [0, π²], within 8.1e-10 and rounding. Minimax fit of degree 6.
-inline f32x4 sinc_of_root(f32x4 y) {
-  constexpr float c[] = {-0.166666662f,  8.33332324e-3f,  -1.98406033e-4f,
-                         2.75370391e-6f, -2.47385713e-8f, 1.36438182e-10f};
-  return detail::one_and_more(c, y);
-}
-
-// asin √z / √z for z in [0, ½], within 1.7e-8 and rounding. Minimax fit of degree 7.
-inline f32x4 asinc_of_root(f32x4 z) {
-  constexpr float c[] = {0.16666916f, 0.0748808732f,  0.0465528862f, 0.0160917654f,
-                         0.07785701f, -0.0939145603f, 0.112058543f};
-  return detail::one_and_more(c, z);
 }
 
 // The rotation by |v| about v, for |v| ≤ 2π: unit within 1e-6; exactly the identity for 0.

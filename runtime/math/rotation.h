@@ -50,7 +50,7 @@ inline Vector3 rotate(const Rotation& q, const Vector3& v) {
 // Of unit length; the identity if it is too short, or not finite.
 inline Rotation normalised(const Rotation& q) {
   const float squared = dot(q, q);
-  if (!(squared > 1e-30f && squared < 1e30f)) return {};
+  if (!has_direction(squared)) return {};
   const float s = 1.0f / std::sqrt(squared);
   return {q.x * s, q.y * s, q.z * s, q.w * s};
 }

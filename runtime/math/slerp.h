@@ -1,46 +1,9 @@
-// Weights of spherical linear interpolation without trigonometry from a library, so that every processor gets the same.
+// Weights of spherical linear interpolation.
 #pragma once
 
-#include <cstddef>
-
-#include "math/f32x4.h"
+#include "math/elementary.h"
 
 namespace marrow {
-
-// c[0] + y (c[1] + y (…)); F is float or f32x4.
-template <std::size_t N>
-inline float horner(const float (&c)[N], float y) {
-  float sum = c[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) sum = c[i] + y * sum;
-  return sum;
-}
-template <std::size_t N>
-inline f32x4 horner(const float (&c)[N], f32x4 y) {
-  f32x4 sum = splat(c[N - 1]);
-  for (std::size_t i = N - 1; i-- > 0;) sum = splat(c[i]) + y * sum;
-  return sum;
-}
-
-// sin(√y) / √y for y in [0, (π/2)²], within 5e-9. Minimax fit of degree 4.
-template <class F>
-inline F sinc_of_square(F y) {
-  constexpr float kFit[] = {0.999999996f, -0.166666580f, 8.33305098e-3f, -1.98090690e-4f, 2.60521026e-6f};
-  return horner(kFit, y);
-}
-
-// asin(√z) / √z for z in [0, ½], within 1.1e-7. Minimax fit of degree 6.
-template <class F>
-inline F asinc_of_square(F z) {
-  constexpr float kFit[] = {1.00000011f, 0.16664676f, 0.07559077f, 0.03815005f, 0.06348833f, -0.05957173f, 0.10395446f};
-  return horner(kFit, z);
-}
-
-inline float constant(float, float value) {
-  return value;
-}
-inline f32x4 constant(f32x4, float value) {
-  return splat(value);
-}
 
 template <class F>
 struct SlerpWeights {
@@ -52,11 +15,12 @@ struct SlerpWeights {
 // nothing to divide by zero at θ = 0. The angle is off by at most 4e-7 of itself.
 template <class F>
 inline SlerpWeights<F> slerp_weights(F chord_squared, F u) {
-  const F half = asinc_of_square(constant(u, 0.25f) * chord_squared);
+  const F half = asinc_for_slerp(all_lanes<F>(0.25f) * chord_squared);
   const F angle_squared = chord_squared * half * half;
-  const F v = constant(u, 1.0f) - u;
-  const F whole = sinc_of_square(angle_squared);
-  return {v * sinc_of_square(v * v * angle_squared) / whole, u * sinc_of_square(u * u * angle_squared) / whole};
+  const F v = all_lanes<F>(1.0f) - u;
+  const F whole = sinc_to_quarter_turn(angle_squared);
+  return {v * sinc_to_quarter_turn(v * v * angle_squared) / whole,
+          u * sinc_to_quarter_turn(u * u * angle_squared) / whole};
 }
 
 // sin(u θ) / sin θ as a polynomial in the squared chord, 2 (1 - cos θ), whose coefficients depend on u alone, so that

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "math/finite.h"
+
 namespace marrow {
 
 struct Vector3 {
@@ -47,7 +49,7 @@ inline float length(const Vector3& a) {
 // Of unit length; `otherwise` if it is too short to have a direction, or not finite.
 inline Vector3 normalised_or(const Vector3& a, const Vector3& otherwise) {
   const float squared = dot(a, a);
-  if (!(squared > 1e-30f && squared < 1e30f)) return otherwise;
+  if (!has_direction(squared)) return otherwise;
   return a * (1.0f / std::sqrt(squared));
 }
 
@@ -59,7 +61,7 @@ inline Vector3 any_across(const Vector3& v) {
 }
 
 inline bool is_finite(const Vector3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
 }
 
 }  // namespace marrow

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "marrow/span.h"
-#include "math/f32x4.h"
+#include "math/finite.h"
 
 namespace marrow {
 
@@ -15,11 +15,6 @@ inline f32x4 factors(Span<const float> mask, std::size_t group) {
 
 inline bool long_enough(Span<const float> mask, std::size_t groups) {
   return mask.empty() || mask.size >= 4 * groups;
-}
-
-// False for what is not a number.
-inline bool within(float x, float low, float high) {
-  return low <= x && x <= high;
 }
 
 }  // namespace marrow

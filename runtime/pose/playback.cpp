@@ -3,15 +3,12 @@
 #include <bit>
 
 #include "core/check.h"
+#include "math/finite.h"
 
 namespace marrow {
 namespace {
 
 constexpr std::int64_t kMostTurns = INT32_MAX;
-
-bool is_finite(double x) {
-  return x - x == 0.0;
-}
 
 // x = quotient · d + remainder with 0 ≤ remainder < d; the quotient stops at kMostTurns.
 struct Division {

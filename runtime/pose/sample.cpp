@@ -5,34 +5,12 @@
 #include "asset/format.h"
 #include "core/check.h"
 #include "marrow/blend.h"
+#include "math/keys.h"
 #include "math/slerp.h"
 #include "pose/sample_coded.h"
 
 namespace marrow {
 namespace {
-
-// Where a time falls in a list of key times.
-struct Moment {
-  std::uint32_t key;  // the last key at or before the time, and never the last of all unless it is the only one
-  float u;            // 0 … 1 on the way to the next key
-  float span_s;       // to the next key; 0 outside the list
-};
-
-Moment find(const float* times_s, std::uint32_t count, float time_s) {
-  if (count == 1 || !(times_s[0] < time_s)) return {0, 0.0f, 0.0f};
-  if (!(time_s < times_s[count - 1])) return {count - 2, 1.0f, 0.0f};
-  std::uint32_t low = 0, high = count - 1;  // times[low] ≤ time < times[high]
-  while (high - low > 1) {
-    const std::uint32_t middle = (low + high) / 2;
-    if (time_s < times_s[middle]) {
-      high = middle;
-    } else {
-      low = middle;
-    }
-  }
-  const float span_s = times_s[high] - times_s[low];
-  return {low, (time_s - times_s[low]) / span_s, span_s};
-}
 
 // The values of one key, or of two keys blended; n = 3 or 4.
 void mix(const float* a, const float* b, float wa, float wb, int n, float* out) {
@@ -40,7 +18,7 @@ void mix(const float* a, const float* b, float wa, float wb, int n, float* out) 
 }
 
 void linear(const Track& track, const Moment& m, const float* keys, int n, float* out) {
-  const float* const a = keys + m.key * static_cast<std::uint32_t>(n);
+  const float* const a = keys + m.key * static_cast<std::size_t>(n);
   const float* const b = track.key_count > 1 ? a + n : a;
   if (track.path != Path::rotation) return mix(a, b, 1.0f - m.u, m.u, n, out);
   float chord_squared = 0.0f;
@@ -49,22 +27,18 @@ void linear(const Track& track, const Moment& m, const float* keys, int n, float
   mix(a, b, w.a, w.b, 4, out);
 }
 
-// glTF 2.0, "Interpolation Cubic": a key holds in-tangent, value, out-tangent; tangents are per second.
-struct HermiteWeights {
-  float from, leave, to, arrive;
-  explicit HermiteWeights(const Moment& m) {
-    const float u = m.u, u2 = u * u, u3 = u2 * u;
-    from = 2.0f * u3 - 3.0f * u2 + 1.0f;
-    leave = (u3 - 2.0f * u2 + u) * m.span_s;
-    to = 3.0f * u2 - 2.0f * u3;
-    arrive = (u3 - u2) * m.span_s;
-  }
-};
+// A key holds in-tangent, value, out-tangent; tangents are per second.
+HermiteWeights weights_at(const Moment& m) {
+  HermiteWeights w = hermite_weights(m.u);
+  w.leave *= m.span_s;
+  w.arrive *= m.span_s;
+  return w;
+}
 
 void cubic_spline(const Track& track, const Moment& m, const float* keys, int n, float* out) {
-  const float* const a = keys + m.key * static_cast<std::uint32_t>(3 * n);
+  const float* const a = keys + m.key * static_cast<std::size_t>(3 * n);
   const float* const b = track.key_count > 1 ? a + 3 * n : a;
-  const HermiteWeights w(m);
+  const HermiteWeights w = weights_at(m);
   for (int i = 0; i < n; ++i) out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
   if (track.path != Path::rotation) return;
   const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
@@ -78,8 +52,8 @@ void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTran
   float value[4];
   switch (track.interpolation) {
     case Interpolation::step: {
-      const std::uint32_t key = m.key + (m.u >= 1.0f ? 1u : 0u);
-      std::memcpy(value, keys + key * static_cast<std::uint32_t>(n), sizeof(float) * static_cast<std::size_t>(n));
+      const std::size_t key = m.key + (m.u >= 1.0f ? 1 : 0);
+      std::memcpy(value, keys + key * static_cast<std::size_t>(n), sizeof(float) * static_cast<std::size_t>(n));
       break;
     }
     case Interpolation::linear:
@@ -101,15 +75,15 @@ bool wanted(const SampleOptions& options, std::uint32_t joint) {
 }
 
 float channel_value(const Channel& channel, const Moment& m, const float* keys) {
-  const std::uint32_t next = channel.key_count > 1 ? m.key + 1 : m.key;
+  const std::size_t next = channel.key_count > 1 ? m.key + 1 : m.key;
   switch (channel.interpolation) {
     case Interpolation::step:
       return keys[m.u >= 1.0f ? next : m.key];
     case Interpolation::linear:
       return (1.0f - m.u) * keys[m.key] + m.u * keys[next];
     case Interpolation::cubic_spline: {
-      const float *const a = keys + 3 * std::size_t{m.key}, *const b = keys + 3 * std::size_t{next};
-      const HermiteWeights w(m);
+      const float *const a = keys + 3 * m.key, *const b = keys + 3 * next;
+      const HermiteWeights w = weights_at(m);
       return w.from * a[1] + w.leave * a[2] + w.to * b[1] + w.arrive * b[0];
     }
   }
@@ -124,7 +98,7 @@ class MomentFinder {
     if (first != first_ || count != count_) {
       first_ = first;
       count_ = count;
-      moment_ = find(times_s_ + first, count, time_s_);
+      moment_ = find_moment(times_s_ + first, count, time_s_);
     }
     return moment_;
   }

@@ -4,7 +4,7 @@
 
 #include "asset/format.h"
 #include "core/opaque.h"
-#include "math/f32x4.h"
+#include "math/keys.h"
 #include "math/slerp.h"
 
 namespace marrow {
@@ -345,21 +345,12 @@ struct Place {
   float between;
 };
 
-// By halving.
-Place find_uneven(const float* times_s, std::uint32_t last, float time_s) {
-  if (!(time_s > times_s[0])) return {0, 0.0f};
-  if (time_s >= times_s[last]) return {last - 1, 1.0f};
-  std::uint32_t before = 0, behind = last;
-  while (behind - before > 1) {
-    const std::uint32_t middle = before + (behind - before) / 2;
-    (times_s[middle] <= time_s ? before : behind) = middle;
-  }
-  return {before, (time_s - times_s[before]) / (times_s[behind] - times_s[before])};
-}
-
 Place find(const CodedTracks& coded, float time_s) {
   const std::uint32_t last = coded.frame_count - 1;
-  if (coded.times_s != nullptr) return find_uneven(coded.times_s, last, time_s);
+  if (coded.times_s != nullptr) {
+    const Moment m = find_moment(coded.times_s, coded.frame_count, time_s);
+    return {static_cast<std::uint32_t>(m.key), m.u};
+  }
   const float position = (time_s - coded.start_s) * coded.frames_per_s;
   if (position >= static_cast<float>(last)) return {last - 1, 1.0f};
   if (!(position > 0.0f)) return {0, 0.0f};

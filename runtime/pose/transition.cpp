@@ -11,7 +11,7 @@ namespace {
 constexpr float kPi = 3.14159265f;
 
 bool above_zero(float x) {
-  return 0.0f < x && x < 3e38f;
+  return 0.0f < x && is_finite(x);
 }
 
 // The nine components by which four joints differ: translation, rotation vector, scale.

@@ -1,6 +1,6 @@
 // Pose-space deformation, four vertices at a time: deltas of the examples that move them, then skeletal subspace
 // deformation.
-#include "math/exponential.h"
+#include "math/elementary.h"
 #include "skin/joint_set.h"
 
 namespace marrow {

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "pose/mask.h"
+#include "math/finite.h"
 #include "springs/spring_state.h"
 
 namespace marrow {

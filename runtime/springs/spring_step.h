@@ -1,7 +1,7 @@
 // One step of four spring bones; see simulate_springs() for the model and the method.
 #pragma once
 
-#include "math/exponential.h"
+#include "math/elementary.h"
 #include "math/quaternion.h"
 #include "math/vectors.h"
 
@@ -15,27 +15,6 @@ struct SpringStrengths {
   f32x4 decay;  // of the velocity in half a step
   f32x4 first_kick, drift, last_kick;
 };
-
-// cos √p and the divided difference (cos √p - cos √q) / (p - q), for both in [-8, 4.2], within 3e-6 of cosh √8: the
-// series, and by its Horner scheme the difference without cancellation.
-inline f32x4 cos_of_root_and_slope(f32x4 p, f32x4 q, f32x4& slope) {
-  constexpr float c[] = {1.0f, -1.0f / 2, 1.0f / 24, -1.0f / 720, 1.0f / 40320, -1.0f / 3628800, 1.0f / 479001600};
-  f32x4 sum = splat(c[6]);
-  slope = splat(0.0f);
-  for (int i = 5; i >= 0; --i) {
-    slope = slope * q + sum;
-    sum = sum * p + splat(c[i]);
-  }
-  return sum;
-}
-
-// sin √q / √q in the same range.
-inline f32x4 sinc_of_root_series(f32x4 q) {
-  constexpr float c[] = {1.0f, -1.0f / 6, 1.0f / 120, -1.0f / 5040, 1.0f / 362880, -1.0f / 39916800};
-  f32x4 sum = splat(1.0f / 6227020800.0f);
-  for (int i = 5; i >= 0; --i) sum = sum * q + splat(c[i]);
-  return sum;
-}
 
 // For y'' + 2 γ y' + |F| y = 0 the step has the trace and the determinant of the exact solution, hence its frequency
 // and its decay, and takes a velocity to the exact place: with x = γ h, q = |F| h² - x² and both kicks the same
@@ -51,8 +30,8 @@ inline SpringStrengths spring_strengths(f32x4 damping, f32x4 field, float step_s
   y = select(y < highest, y, highest);
   const f32x4 minus_xx = zero - x * x, q = y + minus_xx;
   f32x4 slope;
-  const f32x4 cosh = cos_of_root_and_slope(minus_xx, q, slope);
-  const f32x4 s = sinc_of_root_series(q);
+  const f32x4 cosh = cos_of_signed_root(minus_xx, q, slope);
+  const f32x4 s = sinc_of_signed_root(q);
   const f32x4 kick = splat(-step_s) * slope / (cosh * s);
   const f32x4 decay = exp_negative(zero - x), squared = decay * decay;
   const f32x4 some = select(least < x, x, least), lost = select(least < x, one - squared, one);

@@ -2,8 +2,8 @@
 
 #include "core/check.h"
 #include "math/axes.h"
+#include "math/finite.h"
 #include "pose/joint_range.h"
-#include "pose/mask.h"
 #include "springs/spring_colliders.h"
 #include "springs/spring_state.h"
 #include "springs/spring_step.h"
@@ -38,15 +38,9 @@ const Affine& above(const SpringCall& call, std::uint32_t joint) {
 f32x4 sum_of(const Affine& a) {
   return load_aligned(a.rows[0]) + load_aligned(a.rows[1]) + load_aligned(a.rows[2]);
 }
-bool all_finite(f32x4 sum) {
-  const f32x4 zero = splat(0.0f);
-  alignas(16) float none[4];
-  store(none, sum * zero);
-  return none[0] == 0.0f && none[1] == 0.0f && none[2] == 0.0f && none[3] == 0.0f;
-}
 
 bool good_vector(const float (&v)[3]) {
-  return within(v[0], -1e6f, 1e6f) && within(v[1], -1e6f, 1e6f) && within(v[2], -1e6f, 1e6f);
+  return all_within(v, 3, -1e6f, 1e6f);
 }
 
 Status check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,

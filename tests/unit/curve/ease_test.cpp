@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "curve/elementary.h"
+#include "math/elementary.h"
 #include "marrow/curve.h"
 
 namespace marrow {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "math/exponential.h"
+#include "math/elementary.h"
 #include "support/family.h"
 #include "support/rig.h"
 #include "support/skinned.h"

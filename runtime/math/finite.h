@@ -1,0 +1,46 @@
+// Whether numbers are numbers, finite, and as large as they may be: what calls ask of their arguments.
+#pragma once
+
+#include <cstddef>
+
+#include "math/f32x4.h"
+
+namespace marrow {
+
+inline bool is_number(float x) {
+  return x == x;
+}
+// Neither infinite nor not a number.
+inline bool is_finite(float x) {
+  return x - x == 0.0f;
+}
+inline bool is_finite(double x) {
+  return x - x == 0.0;
+}
+// All lanes. Infinities that meet in a sum leave nothing finite, so that a sum can stand for what was added.
+inline bool all_finite(f32x4 x) {
+  return all(absolute(x) < splat(__builtin_inff()));
+}
+inline bool all_finite(const float* values, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_finite(values[i])) return false;
+  }
+  return true;
+}
+
+// least ≤ x ≤ most; false for what is not a number.
+inline bool within(float x, float least, float most) {
+  return least <= x && x <= most;
+}
+inline bool all_within(const float* values, std::size_t count, float least, float most) {
+  bool good = true;
+  for (std::size_t i = 0; i < count; ++i) good = good && within(values[i], least, most);
+  return good;
+}
+
+// Whether something has a direction, by its squared length: neither too short, nor too long to say, nor not finite.
+inline bool has_direction(float squared_length) {
+  return squared_length > 1e-30f && squared_length < 1e30f;
+}
+
+}  // namespace marrow

@@ -1,0 +1,76 @@
+// What the mathematics is written over: F is float, one number; f32x4, a number a lane, four problems at once; or One,
+// a number that fills all four lanes, for one problem whose vectors lie in a register each. The operations and their
+// order are the same, and so are the results, but for the sign of zeros.
+#pragma once
+
+#include "math/f32x4.h"
+
+namespace marrow {
+
+inline float sqrt(float a) {
+  return __builtin_sqrtf(a);
+}
+inline bool any(bool m) {
+  return m;
+}
+inline bool all(bool m) {
+  return m;
+}
+inline float select(bool m, float yes, float no) {
+  return m ? yes : no;
+}
+
+struct One {
+  f32x4 v;
+};
+
+inline One operator+(One a, One b) {
+  return {a.v + b.v};
+}
+inline One operator-(One a, One b) {
+  return {a.v - b.v};
+}
+inline One operator*(One a, One b) {
+  return {a.v * b.v};
+}
+inline One operator/(One a, One b) {
+  return {a.v / b.v};
+}
+inline bool operator<(One a, One b) {
+  return first_lane(a.v) < first_lane(b.v);
+}
+inline One sqrt(One a) {
+  return {sqrt(a.v)};
+}
+inline One select(bool m, One yes, One no) {
+  return m ? yes : no;
+}
+inline One lesser(One a, One b) {
+  return {lesser(a.v, b.v)};
+}
+inline One greater(One a, One b) {
+  return {greater(a.v, b.v)};
+}
+inline One absolute(One a) {
+  return {absolute(a.v)};
+}
+inline One flip(One a, One by) {
+  return {flip(a.v, by.v)};
+}
+
+template <class F>
+F all_lanes(float value);
+template <>
+inline float all_lanes(float value) {
+  return value;
+}
+template <>
+inline f32x4 all_lanes(float value) {
+  return splat(value);
+}
+template <>
+inline One all_lanes(float value) {
+  return {splat(value)};
+}
+
+}  // namespace marrow
