@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/aligned_bytes.h"
-#include "cook/raw.h"
+#include "cook/scene/raw.h"
 #include "marrow/file.h"
 #include "support/rig.h"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cook/build.h"
-#include "cook/clip/pack.h"
+#include "cook/clip/compress/pack_tracks.h"
 #include "cook/gltf/read.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "cook/raw.h"
+#include "cook/scene/raw.h"
 
 namespace marrow::test {
 

@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include "cook/learn_deformers.h"
-#include "deform/multi_weight.h"
-#include "deform/pose_space.h"
-#include "deform/refit.h"
+#include "cook/learn/learn_deformers.h"
+#include "deform/fit/multi_weight.h"
+#include "deform/fit/pose_space.h"
+#include "deform/fit/refit.h"
 
 namespace marrow::tools {
 namespace {

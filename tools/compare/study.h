@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cook/deform_source.h"
-#include "cook/learn.h"
+#include "cook/learn/learn.h"
+#include "cook/skin/deform_source.h"
 
 namespace marrow::tools {
 

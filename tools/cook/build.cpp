@@ -6,11 +6,11 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "common/pattern.h"
-#include "cook/bind_weights.h"
-#include "cook/clip/compress.h"
-#include "cook/compact.h"
-#include "cook/group_trees.h"
-#include "cook/subdivide.h"
+#include "cook/clip/compress/compress_clip.h"
+#include "cook/mesh/subdivide_mesh.h"
+#include "cook/prepare/bind_weights.h"
+#include "cook/skeleton/group_trees.h"
+#include "cook/write/compact.h"
 
 namespace marrow::cook {
 

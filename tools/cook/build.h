@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "cook/built.h"
-#include "cook/learn.h"
-#include "cook/lod.h"
-#include "cook/raw.h"
+#include "cook/learn/learn.h"
+#include "cook/mesh/lod.h"
+#include "cook/scene/built.h"
+#include "cook/scene/raw.h"
 
 namespace marrow::deform {
 enum class WeightMethod;

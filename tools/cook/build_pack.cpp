@@ -4,7 +4,7 @@
 
 #include "common/failure.h"
 #include "cook/build.h"
-#include "cook/match_skeletons.h"
+#include "cook/prepare/match_skeletons.h"
 
 namespace marrow::cook {
 namespace {

@@ -21,15 +21,15 @@
 #include "common/hash.h"
 #include "common/load_mrw.h"
 #include "common/parallel.h"
+#include "common/printable.h"
 #include "cook/batch.h"
-#include "cook/bind_weights.h"
 #include "cook/cache.h"
 #include "cook/cook.h"
 #include "cook/depfile.h"
 #include "cook/gltf/read.h"
-#include "cook/gltf/text.h"
-#include "cook/match_skeletons.h"
 #include "cook/outcome.h"
+#include "cook/prepare/bind_weights.h"
+#include "cook/prepare/match_skeletons.h"
 #include "cook/settings.h"
 
 namespace marrow::tools {

@@ -2,8 +2,8 @@
 
 #include "common/section_names.h"
 #include "cook/gltf/read.h"
-#include "cook/report.h"
-#include "cook/write.h"
+#include "cook/write/report_scene.h"
+#include "cook/write/write_scene.h"
 
 namespace marrow::cook {
 namespace {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "cook/gltf/text.h"
-#include "deform/auto_weights.h"
-#include "deform/smooth_weights.h"
+#include "common/printable.h"
+#include "deform/weights/auto_weights.h"
+#include "deform/weights/smooth_weights.h"
 #include "marrow/file.h"
 
 namespace marrow::cook {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cook/gltf/text.h"
+#include "common/printable.h"
 
 namespace marrow::tools {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "common/failure.h"
 #include "cook/batch.h"
-#include "cook/raw.h"
+#include "cook/scene/raw.h"
 
 namespace marrow::tools {
 

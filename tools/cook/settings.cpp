@@ -9,7 +9,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/pattern.h"
-#include "cook/gltf/text.h"
+#include "common/printable.h"
 
 namespace marrow::cook {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "deform/rotation.h"
+#include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "deform/rotation.h"
+#include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
 

@@ -8,8 +8,8 @@
 
 #include "common/decode.h"
 #include "common/failure.h"
-#include "cook/gltf/file.h"
-#include "cook/gltf/uri.h"
+#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/uri.h"
 
 namespace marrow::tools {
 namespace {

@@ -1,6 +1,6 @@
 // Meshes that come without weights: which get some, from which joints, and what --smooth-weights and --paint do to
 // them.
-#include "cook/bind_weights.h"
+#include "cook/prepare/bind_weights.h"
 
 #include <cmath>
 #include <filesystem>

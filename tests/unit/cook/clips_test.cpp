@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/clip/compress.h"
-#include "cook/clip/pack.h"
+#include "cook/clip/compress/compress_clip.h"
+#include "cook/clip/compress/pack_tracks.h"
 #include "marrow/sample.h"
 #include "support/double_math.h"
 

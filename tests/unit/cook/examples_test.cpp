@@ -1,5 +1,5 @@
 // Examples that an artist gives: which poses and places they yield, what a fit makes of them, and what is refused.
-#include "cook/examples.h"
+#include "cook/learn/examples.h"
 
 #include <cmath>
 #include <filesystem>

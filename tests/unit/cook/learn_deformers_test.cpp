@@ -1,5 +1,5 @@
 // Multi-weights and pose space that are learnt, from a scene to what the runtime's kernels make of the cooked file.
-#include "cook/learn_deformers.h"
+#include "cook/learn/learn_deformers.h"
 
 #include <cmath>
 #include <map>
@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "deform/cylinder.h"
-#include "deform/multi_weight.h"
-#include "deform/pose_space.h"
+#include "deform/fit/multi_weight.h"
+#include "deform/fit/pose_space.h"
 #include "marrow/marrow.h"
 #include "unit/cook/loaded_cook.h"
 

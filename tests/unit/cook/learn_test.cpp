@@ -1,12 +1,12 @@
 // Animation space that is learnt, from the artist's file to what the runtime's kernels make of the cooked one.
-#include "cook/learn.h"
+#include "cook/learn/learn.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "cook/gltf/read.h"
-#include "cook/trainees.h"
+#include "cook/learn/trainees.h"
 #include "deform/animation_space.h"
 #include "marrow/marrow.h"
 #include "support/places.h"

@@ -8,7 +8,7 @@
 
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"
-#include "cook/write.h"
+#include "cook/write/write_scene.h"
 #include "marrow/marrow.h"
 
 namespace marrow::cook {

@@ -1,5 +1,5 @@
 // Levels of detail, from the option to the mesh that the runtime draws.
-#include "cook/lod.h"
+#include "cook/mesh/lod.h"
 
 #include <algorithm>
 #include <cmath>

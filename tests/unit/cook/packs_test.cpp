@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "cook/build.h"
-#include "cook/match_skeletons.h"
-#include "cook/write.h"
+#include "cook/prepare/match_skeletons.h"
+#include "cook/write/write_scene.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
-#include "cook/subdivide.h"
+#include "cook/mesh/subdivide_mesh.h"
 #include "unit/cook/looped.h"
 
 namespace marrow::cook {

@@ -10,7 +10,7 @@
 
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
-#include "cook/subdivide.h"
+#include "cook/mesh/subdivide_mesh.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/looped.h"

@@ -1,5 +1,5 @@
 // Weights from bones: by hand arithmetic, by symmetry, against distances measured without the code under test.
-#include "deform/auto_weights.h"
+#include "deform/weights/auto_weights.h"
 
 #include <array>
 #include <chrono>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "deform/smooth_weights.h"
+#include "deform/weights/smooth_weights.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

@@ -1,5 +1,5 @@
 // The fit against truths that are known, and against the figures of a study on a cylinder.
-#include "deform/fit.h"
+#include "deform/fit/fit.h"
 
 #include <limits>
 

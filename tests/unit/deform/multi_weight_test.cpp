@@ -1,5 +1,5 @@
 // Multi-weight enveloping: the paper's formula by hand, weights that are known, and the figures of a study.
-#include "deform/multi_weight.h"
+#include "deform/fit/multi_weight.h"
 
 #include <bit>
 

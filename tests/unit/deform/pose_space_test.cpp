@@ -1,5 +1,5 @@
 // Pose-space deformation: what interpolation promises, arithmetic by hand, truths that are known.
-#include "deform/pose_space.h"
+#include "deform/fit/pose_space.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 
 #include "deform/cylinder.h"
 #include "deform/deformers.h"
-#include "deform/fit.h"
-#include "deform/simplify.h"
+#include "deform/fit/fit.h"
+#include "deform/simplify/simplify.h"
 
 namespace marrow::deform {
 

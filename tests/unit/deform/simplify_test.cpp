@@ -1,4 +1,4 @@
-#include "deform/simplify.h"
+#include "deform/simplify/simplify.h"
 
 #include <algorithm>
 #include <numbers>
@@ -8,7 +8,7 @@
 
 #include "deform/deformers.h"
 #include "deform/representative.h"
-#include "deform/surface_error.h"
+#include "deform/simplify/surface_error.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

@@ -1,4 +1,4 @@
-#include "deform/subdivide.h"
+#include "deform/simplify/subdivide.h"
 
 #include <gtest/gtest.h>
 

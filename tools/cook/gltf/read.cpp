@@ -5,16 +5,16 @@
 #include <optional>
 #include <utility>
 
-#include "cook/gltf/buffers.h"
-#include "cook/gltf/container.h"
-#include "cook/gltf/file.h"
-#include "cook/gltf/images.h"
-#include "cook/gltf/import.h"
-#include "cook/gltf/json.h"
-#include "cook/gltf/model.h"
-#include "cook/gltf/report.h"
-#include "cook/gltf/rules.h"
-#include "cook/gltf/schema.h"
+#include "cook/gltf/document/buffers.h"
+#include "cook/gltf/document/container.h"
+#include "cook/gltf/document/findings.h"
+#include "cook/gltf/document/json.h"
+#include "cook/gltf/document/model.h"
+#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/import/images.h"
+#include "cook/gltf/import/import.h"
+#include "cook/gltf/rules/rules.h"
+#include "cook/gltf/rules/schema.h"
 
 namespace marrow::cook {
 namespace {

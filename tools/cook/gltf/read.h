@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "cook/raw.h"
+#include "cook/scene/raw.h"
 
 namespace marrow::cook {
 

@@ -1,0 +1,75 @@
+// Chooses the step of every coded track of one segment: the fewest bits that keep the promise.
+#pragma once
+
+#include <vector>
+
+#include "cook/clip/compress/coded_track.h"
+#include "cook/clip/compress/rig.h"
+
+namespace marrow::cook {
+
+struct TrackId {
+  std::size_t joint;
+  Path path;
+};
+
+// Moments between two frames at which the error is watched: the frame itself, the quarters and the middle.
+inline constexpr std::size_t kMoments = 4;
+
+// Works on poses in scene space through the whole hierarchy, in double precision, and on the very integers that are
+// stored. First every track gets a step by how far its joint reaches, all shrunk together until the promise holds; then
+// one track at a time is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸. Then
+// every track aims again, so that it makes good what the joints above it miss, and the rest of the slack is spent.
+class Segment {
+ public:
+  // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint. exact: tracks that are stored
+  // without loss. still: a joint; what is neither coded nor exact.
+  Segment(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded, const std::vector<TrackId>& exact,
+          const std::vector<Transform>& still, std::vector<std::vector<Transform>> source);
+
+  // False if no steps keep the promise.
+  bool search();
+  const std::vector<CodedTrack>& tracks() const { return coded_; }
+
+ private:
+  struct Trial {
+    bool kept = false;  // the promise
+    double energy = 0;  // change
+  };
+
+  std::size_t moment_count() const { return source_.empty() ? 0 : source_[0].size(); }
+  void find_targets();
+  void find_reach();
+  bool start(double share);
+  Trial attempt(std::size_t track, const CodedTrack& candidate);
+  void commit(std::size_t track, CodedTrack candidate);
+  void decode_local(std::size_t joint, std::size_t track, const CodedTrack& candidate,
+                    std::vector<Transform>& out) const;
+  bool coarser(std::size_t track, CodedTrack& candidate) const;
+  void coarsen();
+  std::size_t frame_bits() const;
+  std::vector<glm::dvec3> compensated(std::size_t track) const;
+  void compensate();
+
+  const Rig& rig_;
+  Promise promise_;
+  const std::vector<TrackId>& ids_;
+  std::vector<std::vector<Transform>> source_;
+  std::vector<std::vector<World>> source_world_;
+  std::vector<std::vector<glm::dvec3>> targets_;  // a track and frame: what is rounded
+  std::vector<double> reach_;                     // a joint: metres to the farthest shell below it
+  std::vector<double> scale_above_;               // a joint: scene units a unit of its translation
+  std::vector<double> least_;                     // a joint: the strictest promise for it and those below it
+
+  std::vector<CodedTrack> coded_;
+  std::vector<std::vector<Transform>> local_;  // as decoded, a joint and moment
+  std::vector<std::vector<World>> world_;
+  std::vector<double> energy_;  // a joint
+
+  // The last attempt.
+  std::vector<Transform> trial_local_;
+  std::vector<std::vector<World>> trial_world_;
+  std::vector<double> trial_energy_;
+};
+
+}  // namespace marrow::cook

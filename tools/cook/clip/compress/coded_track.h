@@ -1,0 +1,38 @@
+// One coded sub-track of one segment: integers a frame, and what they stand for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "cook/clip/compress/source_curves.h"
+
+namespace marrow::cook {
+
+// As format::TrackHeader, with the integers of every frame.
+struct CodedTrack {
+  int step_code = 0;
+  bool fits = false;  // no component is wider than the format allows
+  std::array<std::uint32_t, 3> width_codes{};
+  std::uint32_t shift = 0;
+  std::array<std::int32_t, 3> least{};  // before the shift
+  std::uint32_t frame_bits = 0;
+  std::vector<std::array<std::int32_t, 3>> values;  // least not yet subtracted
+};
+
+// Rounds every frame's value to the step.
+CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code);
+
+// The code of the largest step that is not above `step`, clamped to what a byte holds.
+int code_of_step(double step);
+
+// What a frame of the integers stands for.
+glm::dvec3 decode(const CodedTrack& track, std::size_t frame);
+
+// Modified Rodrigues parameters, axis · tan(θ/4), and back. -q gives other parameters than q: the caller chooses.
+glm::dvec3 to_rodrigues(const glm::dquat& q);
+glm::dquat from_rodrigues(const glm::dvec3& m);
+
+}  // namespace marrow::cook

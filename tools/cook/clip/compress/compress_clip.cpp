@@ -1,0 +1,234 @@
+#include "cook/clip/compress/compress_clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cook/clip/compress/choose_steps.h"
+#include "cook/clip/compress/constant.h"
+#include "cook/clip/compress/grid.h"
+#include "cook/clip/compress/pack_tracks.h"
+#include "marrow/local_to_model.h"
+#include "marrow/sample.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr std::size_t kMostTransforms = 1'000'000;              // a joint and moment: 80 MB; larger clips stay raw
+constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
+constexpr double kStillShare = 0.05;                            // of the promise, below which a movement does not count
+constexpr double kShares[] = {0.97, 0.9, 0.75};                 // of the promise, that the search may use up
+
+// The tracks that stay raw, with the times and values that they use.
+BuiltClip keep_jumping(const BuiltClip& clip) {
+  BuiltClip out;
+  out.name = clip.name;
+  out.skeleton = clip.skeleton;
+  out.duration_s = clip.duration_s;
+  out.most_keys = clip.most_keys;
+  std::uint32_t list = UINT32_MAX, moved = 0;
+  for (const Track& track : clip.tracks) {
+    if (!jumps(clip, track)) continue;
+    if (track.first_time != list) {
+      list = track.first_time;
+      moved = static_cast<std::uint32_t>(out.times_s.size());
+      const auto first = clip.times_s.begin() + track.first_time;
+      out.times_s.insert(out.times_s.end(), first, first + track.key_count);
+    }
+    Track kept = track;
+    kept.first_time = moved;
+    kept.first_value = static_cast<std::uint32_t>(out.values.size());
+    const auto first = clip.values.begin() + track.first_value;
+    const std::size_t count = std::size_t{track.key_count} * format::floats_per_key(track.path, track.interpolation);
+    out.values.insert(out.values.end(), first, first + static_cast<std::ptrdiff_t>(count));
+    out.tracks.push_back(kept);
+  }
+  return out;
+}
+
+// Everything about one clip at one spacing of frames.
+class Compressor {
+ public:
+  Compressor(const BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Grid& grid,
+             const Promise& promise)
+      : clip_(clip), skeleton_(skeleton), rig_(rig), curves_(clip, skeleton), grid_(grid), intervals_(grid.intervals) {
+    for (std::size_t j = 0; j < rig.size(); ++j) {
+      source_.emplace_back();
+      for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) source_[j].push_back(curves_.at(j, time_of(e)));
+    }
+    for (const Track& track : clip.tracks)
+      if (jumps(clip, track)) exact_.push_back({track.joint, track.path});
+    sort_tracks(promise);
+  }
+
+  std::optional<BuiltClip> compress(const Promise& promise, double share) const;
+
+ private:
+  double time_of(std::size_t moment) const {
+    // Rounded as the runtime's argument is, so that both are on the same side of a jump.
+    return static_cast<double>(static_cast<float>(grid_.exact_time_of(moment)));
+  }
+  bool stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const;
+  Transform middle(std::size_t joint) const;
+  void sort_tracks(const Promise& promise);
+  std::optional<BuiltCoded> code(const Promise& promise, std::size_t length) const;
+  ClipError measure(const BuiltClip& out, const Promise& promise) const;
+
+  const BuiltClip& clip_;
+  const BuiltSkeleton& skeleton_;
+  const Rig& rig_;
+  SourceCurves curves_;
+  Grid grid_;
+  std::size_t intervals_;
+  std::vector<std::vector<Transform>> source_;  // a joint and moment
+  std::vector<TrackId> exact_, moving_;
+  std::vector<ConstantTrack> constant_;
+  std::vector<Transform> still_;  // a joint: the rest pose with the constants
+};
+
+// Whether a sub-track never leaves `at` by more than a small share of the promise: exporters write every track, and
+// most of them are rounding.
+bool Compressor::stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const {
+  double least = promise.error[joint];
+  for (const std::size_t below : rig_.subtrees[joint]) least = std::min(least, promise.error[below]);
+  const double most =
+      kStillShare * least / (path == Path::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
+  return std::all_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
+    if (path == Path::translation) return glm::length(t.translation - at.translation) <= most;
+    if (path == Path::scale) return glm::length(t.scale - at.scale) <= most;
+    const glm::dquat turned = glm::conjugate(at.rotation) * t.rotation;
+    return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) <= most;
+  });
+}
+
+// Between the extremes; of rotations, which are only asked for where they hardly differ, the mean.
+Transform Compressor::middle(std::size_t joint) const {
+  const std::vector<Transform>& source = source_[joint];
+  Transform low = source[0], high = source[0];
+  glm::dquat sum(0, 0, 0, 0);
+  for (const Transform& t : source) {
+    low.translation = glm::min(low.translation, t.translation);
+    high.translation = glm::max(high.translation, t.translation);
+    low.scale = glm::min(low.scale, t.scale);
+    high.scale = glm::max(high.scale, t.scale);
+    sum += glm::dot(sum, t.rotation) < 0 ? -t.rotation : t.rotation;
+  }
+  return {0.5 * (low.translation + high.translation), glm::normalize(sum), 0.5 * (low.scale + high.scale)};
+}
+
+// What rests, what is constant and what moves; in the order in which tracks are stored.
+void Compressor::sort_tracks(const Promise& promise) {
+  still_ = rig_.rest;
+  for (std::size_t group = 0; group < rig_.size(); group += 4)
+    for (const Path path : {Path::rotation, Path::translation, Path::scale})
+      for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
+        const Track* const track = curves_.track(j, path);
+        if (track == nullptr || jumps(clip_, *track) || stays(j, path, rig_.rest[j], promise)) continue;
+        const Transform& rest = rig_.rest[j];
+        Transform at = middle(j);
+        const format::Constant numbers = path == Path::rotation      ? code_rotation(at.rotation)
+                                         : path == Path::translation ? code_offset(at.translation - rest.translation)
+                                                                     : code_offset(at.scale - rest.scale);
+        if (path == Path::rotation) at.rotation = decode_rotation(numbers);
+        if (path == Path::translation) at.translation = rest.translation + decode_offset(numbers);
+        if (path == Path::scale) at.scale = rest.scale + decode_offset(numbers);
+        if (!stays(j, path, at, promise)) {
+          moving_.push_back({j, path});
+          continue;
+        }
+        constant_.push_back({{j, path}, numbers});
+        if (path == Path::rotation) still_[j].rotation = at.rotation;
+        if (path == Path::translation) still_[j].translation = at.translation;
+        if (path == Path::scale) still_[j].scale = at.scale;
+      }
+}
+
+ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) const {
+  const Skeleton skeleton = view(skeleton_);
+  const Clip clip = view(out, skeleton);
+  std::vector<SoaTransform> local(skeleton.soa_size());
+  std::vector<World> source(rig_.size()), decoded(rig_.size());
+  ClipError worst;
+  for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) {
+    if (sample(skeleton, clip, static_cast<float>(time_of(e)), local) != Status::ok) return {INFINITY, INFINITY, 0, 0};
+    BuiltSkeleton posed;
+    posed.rest = local;
+    posed.parents = skeleton_.parents;
+    const std::vector<Transform> transforms = rest_transforms(posed);
+    for (std::size_t j = 0; j < rig_.size(); ++j) {
+      const bool root = rig_.parents[j] == kNone;
+      const auto up = static_cast<std::size_t>(rig_.parents[j]);
+      source[j] = rig_.place(j, root ? nullptr : &source[up], source_[j][e]);
+      decoded[j] = rig_.place(j, root ? nullptr : &decoded[up], transforms[j]);
+      const double error = shell_error(source[j], decoded[j], promise.shell);
+      const double share = error / promise.error[j];
+      if (!(share <= worst.share)) worst = {error, share, j, time_of(e)};
+    }
+  }
+  return worst;
+}
+
+// Coded tracks in segments of at most `length` intervals, all about as long.
+std::optional<BuiltCoded> Compressor::code(const Promise& promise, std::size_t length) const {
+  const std::size_t segments = (intervals_ + length - 1) / length;
+  const std::size_t each = (intervals_ + segments - 1) / segments;
+  Packer packer(moving_, constant_, rig_.size());
+  for (std::size_t first = 0; first < intervals_; first += each) {
+    const std::size_t count = std::min(each, intervals_ - first);
+    std::vector<std::vector<Transform>> source;
+    for (const std::vector<Transform>& joint : source_) {
+      const auto begin = joint.begin() + static_cast<std::ptrdiff_t>(first * kMoments);
+      source.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count * kMoments + 1));
+    }
+    Segment segment(rig_, promise, moving_, exact_, still_, std::move(source));
+    if (!segment.search()) return std::nullopt;
+    packer.add(segment.tracks());
+  }
+  return packer.finish(grid_, each);
+}
+
+std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
+  std::optional<BuiltClip> best;
+  if (moving_.empty() && constant_.empty()) best = keep_jumping(clip_);
+  Promise stricter = promise;
+  for (double& error : stricter.error) error *= share;
+  std::size_t last_count = 0;
+  for (const std::size_t length : kSegmentIntervals) {
+    if (best && best->coded.header.frame_count == 0) break;  // nothing to code
+    const std::size_t count = (intervals_ + length - 1) / length;
+    if (count == last_count) continue;
+    last_count = count;
+    std::optional<BuiltCoded> coded = code(stricter, length);
+    if (!coded) break;  // a finer grid may help, other segments will not
+    if (best && coded->payload.size() >= best->coded.payload.size()) continue;
+    best = keep_jumping(clip_);
+    best->coded = std::move(*coded);
+  }
+  if (best) best->error = measure(*best, promise);
+  return best;
+}
+
+std::size_t bytes_of(const BuiltClip& clip) {
+  return clip.tracks.size() * sizeof(Track) + 4 * (clip.times_s.size() + clip.values.size()) +
+         clip.coded.payload.size() + 4 * clip.coded.offsets.size() + sizeof(GroupMasks) * clip.coded.masks.size() +
+         sizeof(format::Constant) * clip.coded.constants.size() + 4 * clip.coded.times_s.size() +
+         (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
+}
+
+}  // namespace
+
+void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise) {
+  for (const Grid& grid : grids(clip)) {
+    if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) return;
+    const Compressor compressor(clip, skeleton, rig, grid, promise);
+    for (const double share : kShares) {
+      std::optional<BuiltClip> made = compressor.compress(promise, share);
+      if (!made) break;
+      if (!(made->error.share <= 1)) continue;
+      if (bytes_of(*made) < bytes_of(clip)) clip = std::move(*made);
+      return;
+    }
+  }
+}
+
+}  // namespace marrow::cook

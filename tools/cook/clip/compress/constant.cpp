@@ -1,0 +1,60 @@
+#include "cook/clip/compress/constant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace marrow::cook {
+namespace {
+
+constexpr double kLargest = 32767;
+constexpr int kFactors = 4096;  // that are tried
+
+std::int16_t rounded(double x) {
+  return static_cast<std::int16_t>(std::lround(x));
+}
+
+}  // namespace
+
+format::Constant code_rotation(const glm::dquat& q) {
+  const double largest = std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z), std::fabs(q.w)});
+  format::Constant best{};
+  double closest = -1;
+  for (int i = 0; i < kFactors; ++i) {
+    const double factor = kLargest / largest * (1 - 0.5 * i / kFactors);
+    const format::Constant c = {
+        {rounded(q.x * factor), rounded(q.y * factor), rounded(q.z * factor), rounded(q.w * factor)}};
+    // Of the distance from the line through q, so that small angles count.
+    const glm::dquat d = decode_rotation(c);
+    const double along = glm::dot(q, d);
+    const glm::dquat off = d - q * along;
+    const double closeness = 1 / (1e-30 + glm::dot(off, off));
+    if (closeness > closest) {
+      closest = closeness;
+      best = c;
+    }
+  }
+  return best;
+}
+
+glm::dquat decode_rotation(const format::Constant& c) {
+  return glm::normalize(glm::dquat(c.v[3], c.v[0], c.v[1], c.v[2]));
+}
+
+format::Constant code_offset(const glm::dvec3& offset) {
+  const double largest = std::max({std::fabs(offset.x), std::fabs(offset.y), std::fabs(offset.z)});
+  int code = 0;
+  while (code < 255 && largest > kLargest * static_cast<double>(format::step_size(static_cast<std::uint32_t>(code))))
+    ++code;
+  const double inverse = 1 / static_cast<double>(format::step_size(static_cast<std::uint32_t>(code)));
+  const auto fitted = [&](double x) { return rounded(std::clamp(x * inverse, -kLargest, kLargest)); };
+  return {{fitted(offset.x), fitted(offset.y), fitted(offset.z), static_cast<std::int16_t>(code)}};
+}
+
+glm::dvec3 decode_offset(const format::Constant& c) {
+  return static_cast<double>(format::step_size(static_cast<std::uint32_t>(c.v[3]))) *
+         glm::dvec3(c.v[0], c.v[1], c.v[2]);
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,68 @@
+#include "cook/clip/compress/rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace marrow::cook {
+
+World operator*(const World& a, const World& b) {
+  return {a.linear * b.linear, a.linear * b.origin + a.origin};
+}
+
+World to_world(const Transform& t) {
+  glm::dmat3 linear = glm::mat3_cast(t.rotation);
+  for (int axis = 0; axis < 3; ++axis) linear[axis] *= t.scale[axis];
+  return {linear, t.translation};
+}
+
+Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
+  const std::size_t count = skeleton.parents.size();
+  above.resize(count);
+  subtrees.resize(count);
+  reach.resize(count);
+  std::vector<World> world(count);
+  glm::dvec3 low(1e300), high(-1e300);
+  for (std::size_t j = 0; j < count; ++j) {
+    const bool root = skeleton.parents[j] == kNoParent;
+    parents.push_back(root ? kNone : skeleton.parents[j]);
+    if (root) {
+      const Affine& a = skeleton.scene_from_root[j];
+      for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) above[j].linear[c][r] = static_cast<double>(a.rows[r][c]);
+        above[j].origin[r] = static_cast<double>(a.rows[r][3]);
+      }
+    }
+    const glm::dmat3& linear = root ? above[j].linear : world[skeleton.parents[j]].linear;
+    scale_above.push_back(std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])}));
+    world[j] = place(j, root ? nullptr : &world[skeleton.parents[j]], rest[j]);
+    low = glm::min(low, world[j].origin);
+    high = glm::max(high, world[j].origin);
+  }
+  diagonal_m = count > 0 ? glm::length(high - low) : 0;
+  for (std::size_t j = count; j-- > 0;) {
+    subtrees[j].push_back(j);
+    std::sort(subtrees[j].begin(), subtrees[j].end());
+    for (const std::size_t below : subtrees[j])
+      reach[j] = std::max(reach[j], glm::length(world[below].origin - world[j].origin));
+    if (parents[j] == kNone) continue;
+    std::vector<std::size_t>& up = subtrees[static_cast<std::size_t>(parents[j])];
+    up.insert(up.end(), subtrees[j].begin(), subtrees[j].end());
+  }
+}
+
+double shell_error(const World& source, const World& other, double shell) {
+  const glm::dvec3 offset = other.origin - source.origin;
+  double squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double length = glm::length(source.linear[axis]);
+    const glm::dvec3 turned =
+        length > 0 ? (other.linear[axis] - source.linear[axis]) * (shell / length) : glm::dvec3(0);
+    squared =
+        std::max({squared, glm::dot(offset + turned, offset + turned), glm::dot(offset - turned, offset - turned)});
+  }
+  return std::sqrt(squared);
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,49 @@
+// Joints in double precision, and how far apart two poses of them are.
+#pragma once
+
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+
+#include "cook/clip/compress/source_curves.h"
+
+namespace marrow::cook {
+
+// An affine map: x → linear · x + origin.
+struct World {
+  glm::dmat3 linear{1.0};
+  glm::dvec3 origin{0};
+};
+
+World operator*(const World& a, const World& b);
+World to_world(const Transform& t);
+
+struct Rig {
+  explicit Rig(const BuiltSkeleton& skeleton);
+
+  std::size_t size() const { return parents.size(); }
+  // scene_from_joint of a joint above whose parent stands at `parent` (null for roots).
+  World place(std::size_t joint, const World* parent, const Transform& local) const {
+    return (parent != nullptr ? *parent : above[joint]) * to_world(local);
+  }
+
+  std::vector<int> parents;                        // kNone for roots
+  std::vector<World> above;                        // what stands above a root; the identity for others
+  std::vector<Transform> rest;                     // parent_from_joint
+  std::vector<std::vector<std::size_t>> subtrees;  // a joint and everything below it, ascending
+  std::vector<double> reach;                       // metres from a joint to the farthest one below it, at rest
+  std::vector<double> scale_above;                 // scene units a unit of a joint's translation, at rest
+  double diagonal_m = 0;                           // of the box around the joints at rest, scene units
+};
+
+// What is promised about a clip: how far points on a shell round each joint may stray, in scene units.
+struct Promise {
+  std::vector<double> error;  // a joint
+  double shell = 0.03;
+};
+
+// The largest distance between the six points of the shell of a joint in two poses. The shell is round in the source's
+// pose at scene scale, however its joint is scaled.
+double shell_error(const World& source, const World& other, double shell);
+
+}  // namespace marrow::cook

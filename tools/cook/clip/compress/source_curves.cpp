@@ -1,0 +1,84 @@
+#include "cook/clip/compress/source_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+namespace marrow::cook {
+namespace {
+
+glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double u) {
+  if (glm::dot(a, b) < 0) b = -b;
+  const double angle = 2 * std::atan2(glm::length(b - a), glm::length(b + a));
+  if (angle < 1e-9) return glm::normalize(a + u * (b - a));
+  return (std::sin((1 - u) * angle) * a + std::sin(u * angle) * b) / std::sin(angle);
+}
+
+glm::dvec4 unit(glm::dvec4 q) {
+  const double length = glm::length(q);
+  return length > 0 ? q / length : glm::dvec4(0, 0, 0, 1);
+}
+
+}  // namespace
+
+std::vector<Transform> rest_transforms(const BuiltSkeleton& skeleton) {
+  std::vector<Transform> out(skeleton.parents.size());
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    const SoaTransform& four = skeleton.rest[j / 4];
+    const std::size_t lane = j % 4;
+    for (int c = 0; c < 3; ++c) {
+      out[j].translation[c] = static_cast<double>(four.translation[c][lane]);
+      out[j].scale[c] = static_cast<double>(four.scale[c][lane]);
+    }
+    const auto& r = four.rotation;
+    out[j].rotation = glm::dquat(static_cast<double>(r[3][lane]), static_cast<double>(r[0][lane]),
+                                 static_cast<double>(r[1][lane]), static_cast<double>(r[2][lane]));
+  }
+  return out;
+}
+
+SourceCurves::SourceCurves(const BuiltClip& clip, const BuiltSkeleton& skeleton)
+    : clip_(&clip), rest_(rest_transforms(skeleton)), tracks_(skeleton.parents.size()) {
+  for (const Track& track : clip.tracks) tracks_[track.joint][static_cast<std::size_t>(track.path)] = &track;
+}
+
+glm::dvec4 SourceCurves::evaluate(const Track& track, double time_s) const {
+  const bool rotation = track.path == Path::rotation;
+  const int components = rotation ? 4 : 3;
+  const bool cubic = track.interpolation == Interpolation::cubic_spline;
+  const float* const times = clip_->times_s.data() + track.first_time;
+  // part: 0 in-tangent, 1 value, 2 out-tangent of a cubic key
+  const auto key = [&](std::size_t k, std::size_t part) {
+    const std::size_t first = track.first_value + (cubic ? 3 * k + part : k) * static_cast<std::size_t>(components);
+    glm::dvec4 v(0);
+    for (int c = 0; c < components; ++c) v[c] = static_cast<double>(clip_->values[first + static_cast<std::size_t>(c)]);
+    return v;
+  };
+  const auto fix = [&](glm::dvec4 v) { return rotation ? unit(v) : v; };
+  const auto after = static_cast<std::size_t>(std::upper_bound(times, times + track.key_count, time_s) - times);
+  if (after == 0) return fix(key(0, 1));
+  if (after == track.key_count) return fix(key(after - 1, 1));
+  const double from = static_cast<double>(times[after - 1]), span = static_cast<double>(times[after]) - from;
+  const double u = (time_s - from) / span;
+  const glm::dvec4 a = key(after - 1, 1), b = key(after, 1);
+  if (track.interpolation == Interpolation::step) return fix(a);
+  if (!cubic) return rotation ? slerp(unit(a), unit(b), u) : a + u * (b - a);
+  const double u2 = u * u, u3 = u2 * u;
+  return fix((2 * u3 - 3 * u2 + 1) * a + span * (u3 - 2 * u2 + u) * key(after - 1, 2) + (3 * u2 - 2 * u3) * b +
+             span * (u3 - u2) * key(after, 0));
+}
+
+Transform SourceCurves::at(std::size_t joint, double time_s) const {
+  Transform out = rest_[joint];
+  if (const Track* t = track(joint, Path::translation)) out.translation = glm::dvec3(evaluate(*t, time_s));
+  if (const Track* t = track(joint, Path::scale)) out.scale = glm::dvec3(evaluate(*t, time_s));
+  if (const Track* t = track(joint, Path::rotation)) {
+    const glm::dvec4 q = evaluate(*t, time_s);
+    out.rotation = glm::dquat(q.w, q.x, q.y, q.z);
+  }
+  return out;
+}
+
+}  // namespace marrow::cook

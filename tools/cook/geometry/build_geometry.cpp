@@ -1,0 +1,122 @@
+// A primitive's vertices on their way to the file: numbers, welded, ordered, encoded, and decoded as the runtime will.
+#include <algorithm>
+
+#include "common/failure.h"
+#include "common/parallel.h"
+#include "cook/build.h"
+#include "cook/geometry/encode_streams.h"
+#include "cook/geometry/part_of_streams.h"
+#include "cook/geometry/record.h"
+#include "marrow/draco.h"
+#include "marrow/meshopt.h"
+#include "unpack/expand.h"
+#include "unpack/geometry.h"
+
+namespace marrow::cook {
+namespace {
+
+// The section that these streams become in the runtime.
+tools::AlignedBytes expand(OwnedStreams& streams) {
+  const MeshStreams mesh = streams.view();
+  tools::AlignedBytes scratch(expand_scratch_bytes(mesh));
+  // Each vertex in a block of its own, every stream as floats, is more than there can be.
+  std::uint64_t bound = sizeof(format::GeometryHeader) + 64 + 4 * std::uint64_t{mesh.source_vertex_count} +
+                        12 * std::uint64_t{mesh.triangle_count};
+  bound += std::uint64_t{mesh.vertex_count} * (16 * (3 + mesh.influences + 3 + 4 + 2 + 1) + 8 + 2 * mesh.influences);
+  bound += 64 + std::uint64_t{mesh.target_count} * sizeof(MorphTarget);
+  bound += std::uint64_t{mesh.stream_count} * mesh.vertex_count * (format::kMorphRecordBytes + 4);
+  bound += 64 + std::uint64_t{mesh.example_count} * (sizeof(MorphTarget) + 8 * std::uint64_t{mesh.joint_count}) +
+           2 * std::uint64_t{mesh.joint_count};
+  if (mesh.find(StreamKind::multi_weight) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 192 * mesh.influences;
+  if (mesh.find(StreamKind::residual) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 64 * mesh.influences;
+  tools::AlignedBytes section(bound);
+  Arena arena(scratch.data(), scratch.size());
+  std::uint32_t bytes = 0;
+  if (const char* const rule = expand_geometry(mesh, arena, {section.data(), section.size()}, bytes))
+    throw tools::Failure(tools::Exit::internal, "", "", "geometry", rule);
+  return tools::AlignedBytes(std::span<const std::byte>(section.data(), bytes));
+}
+
+// What the runtime makes of the record.
+tools::AlignedBytes unpack_record(const BuiltGeometry& g, const MeshDecoder& decoder, std::size_t section_bytes) {
+  tools::AlignedBytes scratch(g.scratch_bytes), section(section_bytes);
+  std::uint32_t bytes = 0;
+  const char* const rule = unpack_geometry({g.record.data(), g.record.size()}, decoder,
+                                           {scratch.data(), scratch.size()}, {section.data(), section.size()}, bytes);
+  if (rule != nullptr) throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", rule);
+  return section;
+}
+
+bool is_packed(const CookOptions& options) {
+  return options.mesh_codec != MeshCodec::none;
+}
+
+// Vertices as numbers; writes error.
+OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings, std::size_t joint_count,
+                          const MeshGrid& grid, const CookOptions& options, const DeformerData& deformers,
+                          MeshError& error) {
+  OwnedStreams out = is_packed(options)
+                         ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, error)
+                         : verbatim_streams(primitive, bindings, joint_count);
+  add_deformers(primitive, bindings, deformers, is_packed(options) ? grid : MeshGrid{}, out, error);
+  return out;
+}
+
+// Of welded streams.
+void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& options, BuiltGeometry& out) {
+  optimise_order(streams);
+  if (is_packed(options)) {
+    const bool draco = options.mesh_codec == MeshCodec::draco;
+    const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
+    out.codec = draco ? packed::kDraco : packed::kMeshopt;
+    out.position_step_m = grid.step;
+    out.record = geometry_record(streams, encoded);
+    out.scratch_bytes = geometry_scratch_bytes(streams.view());
+  }
+  streams.mesh.flags |= streams.source_map.empty() ? 0u : format::kHasSourceSlots;
+  out.section = expand(streams);
+  out.influences = streams.mesh.influences;
+  out.target_count = streams.mesh.target_count;
+  std::memcpy(&out.header, out.section.data(), sizeof out.header);
+  if (!is_packed(options)) return;
+  const MeshDecoder decoder = out.codec == packed::kDraco ? draco_decoder() : meshopt_decoder();
+  const tools::AlignedBytes again = unpack_record(out, decoder, out.section.size());
+  if (std::memcmp(again.data(), out.section.data(), out.section.size()) != 0)
+    throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "the record does not unpack to itself");
+}
+
+}  // namespace
+
+BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
+                             const DeformerData& deformers) {
+  BuiltGeometry out;
+  OwnedStreams streams = make_streams(primitive, bindings, joint_count, grid, options, deformers, out.error);
+  weld(streams, options.keep_vertex_order);
+  finish(streams, grid, options, out);
+  return out;
+}
+
+std::vector<BuiltGeometry> build_geometries(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                                            std::size_t joint_count, const std::vector<GeometryPart>& parts,
+                                            const MeshGrid& grid, const CookOptions& options,
+                                            const DeformerData& deformers) {
+  MeshError error;
+  const OwnedStreams whole = make_streams(primitive, bindings, joint_count, grid, options, deformers, error);
+  std::vector<BuiltGeometry> out(parts.size());
+  tools::for_each_in_parallel(parts.size(), [&](std::size_t i) {
+    const GeometryPart& part = parts[i];
+    OwnedStreams streams = part_of_streams(whole, part.vertices, part.indices, part.entries);
+    weld(streams, options.keep_vertex_order);
+    if (options.keep_vertex_order) {
+      std::vector<std::uint32_t> source_map(primitive.positions.size(), kNoSlot);
+      for (std::size_t v = 0; v < part.vertices.size(); ++v) source_map[part.vertices[v]] = streams.source_map[v];
+      streams.source_map = std::move(source_map);
+    }
+    out[i].error = error;
+    finish(streams, grid, options, out[i]);
+  });
+  return out;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include <draco/compression/config/compression_shared.h>
+#include <draco/compression/expert_encode.h>
+#include <draco/mesh/mesh.h>
+
+#include "common/failure.h"
+#include "cook/geometry/encode_streams.h"
+#include "marrow/draco.h"
+#include "unpack/octahedron.h"
+
+namespace marrow::cook {
+namespace {
+
+// How one attempt encodes.
+struct Settings {
+  bool edgebreaker = true;  // else triangles one by one, which keeps any
+  int speed = 0;
+  std::vector<int> prediction;  // a stream; kOwnChoice: Draco decides
+};
+constexpr int kOwnChoice = -100;
+
+draco::GeometryAttribute::Type attribute_type(StreamKind kind) {
+  switch (kind) {
+    case StreamKind::position:
+      return draco::GeometryAttribute::POSITION;
+    case StreamKind::normal:
+    case StreamKind::tangent:
+      return draco::GeometryAttribute::NORMAL;
+    case StreamKind::uv:
+      return draco::GeometryAttribute::TEX_COORD;
+    case StreamKind::colour:
+      return draco::GeometryAttribute::COLOR;
+    default:
+      return draco::GeometryAttribute::GENERIC;
+  }
+}
+
+bool is_direction(StreamKind kind) {
+  return kind == StreamKind::normal || kind == StreamKind::tangent;
+}
+
+// Directions go in as unit vectors, since Draco predicts those on the sphere; rounding them again gives the same
+// points.
+void add_attribute(const Stream& s, const std::vector<std::int32_t>& values, draco::Mesh& mesh) {
+  const std::uint32_t count = mesh.num_points();
+  draco::GeometryAttribute description;
+  const bool floats = is_direction(s.kind);
+  const std::uint32_t components = floats ? 3 : s.components;
+  description.Init(attribute_type(s.kind), nullptr, static_cast<std::uint8_t>(components),
+                   floats ? draco::DT_FLOAT32 : draco::DT_INT32, false, 4 * std::int64_t{components}, 0);
+  draco::PointAttribute& attribute = *mesh.attribute(mesh.AddAttribute(description, true, count));
+  for (std::uint32_t v = 0; v < count; ++v) {
+    const std::int32_t* const from = &values[std::size_t{v} * s.components];
+    float unit[3];
+    if (floats) from_octahedron(from[0], from[1], s.bits, unit);
+    attribute.SetAttributeValue(draco::AttributeValueIndex(v),
+                                floats ? static_cast<const void*>(unit) : static_cast<const void*>(from));
+  }
+}
+
+void fill_mesh(const OwnedStreams& s, bool merge_positions, draco::Mesh& mesh) {
+  mesh.set_num_points(s.mesh.vertex_count);
+  mesh.SetNumFaces(s.indices.size() / 3);
+  for (std::uint32_t f = 0; f < s.indices.size() / 3; ++f) {
+    const std::uint32_t* const t = &s.indices[std::size_t{f} * 3];
+    mesh.SetFace(draco::FaceIndex(f), {draco::PointIndex(t[0]), draco::PointIndex(t[1]), draco::PointIndex(t[2])});
+  }
+  for (std::size_t i = 0; i < s.streams.size(); ++i) add_attribute(s.streams[i], s.values[i], mesh);
+  for (int i = 0; i < mesh.num_attributes(); ++i)
+    if (merge_positions || i > 0) mesh.attribute(i)->DeduplicateValues(*mesh.attribute(i));
+}
+
+// What an attempt has come to. Points may be more than vertices where the surface is no manifold.
+struct Encoded {
+  std::vector<std::byte> bytes;  // empty: it failed
+  std::uint32_t points = 0;
+  std::uint32_t faces = 0;
+};
+
+Encoded encode(const OwnedStreams& s, const draco::Mesh& mesh, const Settings& settings) {
+  draco::ExpertEncoder encoder(mesh);
+  encoder.SetEncodingMethod(settings.edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING : draco::MESH_SEQUENTIAL_ENCODING);
+  encoder.SetSpeedOptions(settings.speed, settings.speed);
+  encoder.SetTrackEncodedProperties(true);
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const int id = static_cast<int>(i);
+    if (is_direction(s.streams[i].kind)) encoder.SetAttributeQuantization(id, s.streams[i].bits);
+    if (settings.prediction[i] != kOwnChoice)
+      static_cast<void>(encoder.SetAttributePredictionScheme(id, settings.prediction[i]));
+  }
+  draco::EncoderBuffer buffer;
+  if (!encoder.EncodeToBuffer(&buffer).ok()) return {};
+  const auto* const first = reinterpret_cast<const std::byte*>(buffer.data());
+  return {{first, first + buffer.size()},
+          static_cast<std::uint32_t>(encoder.num_encoded_points()),
+          static_cast<std::uint32_t>(encoder.num_encoded_faces())};
+}
+
+// Ways to predict a stream that may beat Draco's choice.
+std::vector<int> alternatives(StreamKind kind) {
+  switch (kind) {
+    case StreamKind::normal:
+      return {draco::PREDICTION_DIFFERENCE};
+    case StreamKind::uv:
+      return {draco::MESH_PREDICTION_TEX_COORDS_PORTABLE};
+    case StreamKind::joints:
+    case StreamKind::weights:
+      return {draco::PREDICTION_DIFFERENCE, draco::MESH_PREDICTION_PARALLELOGRAM};
+    case StreamKind::colour:
+    case StreamKind::tangent_sign:
+      return {draco::PREDICTION_DIFFERENCE};
+    case StreamKind::residual:
+      return {draco::PREDICTION_DIFFERENCE, draco::MESH_PREDICTION_PARALLELOGRAM, draco::PREDICTION_NONE};
+    default:
+      return {};
+  }
+}
+
+// Streams are coded apart, so the best way for each can be looked for one at a time.
+Encoded smallest(const OwnedStreams& s, bool merge_positions) {
+  draco::Mesh mesh;
+  fill_mesh(s, merge_positions, mesh);
+  Settings best;
+  best.prediction.assign(s.streams.size(), kOwnChoice);
+  for (std::size_t i = 0; i < s.streams.size(); ++i)
+    if (s.streams[i].kind == StreamKind::tangent) best.prediction[i] = draco::PREDICTION_DIFFERENCE;
+  Encoded encoded = encode(s, mesh, best);
+  const auto attempt = [&](const Settings& settings) {
+    Encoded other = encode(s, mesh, settings);
+    if (other.bytes.empty() || (!encoded.bytes.empty() && other.bytes.size() >= encoded.bytes.size())) return;
+    encoded = std::move(other);
+    best = settings;
+  };
+  for (const int speed : {1, 2}) {
+    Settings settings = best;
+    settings.speed = speed;
+    attempt(settings);
+  }
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    for (const int prediction : alternatives(s.streams[i].kind)) {
+      Settings settings = best;
+      settings.prediction[i] = prediction;
+      attempt(settings);
+    }
+  }
+  return encoded;
+}
+
+Encoded one_by_one(const OwnedStreams& s) {
+  draco::Mesh mesh;
+  fill_mesh(s, false, mesh);
+  Settings settings;
+  settings.edgebreaker = false;
+  settings.prediction.assign(s.streams.size(), kOwnChoice);
+  return encode(s, mesh, settings);
+}
+
+// A triangle by what its corners hold, beginning at the least: a hash of all of a vertex's numbers each.
+using Triangle = std::array<std::uint64_t, 3>;
+
+std::uint64_t corner(const OwnedStreams& s, std::uint32_t vertex) {
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, by words
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const std::size_t components = s.streams[i].components;
+    for (std::size_t c = 0; c < components; ++c) {
+      hash = (hash ^ static_cast<std::uint32_t>(s.values[i][vertex * components + c])) * 0x100000001b3;
+      hash ^= hash >> 29;
+    }
+  }
+  return hash;
+}
+
+std::vector<Triangle> surface(const OwnedStreams& s) {
+  std::vector<Triangle> out;
+  for (std::size_t i = 0; i + 2 < s.indices.size(); i += 3) {
+    Triangle t{corner(s, s.indices[i]), corner(s, s.indices[i + 1]), corner(s, s.indices[i + 2])};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    out.push_back(t);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+// What the runtime will decode, and whether that is the same surface.
+bool decodes_to_the_same(const Encoded& encoded, const OwnedStreams& s, OwnedStreams& decoded) {
+  if (encoded.faces != s.indices.size() / 3) return false;
+  decoded = s;
+  decoded.mesh.vertex_count = encoded.points;
+  for (std::size_t i = 0; i < s.streams.size(); ++i)
+    decoded.values[i].resize(std::size_t{encoded.points} * s.streams[i].components);
+  const Span<const std::byte> bytes(encoded.bytes.data(), encoded.bytes.size());
+  return draco_decoder().decode(bytes, decoded.view()) == Status::ok && surface(decoded) == surface(s);
+}
+
+// For each vertex of `s` one of `decoded` that holds the same.
+void follow(const OwnedStreams& s, OwnedStreams& decoded) {
+  std::unordered_map<std::uint64_t, std::uint32_t> place;
+  for (std::uint32_t v = 0; v < decoded.mesh.vertex_count; ++v) place.emplace(corner(decoded, v), v);
+  for (std::uint32_t& vertex : decoded.source_map)
+    if (vertex != kNoSlot) vertex = place.at(corner(s, vertex));
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_draco(OwnedStreams& streams) {
+  // Triangles between vertices at one place that move apart are lost where places are merged, and those that never have
+  // an area in either case.
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const Encoded encoded = attempt < 2 ? smallest(streams, attempt == 0) : one_by_one(streams);
+    OwnedStreams decoded;
+    if (encoded.bytes.empty() || !decodes_to_the_same(encoded, streams, decoded)) continue;
+    follow(streams, decoded);
+    streams = std::move(decoded);
+    return encoded.bytes;
+  }
+  throw tools::Failure(tools::Exit::internal, "", "", "draco-mesh-differs",
+                       "the encoded mesh does not decode to the same surface; use --mesh-codec meshopt");
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,19 @@
+// Streams → the bytes that a codec of the runtime turns back into them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cook/geometry/owned_streams.h"
+
+namespace marrow::cook {
+
+// Draco's edgebreaker, with each stream predicted in the way that makes the whole smallest. It reorders vertices and
+// triangles, and may split vertices where the surface is no manifold: `streams` becomes what decoding yields. Throws
+// tools::Failure (internal) if that is not the same surface.
+std::vector<std::byte> encode_draco(OwnedStreams& streams);
+
+// meshoptimizer's codecs; vertices are put into the order in which the runtime will store them.
+std::vector<std::byte> encode_meshopt(OwnedStreams& streams);
+
+}  // namespace marrow::cook

@@ -1,0 +1,115 @@
+// A mesh as the codecs take it, with the memory that its arrays live in.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "cook/scene/raw.h"
+#include "unpack/streams.h"
+
+namespace marrow::cook {
+
+// A vertex's joints, as palette entries in ascending order, with weights that sum to one.
+struct Binding {
+  std::vector<std::uint16_t> set;
+  std::vector<double> weights;
+  std::vector<glm::dvec4> residual;  // of animation space; none, or as many: (d, δ)
+};
+
+// Multi-weight enveloping: for each vertex of the source and joint of its binding twelve weights, row by row, as
+// deform::MultiWeight has them. Empty: none.
+struct MultiWeightData {
+  std::uint32_t root = 0;  // palette entry
+  std::vector<std::vector<std::array<double, 12>>> weights;
+};
+
+// Pose-space deformation, as deform::PoseSpace has it. Without examples: none.
+struct PoseSpaceData {
+  struct Example {
+    std::vector<glm::dquat> rotations;  // a palette entry; of those without a parent they do not count
+    std::vector<glm::dvec3> deltas;     // a vertex of the source; metres, mesh space
+  };
+  double sigma = 1;                    // 0.001 … 1000
+  std::vector<std::uint16_t> parents;  // a palette entry: another one or kNoParent
+  std::vector<Example> examples;       // at most kMaxPoseExamples
+};
+
+// What a mesh's deformers need beside positions and weights.
+struct DeformerData {
+  MultiWeightData multi_weight;
+  PoseSpaceData pose_space;
+};
+
+class OwnedStreams {
+ public:
+  MeshStreams mesh;  // its arrays are null; see view()
+  std::vector<std::uint32_t> indices, source_map;
+  std::vector<Stream> streams;
+  std::vector<std::vector<std::int32_t>> values;  // a stream
+  std::vector<std::int16_t> rotations;            // of examples, as MeshStreams'
+  std::vector<std::uint16_t> parents;
+
+  Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits);
+  // With the arrays' addresses, until one of them changes.
+  MeshStreams view();
+  // Of bind streams, of which there is one a kind at most.
+  const Stream* find(StreamKind kind) const;
+  std::vector<std::int32_t>* values_of(StreamKind kind);
+};
+
+// How finely meshes are quantised.
+struct MeshGrid {
+  glm::dvec3 origin{0};
+  double step = 0;  // metres; 0: not at all, everything is kept as floats
+  // Of residuals: metres, and of their w; 0: there are none.
+  double residual_step = 0;
+  double residual_weight_step = 0;
+};
+
+struct MeshPrecision {
+  double normal_error_deg = 0.2;  // no normal or tangent is turned further
+  double uv_error = 1.0 / 8192;   // in widths of the texture
+  double weight_error = 2.5e-4;
+};
+
+// What quantisation has done at worst.
+struct MeshError {
+  double position_m = 0;
+  double normal_deg = 0;
+  double uv = 0;
+  double weight = 0;
+  double target_m = 0;  // of a morph target's positions, at weight 1
+  // Of a vertex by multi-weight enveloping, in poses that take no joint's origin further from the root than the
+  // diagonal of the mesh's box, and scale nothing; and of one by pose-space deformation, before the blend.
+  double multi_weight_m = 0, pose_space_m = 0;
+};
+
+// Every vertex of the source as it is, bits of floats.
+OwnedStreams verbatim_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                              std::size_t joint_count);
+// Rounded to the grid and to as few bits as keep the precision.
+OwnedStreams quantised_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
+                               std::size_t joint_count, const MeshGrid& grid, const MeshPrecision& precision,
+                               MeshError& error);
+
+// What this leaves of a vertex's binding: influences that do not vanish, with the weights that the runtime will see.
+Binding quantised_binding(const Binding& binding, const glm::vec3& position, const MeshGrid& grid,
+                          const MeshPrecision& precision);
+
+// Adds what the deformers need to streams that either of the above has made of the same vertices: residuals of weights
+// on the weights that the streams have, and examples' deltas in 16 bits. Steps are such that the errors, as MeshError
+// has them, stay below the grid's step; where that takes more bits than there are, or without a grid, all bits are used
+// (multi-weight residuals are then floats). Influences that rounding has left out lose their weights. Throws
+// tools::Failure (unsupported) if the data are not as they must be.
+void add_deformers(const RawPrimitive& primitive, const std::vector<Binding>& bindings, const DeformerData& data,
+                   const MeshGrid& grid, OwnedStreams& streams, MeshError& error);
+
+// Merges vertices that agree in everything, drops triangles that have no area in any pose and vertices without a
+// triangle. keep_map: fill in source_map; what is dropped gets kNoSlot.
+void weld(OwnedStreams& streams, bool keep_map);
+
+// Orders triangles for the GPU's vertex cache and for little overdraw.
+void optimise_order(OwnedStreams& streams);
+
+}  // namespace marrow::cook

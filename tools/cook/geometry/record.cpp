@@ -1,0 +1,79 @@
+#include "cook/geometry/record.h"
+
+namespace marrow::cook {
+namespace {
+
+void add_pose_space(const OwnedStreams& s, std::vector<std::byte>& out) {
+  add_value(s.mesh.sigma, out);
+  for (const std::uint16_t parent : s.parents) add_varint(parent == kNoParent ? 0u : parent + 1u, out);
+  for (std::uint32_t k = 0; k < s.mesh.example_count; ++k) {
+    const Stream* deltas = nullptr;
+    for (const Stream& stream : s.streams)
+      if (stream.kind == StreamKind::pose_delta && stream.target == k) deltas = &stream;
+    add_value(deltas == nullptr ? std::uint8_t{0} : deltas->bits, out);
+    if (deltas != nullptr) add_value(deltas->step, out);
+    for (std::size_t j = 0; j < s.parents.size(); ++j)
+      if (s.parents[j] != kNoParent)
+        for (std::size_t c = 0; c < 4; ++c) add_value(s.rotations[(k * s.parents.size() + j) * 4 + c], out);
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<std::byte>& encoded) {
+  std::vector<std::byte> out;
+  const bool has_map = !s.source_map.empty();
+  add_varint(s.mesh.flags | (has_map ? format::kHasSourceSlots : 0u), out);
+  add_varint(s.mesh.vertex_count, out);
+  add_varint(static_cast<std::uint32_t>(s.indices.size() / 3), out);
+  add_varint(s.mesh.joint_count, out);
+  add_varint(s.mesh.influences, out);
+  if (has_map) add_varint(static_cast<std::uint32_t>(s.source_map.size()), out);
+  if (s.mesh.target_count > 0) add_varint(s.mesh.target_count, out);
+  if (s.mesh.example_count > 0) add_varint(s.mesh.example_count, out);
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    const Stream& stream = s.streams[i];
+    if (stream.kind == StreamKind::residual && stream.target > 0) continue;  // as the first
+    switch (stream.kind) {
+      case StreamKind::position:
+      case StreamKind::uv:
+      case StreamKind::residual: {
+        const int axes = stream.kind == StreamKind::position ? 3 : stream.kind == StreamKind::uv ? 2 : 1;
+        add_value(stream.bits, out);
+        for (int c = 0; c < axes; ++c) add_value(stream.origin[c], out);
+        add_value(stream.step, out);
+        break;
+      }
+      case StreamKind::normal:
+      case StreamKind::tangent:
+      case StreamKind::weights:
+        add_value(stream.bits, out);
+        break;
+      default:
+        break;
+    }
+  }
+  if (const Stream* const weights = s.find(StreamKind::multi_weight)) {
+    add_value(weights->bits, out);
+    add_value(weights->step, out);
+    add_varint(s.mesh.mwe_root, out);
+  }
+  for (std::uint32_t t = 0; t < s.mesh.target_count; ++t) {
+    std::uint8_t attributes = 0;
+    for (const Stream& stream : s.streams)
+      if (stream.kind == StreamKind::target && stream.target == t)
+        attributes = static_cast<std::uint8_t>(attributes | 1u << stream.attribute);
+    add_value(attributes, out);
+    for (const Stream& stream : s.streams) {
+      if (stream.kind != StreamKind::target || stream.target != t) continue;
+      add_value(stream.bits, out);
+      add_value(stream.step, out);
+    }
+  }
+  if (s.mesh.example_count > 0) add_pose_space(s, out);
+  for (const std::uint32_t vertex : s.source_map) add_varint(vertex, out);
+  out.insert(out.end(), encoded.begin(), encoded.end());
+  return out;
+}
+
+}  // namespace marrow::cook

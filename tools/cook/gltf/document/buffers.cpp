@@ -1,0 +1,147 @@
+// Gathers the bytes behind a document's buffers and cuts them into buffer views.
+#include "cook/gltf/document/buffers.h"
+
+#include <map>
+
+#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/uri.h"
+
+namespace marrow::cook::gltf {
+namespace {
+
+constexpr std::uint64_t kMostExternalBytes = kLargestFile;
+constexpr std::int64_t kVertexTarget = 34962;
+constexpr std::int64_t kIndexTarget = 34963;
+
+std::uint64_t count_or(const Json& object, const char* name, std::uint64_t fallback) {
+  const auto member = object.find(name);
+  return member == object.end() ? fallback : member->get<std::uint64_t>();
+}
+
+class Loader {
+ public:
+  Loader(const Container& container, const std::optional<std::string>& folder, Report& report)
+      : container_(container), folder_(folder), report_(report) {}
+
+  void add_buffer(const Json& buffer, std::size_t index) {
+    const std::string where = pointer("buffers", index);
+    const std::uint64_t length = buffer.at("byteLength").get<std::uint64_t>();
+    const auto uri = buffer.find("uri");
+    if (uri != buffer.end()) {
+      const auto& text = uri->get_ref<const std::string&>();
+      const std::string uri_where = under(where, "uri");
+      add_bytes(is_data_uri(text) ? data_bytes(text, uri_where) : file_bytes(text, length, uri_where), length, where);
+    } else if (index == 0 && container_.binary) {
+      add_chunk(length, where);
+    } else {
+      report_.warn(where, "buffer-without-data", "no bytes are given for this buffer; what refers to it reads as zero");
+      result.buffers.emplace_back(std::nullopt);
+    }
+  }
+
+  void add_view(const Json& view, std::size_t index) {
+    const std::string where = pointer("bufferViews", index);
+    const auto buffer_index = view.at("buffer").get<std::size_t>();
+    const std::uint64_t offset = count_or(view, "byteOffset", 0);
+    View added;
+    added.offset = offset;
+    added.length = view.at("byteLength").get<std::uint64_t>();
+    added.stride = static_cast<std::uint32_t>(count_or(view, "byteStride", 0));
+    added.target = static_cast<std::int64_t>(count_or(view, "target", 0));
+    const auto extensions = view.find("extensions");
+    added.meshopt = extensions != view.end() && extensions->contains("EXT_meshopt_compression");
+    check_stride(added, where);
+    const auto& buffer = result.buffers[buffer_index];
+    const std::uint64_t capacity = buffer ? buffer->size() : declared_length_[buffer_index];
+    if (offset > capacity || added.length > capacity - offset) {
+      report_.invalid(under(where, "byteLength"), "beyond the buffer's end",
+                      "the buffer has " + std::to_string(capacity) + " bytes; export again");
+    }
+    if (buffer) {
+      added.present = true;
+      added.bytes = buffer->subspan(offset, added.length);
+    }
+    result.views.push_back(added);
+  }
+
+  void declare_length(const Json& buffer) { declared_length_.push_back(buffer.at("byteLength").get<std::uint64_t>()); }
+
+  Buffers result;
+
+ private:
+  void check_stride(const View& view, const std::string& where) {
+    if (view.target != 0 && view.target != kVertexTarget && view.target != kIndexTarget) {
+      report_.warn(under(where, "target"), "unknown-buffer-target", "neither vertices nor indices; ignored");
+    }
+    if (view.stride == 0) return;
+    const std::string here = under(where, "byteStride");
+    if (view.stride % 4 != 0) report_.invalid(here, "not a multiple of 4", "export again");
+    if (view.stride > view.length) report_.invalid(here, "longer than the view", "export again");
+    if (view.target == kIndexTarget) report_.invalid(here, "only vertex data may have a stride", "export again");
+  }
+
+  void add_bytes(std::span<const std::byte> bytes, std::uint64_t length, const std::string& where) {
+    if (bytes.size() < length) {
+      report_.invalid(under(where, "byteLength"), "longer than the data",
+                      "there are " + std::to_string(bytes.size()) + " bytes; export again");
+    }
+    result.buffers.emplace_back(bytes.first(length));
+  }
+
+  void add_chunk(std::uint64_t length, const std::string& where) {
+    if (!container_.has_bin) report_.invalid(where, "no BIN chunk", "the buffer has no uri either; export again");
+    add_bytes(container_.bin, length, where);
+    if (container_.bin.size() - length > 3) {
+      report_.warn(where, "bin-chunk-too-long", "the BIN chunk goes on after the buffer's end; the rest is dropped");
+    }
+  }
+
+  std::span<const std::byte> data_bytes(const std::string& uri, const std::string& where) {
+    DataUri data = decode_data_uri(uri, where, report_);
+    if (data.mime_type != "application/octet-stream" && data.mime_type != "application/gltf-buffer") {
+      report_.mend(where, "data-uri-mime-type", "must be application/octet-stream or application/gltf-buffer");
+    }
+    return result.owned.emplace_back(std::move(data.bytes));
+  }
+
+  std::span<const std::byte> file_bytes(const std::string& uri, std::uint64_t length, const std::string& where) {
+    const std::string relative = decode_relative_uri(uri, where, report_);
+    if (!folder_) report_.unreadable(where, "cannot read", "a scene in memory has no folder; embed the buffer");
+    const std::string path = resolve_in_folder(*folder_, relative, where, report_);
+    const auto known = owned_of_path_.find(path);
+    if (known != owned_of_path_.end() && result.owned[known->second].size() >= length) {
+      return result.owned[known->second];
+    }
+    std::vector<std::byte> bytes = read_regular_file(path, length, where, report_);
+    result.external_bytes += bytes.size();
+    if (result.external_bytes > kMostExternalBytes) {
+      report_.unsupported(where, "buffers too large", "split the scene; 2 GiB is the limit");
+    }
+    owned_of_path_[path] = result.owned.size();
+    return result.owned.emplace_back(std::move(bytes));
+  }
+
+  const Container& container_;
+  const std::optional<std::string>& folder_;
+  Report& report_;
+  std::map<std::string, std::size_t> owned_of_path_;
+  std::vector<std::uint64_t> declared_length_;
+};
+
+}  // namespace
+
+Buffers load_buffers(const Json& root, const Container& container, const std::optional<std::string>& folder,
+                     Report& report) {
+  Loader loader(container, folder, report);
+  const Json none = Json::array();
+  const Json& buffers = root.contains("buffers") ? root.at("buffers") : none;
+  const Json& views = root.contains("bufferViews") ? root.at("bufferViews") : none;
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    loader.declare_length(buffers[i]);
+    loader.add_buffer(buffers[i], i);
+  }
+  for (std::size_t i = 0; i < views.size(); ++i) loader.add_view(views[i], i);
+  return std::move(loader.result);
+}
+
+}  // namespace marrow::cook::gltf

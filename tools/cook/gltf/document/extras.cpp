@@ -1,0 +1,121 @@
+// What animations need of `extras`, which no other stage looks at.
+#include "cook/gltf/document/extras.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace marrow::cook::gltf {
+namespace {
+
+// The steps of a JSON pointer, unescaped as RFC 6901 says; nullopt if it is none.
+std::optional<std::vector<std::string>> split_pointer(std::string_view pointer) {
+  if (pointer.empty() || pointer.front() != '/') return std::nullopt;
+  std::vector<std::string> steps;
+  for (std::size_t i = 0; i < pointer.size(); ++i) {
+    if (pointer[i] == '/') {
+      steps.emplace_back();
+    } else if (pointer[i] != '~') {
+      steps.back() += pointer[i];
+    } else if (++i < pointer.size() && (pointer[i] == '0' || pointer[i] == '1')) {
+      steps.back() += pointer[i] == '0' ? '~' : '/';
+    } else {
+      return std::nullopt;
+    }
+  }
+  return steps;
+}
+
+// The member or element of `value`; null if there is none.
+const Json* step_into(const Json& value, const std::string& step) {
+  if (value.is_object()) {
+    const auto member = value.find(step);
+    return member == value.end() ? nullptr : &*member;
+  }
+  std::size_t index = 0;
+  const char* const end = step.data() + step.size();
+  const auto [stop, error] = std::from_chars(step.data(), end, index);
+  const bool plain = error == std::errc() && stop == end && (step.size() == 1 || step.front() != '0');
+  return value.is_array() && plain && index < value.size() ? &value[index] : nullptr;
+}
+
+// How many steps lead to the owner of the extras; nullopt if they lead elsewhere.
+std::optional<std::size_t> owner_steps(const Json& root, const std::vector<std::string>& steps) {
+  if (steps.size() > 1 && steps[0] == "extras") return 0;
+  if (steps.size() > 2 && steps[0] == "asset" && steps[1] == "extras") return 1;
+  if (steps.size() <= 3 || steps[2] != "extras") return std::nullopt;
+  const Json* const collection = step_into(root, steps[0]);
+  if (collection == nullptr || !collection->is_array()) return std::nullopt;
+  return 2;
+}
+
+std::string owner_name(const Json& owner, const std::vector<std::string>& steps, std::size_t count) {
+  if (count < 2) return {};
+  const auto name = owner.is_object() ? owner.find("name") : owner.end();
+  const bool named = name != owner.end() && name->is_string() && !name->get_ref<const std::string&>().empty();
+  return named ? name->get<std::string>() : steps[0] + '[' + steps[1] + ']';
+}
+
+std::optional<UserNumber> resolve(const Json& root, const std::string& pointer) {
+  const auto steps = split_pointer(pointer);
+  const auto owner = steps ? owner_steps(root, *steps) : std::nullopt;
+  if (!owner) return std::nullopt;
+  UserNumber out;
+  out.pointer = pointer;
+  const Json* at = &root;
+  for (std::size_t i = 0; i < steps->size(); ++i) {
+    if (i == *owner) out.name = owner_name(*at, *steps, i);
+    const bool in_list = at->is_array();
+    at = step_into(*at, (*steps)[i]);
+    if (at == nullptr) return std::nullopt;
+    if (i <= *owner) continue;
+    out.name += in_list ? '[' + (*steps)[i] + ']' : (out.name.empty() ? "" : ".") + (*steps)[i];
+  }
+  if (!at->is_number()) return std::nullopt;
+  out.rest = static_cast<float>(at->get<double>());
+  return std::isfinite(out.rest) ? std::optional(out) : std::nullopt;
+}
+
+const std::string* pointer_of(const Json& channel) {
+  const Json& target = channel.at("target");
+  if (target.at("path") != "pointer") return nullptr;
+  const auto extensions = target.find("extensions");
+  if (extensions == target.end()) return nullptr;
+  const auto extension = extensions->find("KHR_animation_pointer");
+  return extension == extensions->end() ? nullptr : &extension->at("pointer").get_ref<const std::string&>();
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> read_target_names(const Json& root) {
+  std::vector<std::vector<std::string>> out;
+  const auto meshes = root.find("meshes");
+  if (meshes == root.end()) return out;
+  for (const Json& mesh : *meshes) {
+    out.emplace_back();
+    const auto extras = mesh.find("extras");
+    if (extras == mesh.end() || !extras->is_object()) continue;
+    const auto names = extras->find("targetNames");
+    if (names == extras->end() || !names->is_array()) continue;
+    for (const Json& name : *names) out.back().push_back(name.is_string() ? name.get<std::string>() : std::string());
+  }
+  return out;
+}
+
+UserNumbers find_user_numbers(const Json& root) {
+  UserNumbers out;
+  const auto animations = root.find("animations");
+  if (animations == root.end()) return out;
+  for (std::size_t a = 0; a < animations->size(); ++a) {
+    const Json& channels = (*animations)[a].at("channels");
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const std::string* const pointer = pointer_of(channels[c]);
+      if (pointer == nullptr) continue;
+      if (std::optional<UserNumber> number = resolve(root, *pointer)) out.emplace(std::pair(a, c), std::move(*number));
+    }
+  }
+  return out;
+}
+
+}  // namespace marrow::cook::gltf

@@ -1,0 +1,31 @@
+// Hands a checked document to tinygltf, which turns it into typed structures.
+#pragma once
+
+#include <vector>
+
+#include "cook/gltf/document/accessor.h"
+#include "cook/gltf/document/extras.h"
+#include "cook/gltf/document/json.h"
+#include "cook/gltf/document/tinygltf.h"
+
+namespace marrow::cook::gltf {
+
+// Everything that the rules and the import start from.
+struct Document {
+  tinygltf::Model model;  // meshes, nodes, skins, animations and scenes; no bytes
+  std::vector<std::string> extensions_used;
+  std::vector<std::vector<std::string>> target_names;  // by mesh and morph target; may be shorter
+  UserNumbers user_numbers;
+  Json looks;                       // the root's materials, textures, samplers and images
+  std::vector<Json> node_extras;    // by node; null where there are none
+  std::vector<Json> node_limits;    // by node: extras.marrow.limits, taken out of the above; null where there are none
+  std::vector<Accessor> accessors;  // by the document's numbering
+  Buffers buffers;
+};
+
+// tinygltf believes what it reads, so it gets only those parts of the document that check_schema() has been through
+// and that are carried on: no URIs, no images, no extras, no bytes. Channels that aim at nothing Marrow animates are
+// left out with a warning: they get an empty path. Those of `user_numbers` get the path "pointer". Eats `root`.
+tinygltf::Model parse_model(Json root, const UserNumbers& user_numbers, Report& report);
+
+}  // namespace marrow::cook::gltf

@@ -1,0 +1,147 @@
+// Imports the pictures that materials use, without looking into them.
+#include "cook/gltf/import/images.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/uri.h"
+
+namespace marrow::cook::gltf {
+namespace {
+
+constexpr std::uint64_t kMostImageBytes = kLargestFile;  // of all that are read from files
+
+ImageFormat format_of_bytes(std::span<const std::byte> bytes) {
+  const auto begins_with = [&](std::initializer_list<int> signature) {
+    return bytes.size() >= signature.size() &&
+           std::equal(signature.begin(), signature.end(), bytes.begin(),
+                      [](int s, std::byte b) { return s == std::to_integer<int>(b); });
+  };
+  if (begins_with({0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'})) return ImageFormat::png;
+  if (begins_with({0xFF, 0xD8, 0xFF})) return ImageFormat::jpeg;
+  return ImageFormat::unknown;
+}
+
+ImageFormat format_of_mime_type(std::string_view mime) {
+  if (mime == "image/png") return ImageFormat::png;
+  if (mime == "image/jpeg") return ImageFormat::jpeg;
+  return ImageFormat::unknown;
+}
+
+ImageFormat format_of_uri(std::string_view uri) {
+  std::string extension;
+  if (const std::size_t dot = uri.rfind('.'); dot != std::string_view::npos)
+    for (const char c : uri.substr(dot)) extension += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".png") return ImageFormat::png;
+  if (extension == ".jpg" || extension == ".jpeg") return ImageFormat::jpeg;
+  return ImageFormat::unknown;
+}
+
+class ImageImporter {
+ public:
+  ImageImporter(const Document& document, const std::optional<std::string>& folder, Budget& budget,
+                std::uint64_t& external_bytes, Report& report)
+      : document_(document), folder_(folder), budget_(budget), external_bytes_(external_bytes), report_(report) {}
+
+  RawImage import(std::size_t index, bool with_bytes) {
+    const Json& image = document_.looks.at("images")[index];
+    const std::string where = pointer("images", index);
+    RawImage raw;
+    raw.name = clean_name(image.value("name", std::string()), where, report_);
+    if (raw.name.empty()) raw.name = "images[" + std::to_string(index) + ']';
+    const auto uri = image.find("uri");
+    const bool is_file = uri != image.end() && !is_data_uri(uri->get_ref<const std::string&>());
+    if (is_file) raw.uri = uri->get<std::string>();
+    raw.format = format_of_mime_type(image.value("mimeType", std::string()));
+    if (raw.format == ImageFormat::unknown) raw.format = format_of_uri(raw.uri);
+    if (!with_bytes) return raw;
+    if (is_file) {
+      raw.bytes = file_bytes(raw.uri, under(where, "uri"));
+    } else if (uri != image.end()) {
+      raw.bytes = decode_data_uri(uri->get_ref<const std::string&>(), under(where, "uri"), report_).bytes;
+    } else if (image.contains("bufferView")) {
+      raw.bytes = view_bytes(image.at("bufferView").get<std::size_t>(), under(where, "bufferView"));
+    } else {
+      report_.mend(where, "image-without-data", "it has neither uri nor bufferView");
+    }
+    check_bytes(image, where, raw);
+    return raw;
+  }
+
+ private:
+  std::vector<std::byte> view_bytes(std::size_t index, const std::string& where) {
+    const View& view = document_.buffers.views[index];
+    if (!view.present) {
+      report_.warn(where, "image-without-data", "the buffer has no bytes");
+      return {};
+    }
+    budget_.take(view.bytes.size(), where, report_);  // many images may share a view
+    return {view.bytes.begin(), view.bytes.end()};
+  }
+
+  // A file named twice is read and counted twice: it is the sum of what is held.
+  std::vector<std::byte> file_bytes(const std::string& uri, const std::string& where) {
+    const std::string relative = decode_relative_uri(uri, where, report_);
+    if (!folder_) report_.unreadable(where, "cannot read", "a scene in memory has no folder; embed the image");
+    const std::string path = resolve_in_folder(*folder_, relative, where, report_);
+    std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, where, report_);
+    image_bytes_ += bytes.size();
+    if (image_bytes_ > kMostImageBytes) report_.unsupported(where, "images too large", "2 GiB is the limit");
+    external_bytes_ += bytes.size();
+    return bytes;
+  }
+
+  void check_bytes(const Json& image, const std::string& where, RawImage& raw) {
+    if (raw.bytes.empty()) return;
+    const ImageFormat format = format_of_bytes(raw.bytes);
+    if (format == ImageFormat::unknown) {
+      report_.mend(where, "image-format", "neither PNG nor JPEG, so it cannot be embedded; referred to by name");
+      raw.bytes.clear();
+      return;
+    }
+    if (image.contains("mimeType") && format != format_of_mime_type(image.at("mimeType").get<std::string>()))
+      report_.mend(under(where, "mimeType"), "image-mime-type", "the bytes say otherwise, and are believed");
+    raw.format = format;
+  }
+
+  const Document& document_;
+  const std::optional<std::string>& folder_;
+  Budget& budget_;
+  std::uint64_t& external_bytes_;
+  Report& report_;
+  std::uint64_t image_bytes_ = 0;
+};
+
+}  // namespace
+
+void check_image_uris(const Json& root, Report& report) {
+  const auto images = root.find("images");
+  if (images == root.end()) return;
+  for (std::size_t i = 0; i < images->size(); ++i) {
+    const auto uri = (*images)[i].find("uri");
+    if (uri == (*images)[i].end()) continue;
+    const auto& text = uri->get_ref<const std::string&>();
+    if (!is_data_uri(text)) decode_relative_uri(text, pointer("images", i, "uri"), report);
+  }
+}
+
+std::vector<RawImage> import_images(const Document& document, const std::vector<RawMaterial>& materials,
+                                    const std::optional<std::string>& folder, bool with_bytes, Budget& budget,
+                                    std::uint64_t& external_bytes, Report& report) {
+  const auto list = document.looks.find("images");
+  std::vector<RawImage> images(list == document.looks.end() ? 0 : list->size());
+  std::vector<bool> known(images.size(), false);
+  ImageImporter importer(document, folder, budget, external_bytes, report);
+  for (const RawMaterial& material : materials) {
+    for (const Texture& texture : material.textures) {
+      if (known[texture.image]) continue;
+      known[texture.image] = true;
+      images[texture.image] = importer.import(texture.image, with_bytes);
+    }
+  }
+  return images;
+}
+
+}  // namespace marrow::cook::gltf

@@ -1,0 +1,23 @@
+// The pictures that materials use: by name, or as the bytes of their files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cook/gltf/document/json.h"
+#include "cook/gltf/import/import.h"
+
+namespace marrow::cook::gltf {
+
+// A hostile URI is refused even if nobody opens it.
+void check_image_uris(const Json& root, Report& report);
+
+// The document's images, by its numbering; those that no material uses stay empty. with_bytes: also reads them, which
+// must be PNG or JPEG; nothing is decoded. `folder` as for load_buffers(). `external_bytes` grows by what is read from
+// files.
+std::vector<RawImage> import_images(const Document& document, const std::vector<RawMaterial>& materials,
+                                    const std::optional<std::string>& folder, bool with_bytes, Budget& budget,
+                                    std::uint64_t& external_bytes, Report& report);
+
+}  // namespace marrow::cook::gltf

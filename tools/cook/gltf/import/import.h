@@ -1,0 +1,64 @@
+// Turns a checked document into a RawScene.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cook/gltf/document/findings.h"
+#include "cook/gltf/document/model.h"
+#include "cook/gltf/import/materials.h"
+#include "cook/gltf/rules/rules.h"
+#include "cook/scene/raw.h"
+
+namespace marrow::cook::gltf {
+
+// What the decoded scene may take in memory. A small file can name the same data ten thousand times over, or let Draco
+// unfold it.
+class Budget {
+ public:
+  explicit Budget(std::uint64_t source_bytes);
+  void take(std::uint64_t bytes, const std::string& where, const Report& report);
+
+ private:
+  std::uint64_t left_;
+};
+
+// A name fit to print and to become a file name: no control or direction-changing characters, no way out of a folder,
+// no device. Anything else stays as it is.
+std::string clean_name(const std::string& name, const std::string& where, Report& report);
+
+std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& graph, Report& report);
+
+std::vector<RawSkin> import_skins(const Document& document, const std::vector<RawNode>& nodes, Report& report);
+
+// The weights of a mesh's morph targets, named after their owner: at rest `own`, or as the mesh has them where those
+// are not as many. `where`: who asks.
+std::vector<RawTargetWeight> mesh_weights(const Document& document, std::size_t mesh_index, const std::string& owner,
+                                          const std::vector<double>& own, const std::string& where, Report& report);
+// Those of the mesh at a node; none without. owners: from weight_owners().
+std::vector<RawTargetWeight> node_weights(const Document& document, const std::vector<std::string>& owners,
+                                          int node_index, const std::string& where, Report& report);
+// What each node's weights are called after: its name; nodes[3] without, or if a node before it has the same.
+std::vector<std::string> weight_owners(const Document& document, const std::vector<RawNode>& nodes);
+// Gives nodes what they carry for the game: nested members and elements get the path of their keys, escaped as in a
+// JSON pointer, as their name. Nulls, infinite numbers and texts with a zero character are left out and counted.
+void import_extras(const Document& document, std::vector<RawNode>& nodes, Budget& budget, Report& report);
+
+// Gives nodes their joint limits. Refuses what docs/limits.schema.json does.
+void import_limits(const Document& document, std::vector<RawNode>& nodes, const Report& report);
+
+// One RawMesh a mesh of the document, in its order. Primitives that draw no triangles are left out.
+std::vector<RawMesh> import_meshes(const Document& document, const Materials& materials, Budget& budget,
+                                   Report& report);
+
+// Also checks that every joint that a mesh uses exists in the skins that it is drawn with; influences that no skin
+// makes sense of are dropped.
+std::vector<RawInstance> import_instances(const Document& document, const std::vector<RawNode>& nodes,
+                                          std::vector<RawMesh>& meshes, const std::vector<RawSkin>& skins,
+                                          Report& report);
+
+std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
+                                  Report& report);
+
+}  // namespace marrow::cook::gltf

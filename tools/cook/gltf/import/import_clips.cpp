@@ -1,0 +1,202 @@
+// Imports animations as clips whose keys a sampler can stand on.
+#include <algorithm>
+#include <cmath>
+
+#include "cook/gltf/import/import.h"
+
+namespace marrow::cook::gltf {
+namespace {
+
+constexpr float kLongestClip_s = 86'400;  // a day; longer ones are mistakes that cost gigabytes when resampled
+constexpr float kShortestStep_s = 1e-6F;  // slopes across shorter steps overflow
+constexpr double kKeySlack = 0.02;        // an 8-bit quaternion is off by about one part in 127
+constexpr double kSmallestKey = 1e-6;
+
+struct Key {
+  std::size_t index;  // in the source
+  float time_s;
+};
+
+class ChannelImporter {
+ public:
+  ChannelImporter(const Document& document, const tinygltf::Animation& animation, const std::string& where,
+                  Budget& budget, Report& report)
+      : document_(document), animation_(animation), where_(where), budget_(budget), report_(report) {}
+
+  RawChannel import(const tinygltf::AnimationChannel& channel) {
+    const tinygltf::AnimationSampler& sampler = sampler_of(channel);
+    RawChannel raw;
+    raw.node = channel.target_node;
+    raw.path = channel.target_path == "translation" ? RawPath::translation
+               : channel.target_path == "rotation"  ? RawPath::rotation
+                                                    : RawPath::scale;
+    raw.interpolation = interpolation_of(sampler);
+    const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
+    for (const Key& key : keys) raw.times_s.push_back(key.time_s);
+    raw.values = values_of(document_.accessors[static_cast<std::size_t>(sampler.output)], keys, raw);
+    return raw;
+  }
+
+  // One number a target of the mesh at `node`, or one of no node; a key holds those of all targets, for a spline first
+  // their in-tangents, then their values, then their out-tangents (glTF 2.0, section 3.11).
+  std::vector<RawScalar> import_scalars(const tinygltf::AnimationChannel& channel,
+                                        const std::vector<RawTargetWeight>& targets, int node) {
+    const tinygltf::AnimationSampler& sampler = sampler_of(channel);
+    const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
+    const std::vector<float> all =
+        read(document_.accessors[static_cast<std::size_t>(sampler.output)], under(sampler_where_, "output"));
+    std::vector<RawScalar> out;
+    for (std::size_t t = 0; t < targets.size() && !keys.empty(); ++t) {
+      RawScalar raw;
+      raw.name = clean_name(targets[t].channel, where_, report_);
+      raw.rest = targets[t].rest;
+      raw.node = node;
+      raw.interpolation = interpolation_of(sampler);
+      const std::size_t parts = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
+      for (const Key& key : keys) {
+        raw.times_s.push_back(key.time_s);
+        for (std::size_t part = 0; part < parts; ++part)
+          raw.values.push_back(all[(key.index * parts + part) * targets.size() + t]);
+      }
+      out.push_back(std::move(raw));
+    }
+    return out;
+  }
+
+ private:
+  const tinygltf::AnimationSampler& sampler_of(const tinygltf::AnimationChannel& channel) {
+    const auto index = static_cast<std::size_t>(channel.sampler);
+    sampler_where_ = under(where_, "samplers", index);
+    return animation_.samplers[index];
+  }
+
+  static RawInterpolation interpolation_of(const tinygltf::AnimationSampler& sampler) {
+    return sampler.interpolation == "STEP"          ? RawInterpolation::step
+           : sampler.interpolation == "CUBICSPLINE" ? RawInterpolation::cubic_spline
+                                                    : RawInterpolation::linear;
+  }
+
+  std::vector<float> read(const Accessor& accessor, const std::string& where) {
+    budget_.take(accessor.count * accessor.components() * 8, where, report_);
+    std::vector<float> values = read_floats(accessor);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isfinite(values[i])) continue;
+      report_.invalid(where, "not a finite number",
+                      "key " + std::to_string(i / accessor.components()) + "; export again");
+    }
+    return values;
+  }
+
+  std::vector<Key> usable_keys(const Accessor& input) {
+    const std::string where = under(sampler_where_, "input");
+    const std::vector<float> times = read(input, where);
+    std::vector<Key> keys;
+    std::size_t late = 0;
+    std::size_t close = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (times[i] > kLongestClip_s) {
+        ++late;
+      } else if (!keys.empty() && times[i] - keys.back().time_s < kShortestStep_s) {
+        ++close;
+      } else {
+        keys.push_back({i, times[i]});
+      }
+    }
+    if (late > 0) {
+      report_.mend(where, "keys-too-late",
+                   std::to_string(late) + " keys are more than a day after the start; left out");
+    }
+    // Zeros stand for a buffer that is not there, and are no finding about the times.
+    if (close > 0 && input.has_data()) {
+      report_.mend(where, "keys-too-close",
+                   std::to_string(close) + " keys are not a microsecond after the one before; left out");
+    }
+    return keys;
+  }
+
+  std::vector<glm::vec4> values_of(const Accessor& output, const std::vector<Key>& keys, const RawChannel& raw) {
+    const std::size_t per_key = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
+    std::vector<float> all = read(output, under(sampler_where_, "output"));
+    if (raw.path == RawPath::rotation && output.has_data()) mend_rotations(all, per_key);
+    const std::size_t components = output.components();
+    std::vector<glm::vec4> values;
+    values.reserve(keys.size() * per_key);
+    for (const Key& key : keys) {
+      for (std::size_t part = 0; part < per_key; ++part) {
+        glm::vec4 value(0);
+        const float* from = &all[(key.index * per_key + part) * components];
+        for (std::size_t c = 0; c < components; ++c) value[static_cast<int>(c)] = from[c];
+        values.push_back(value);
+      }
+    }
+    return values;
+  }
+
+  // Small drift is the sampler's to normalise. A quaternion far from unit length is a mistake, and would turn at the
+  // wrong speed; a spline's tangents are in the same units and shrink with it.
+  void mend_rotations(std::vector<float>& numbers, std::size_t per_key) {
+    std::size_t mended = 0;
+    for (std::size_t first = 0; first < numbers.size(); first += per_key * 4) {
+      float* value = &numbers[first + per_key / 2 * 4];
+      const double length = std::hypot(std::hypot(value[0], value[1]), std::hypot(value[2], value[3]));
+      if (std::abs(length - 1) <= kKeySlack) continue;
+      ++mended;
+      if (length < kSmallestKey) {
+        value[3] = 1;
+        continue;
+      }
+      const auto scale = static_cast<float>(1 / length);
+      std::for_each_n(&numbers[first], per_key * 4, [scale](float& number) { number *= scale; });
+    }
+    if (mended == 0) return;
+    report_.mend(under(sampler_where_, "output"), "rotation-keys-not-unit",
+                 std::to_string(mended) + " rotations were not of unit length; normalised");
+  }
+
+  const Document& document_;
+  const tinygltf::Animation& animation_;
+  std::string where_;
+  Budget& budget_;
+  Report& report_;
+  std::string sampler_where_;
+};
+
+}  // namespace
+
+std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
+                                  Report& report) {
+  const std::vector<std::string> owners = weight_owners(document, nodes);
+  std::vector<RawClip> clips;
+  for (std::size_t a = 0; a < document.model.animations.size(); ++a) {
+    const tinygltf::Animation& animation = document.model.animations[a];
+    const std::string where = pointer("animations", a);
+    RawClip clip;
+    clip.name = clean_name(animation.name, where, report);
+    ChannelImporter importer(document, animation, where, budget, report);
+    for (std::size_t c = 0; c < animation.channels.size(); ++c) {
+      const tinygltf::AnimationChannel& channel = animation.channels[c];
+      if (channel.target_path.empty()) continue;
+      const auto number = document.user_numbers.find({a, c});
+      if (number != document.user_numbers.end() || channel.target_path == "weights") {
+        const bool is_weights = number == document.user_numbers.end();
+        std::vector<RawScalar> scalars = importer.import_scalars(
+            channel,
+            is_weights ? node_weights(document, owners, channel.target_node, where, report)
+                       : std::vector<RawTargetWeight>{{"", number->second.name, number->second.rest}},
+            is_weights ? channel.target_node : kNone);
+        for (RawScalar& scalar : scalars) clip.scalars.push_back(std::move(scalar));
+        continue;
+      }
+      RawChannel raw = importer.import(channel);
+      if (!raw.times_s.empty()) clip.channels.push_back(std::move(raw));
+    }
+    if (clip.channels.empty() && clip.scalars.empty()) {
+      report.warn(where, "clip-dropped", "no channel is left that moves a node or a number");
+      continue;
+    }
+    clips.push_back(std::move(clip));
+  }
+  return clips;
+}
+
+}  // namespace marrow::cook::gltf

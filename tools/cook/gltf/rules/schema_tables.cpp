@@ -1,0 +1,178 @@
+// The tables of glTF 2.0's objects, in the order of the specification's property reference.
+//
+// What the runtime does not carry (cameras, lights) is checked for being an object at all and no further.
+#include "cook/gltf/rules/schema_tables.h"
+
+namespace marrow::cook::gltf {
+namespace {
+
+constexpr double kLargestEnum = 65535;
+
+constexpr Property index_of(std::string_view name, std::string_view collection, bool required = false) {
+  return {.name = name, .kind = Kind::index, .required = required, .of = collection};
+}
+
+constexpr Property count_of(std::string_view name, double min, bool required = false) {
+  return {.name = name, .kind = Kind::integer, .required = required, .min = min, .max = kLargestInteger};
+}
+
+constexpr Property text(std::string_view name, bool required = false, std::string_view words = {}) {
+  return {.name = name, .kind = Kind::text, .required = required, .of = words};
+}
+
+constexpr Property object(std::string_view name, const Schema& schema, bool required = false) {
+  return {.name = name, .kind = Kind::object, .required = required, .schema = &schema};
+}
+
+constexpr Property objects(std::string_view name, const Schema& schema, bool required = false) {
+  return {.name = name, .kind = Kind::objects, .required = required, .schema = &schema};
+}
+
+constexpr Property numbers(std::string_view name, std::size_t shortest, std::size_t longest) {
+  return {.name = name, .kind = Kind::numbers, .shortest = shortest, .longest = longest};
+}
+
+constexpr Property code(std::string_view name, bool required) {
+  return {.name = name, .kind = Kind::integer, .required = required, .min = 0, .max = kLargestEnum};
+}
+
+constexpr Property flag(std::string_view name) {
+  return {.name = name, .kind = Kind::boolean};
+}
+
+constexpr Schema kOpen{{}, true};
+
+constexpr Property kAsset[] = {text("version", true), text("minVersion"), text("generator"), text("copyright")};
+constexpr Schema kAssetSchema{kAsset};
+
+constexpr Property kSparseIndices[] = {index_of("bufferView", "bufferViews", true), count_of("byteOffset", 0),
+                                       code("componentType", true)};
+constexpr Schema kSparseIndicesSchema{kSparseIndices};
+constexpr Property kSparseValues[] = {index_of("bufferView", "bufferViews", true), count_of("byteOffset", 0)};
+constexpr Schema kSparseValuesSchema{kSparseValues};
+constexpr Property kSparse[] = {count_of("count", 1, true), object("indices", kSparseIndicesSchema, true),
+                                object("values", kSparseValuesSchema, true)};
+constexpr Schema kSparseSchema{kSparse};
+constexpr Property kAccessor[] = {index_of("bufferView", "bufferViews"),
+                                  count_of("byteOffset", 0),
+                                  code("componentType", true),
+                                  flag("normalized"),
+                                  count_of("count", 1, true),
+                                  text("type", true),
+                                  numbers("max", 1, 16),
+                                  numbers("min", 1, 16),
+                                  object("sparse", kSparseSchema)};
+constexpr Schema kAccessorSchema{kAccessor};
+
+constexpr Property kAnimationPointer[] = {text("pointer", true)};
+constexpr Schema kAnimationPointerSchema{kAnimationPointer};
+constexpr Property kTargetExtensions[] = {object("KHR_animation_pointer", kAnimationPointerSchema)};
+constexpr Schema kTargetExtensionsSchema{kTargetExtensions, true};
+constexpr Property kTarget[] = {index_of("node", "nodes"), text("path", true),
+                                object("extensions", kTargetExtensionsSchema)};
+constexpr Schema kTargetSchema{kTarget};
+constexpr Property kChannel[] = {count_of("sampler", 0, true), object("target", kTargetSchema, true)};
+constexpr Schema kChannelSchema{kChannel};
+constexpr Property kAnimationSampler[] = {index_of("input", "accessors", true), index_of("output", "accessors", true),
+                                          text("interpolation", false, "LINEAR STEP CUBICSPLINE")};
+constexpr Schema kAnimationSamplerSchema{kAnimationSampler};
+constexpr Property kAnimation[] = {objects("channels", kChannelSchema, true),
+                                   objects("samplers", kAnimationSamplerSchema, true)};
+constexpr Schema kAnimationSchema{kAnimation};
+
+constexpr Property kBuffer[] = {text("uri"), count_of("byteLength", 1, true)};
+constexpr Schema kBufferSchema{kBuffer};
+constexpr Property kBufferView[] = {index_of("buffer", "buffers", true),
+                                    count_of("byteOffset", 0),
+                                    count_of("byteLength", 1, true),
+                                    {.name = "byteStride", .kind = Kind::integer, .min = 4, .max = 252},
+                                    code("target", false)};
+constexpr Schema kBufferViewSchema{kBufferView};
+
+constexpr Property kImage[] = {text("uri"), text("mimeType"), index_of("bufferView", "bufferViews")};
+constexpr Schema kImageSchema{kImage};
+constexpr Property kTexture[] = {index_of("sampler", "samplers"), index_of("source", "images")};
+constexpr Schema kTextureSchema{kTexture};
+
+constexpr Property kSampler[] = {code("magFilter", false), code("minFilter", false), code("wrapS", false),
+                                 code("wrapT", false)};
+constexpr Schema kSamplerSchema{kSampler};
+
+constexpr Property kTextureTransform[] = {numbers("offset", 2, 2),
+                                          {.name = "rotation", .kind = Kind::number},
+                                          numbers("scale", 2, 2),
+                                          count_of("texCoord", 0)};
+constexpr Schema kTextureTransformSchema{kTextureTransform};
+constexpr Property kTextureInfoExtensions[] = {object("KHR_texture_transform", kTextureTransformSchema)};
+constexpr Schema kTextureInfoExtensionsSchema{kTextureInfoExtensions, true};
+constexpr Property kTextureInfo[] = {index_of("index", "textures", true), count_of("texCoord", 0),
+                                     object("extensions", kTextureInfoExtensionsSchema)};
+constexpr Schema kTextureInfoSchema{kTextureInfo, true};  // normal and occlusion textures add a number each
+constexpr Property kPbr[] = {numbers("baseColorFactor", 4, 4),
+                             object("baseColorTexture", kTextureInfoSchema),
+                             {.name = "metallicFactor", .kind = Kind::number},
+                             {.name = "roughnessFactor", .kind = Kind::number},
+                             object("metallicRoughnessTexture", kTextureInfoSchema)};
+constexpr Schema kPbrSchema{kPbr};
+constexpr Property kMaterial[] = {object("pbrMetallicRoughness", kPbrSchema),
+                                  object("normalTexture", kTextureInfoSchema),
+                                  object("occlusionTexture", kTextureInfoSchema),
+                                  object("emissiveTexture", kTextureInfoSchema),
+                                  numbers("emissiveFactor", 3, 3),
+                                  text("alphaMode"),
+                                  {.name = "alphaCutoff", .kind = Kind::number},
+                                  flag("doubleSided")};
+constexpr Schema kMaterialSchema{kMaterial};
+
+constexpr Property kDraco[] = {index_of("bufferView", "bufferViews", true),
+                               {.name = "attributes", .kind = Kind::index_map, .required = true}};
+constexpr Schema kDracoSchema{kDraco};
+constexpr Property kPrimitiveExtensions[] = {object("KHR_draco_mesh_compression", kDracoSchema)};
+constexpr Schema kPrimitiveExtensionsSchema{kPrimitiveExtensions, true};
+constexpr Property kPrimitive[] = {{.name = "attributes", .kind = Kind::index_map, .required = true, .of = "accessors"},
+                                   index_of("indices", "accessors"),
+                                   index_of("material", "materials"),
+                                   {.name = "mode", .kind = Kind::integer, .min = 0, .max = 6},
+                                   {.name = "targets", .kind = Kind::index_maps, .of = "accessors"},
+                                   object("extensions", kPrimitiveExtensionsSchema)};
+constexpr Schema kPrimitiveSchema{kPrimitive};
+constexpr Property kMesh[] = {objects("primitives", kPrimitiveSchema, true), numbers("weights", 1, kAnyLength)};
+constexpr Schema kMeshSchema{kMesh};
+
+constexpr Property kNode[] = {
+    index_of("camera", "cameras"),    {.name = "children", .kind = Kind::indices, .of = "nodes"},
+    index_of("skin", "skins"),        numbers("matrix", 16, 16),
+    index_of("mesh", "meshes"),       numbers("rotation", 4, 4),
+    numbers("scale", 3, 3),           numbers("translation", 3, 3),
+    numbers("weights", 1, kAnyLength)};
+constexpr Schema kNodeSchema{kNode};
+constexpr Property kScene[] = {{.name = "nodes", .kind = Kind::indices, .of = "nodes"}};
+constexpr Schema kSceneSchema{kScene};
+constexpr Property kSkin[] = {index_of("inverseBindMatrices", "accessors"),
+                              index_of("skeleton", "nodes"),
+                              {.name = "joints", .kind = Kind::indices, .required = true, .of = "nodes"}};
+constexpr Schema kSkinSchema{kSkin};
+
+constexpr Property kRoot[] = {{.name = "extensionsUsed", .kind = Kind::texts},
+                              {.name = "extensionsRequired", .kind = Kind::texts},
+                              objects("accessors", kAccessorSchema),
+                              objects("animations", kAnimationSchema),
+                              object("asset", kAssetSchema, true),
+                              objects("buffers", kBufferSchema),
+                              objects("bufferViews", kBufferViewSchema),
+                              objects("cameras", kOpen),
+                              objects("images", kImageSchema),
+                              objects("materials", kMaterialSchema),
+                              objects("meshes", kMeshSchema),
+                              objects("nodes", kNodeSchema),
+                              objects("samplers", kSamplerSchema),
+                              index_of("scene", "scenes"),
+                              objects("scenes", kSceneSchema),
+                              objects("skins", kSkinSchema),
+                              objects("textures", kTextureSchema)};
+
+}  // namespace
+
+const Schema kRootSchema{kRoot};
+
+}  // namespace marrow::cook::gltf

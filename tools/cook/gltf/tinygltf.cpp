@@ -1,5 +1,0 @@
-// Compiles tinygltf's implementation, once.
-#define TINYGLTF_IMPLEMENTATION
-#include <fstream>  // used by the implementation, not included by it
-
-#include "cook/gltf/tinygltf.h"

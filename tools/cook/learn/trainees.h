@@ -1,0 +1,27 @@
+// The poses that a fit is trained on.
+#pragma once
+
+#include "cook/skin/deform_source.h"
+#include "deform/fit/fit.h"
+
+namespace marrow::cook {
+
+// How clips are sampled for a fit, and how many poses are made up.
+inline constexpr double kTrainedRate_hz = 30;
+inline constexpr std::size_t kMostTrained = 320;
+inline constexpr std::size_t kMadeUp = 100;
+
+// Rest, moments of clips, and poses that those clips could have had. Poses of one clip are of one fold; with one or two
+// clips those of a quarter of a clip are.
+// shipped: in the order of clip_poses(); empty: of no clip, then what is made up counts as shipped.
+struct Trainees {
+  std::vector<deform::TrainingPose> poses;
+  std::size_t made_up = 0;
+};
+Trainees trainees(const DeformSource& source, const BuiltScene& built, const std::vector<SampledPose>& shipped);
+
+// Poses in which the surface is known, and rest; nothing is made up, since nobody knows how it should look. In
+// ascending order of clips.
+Trainees trainees(const DeformSource& source, const std::vector<ShownPose>& shown);
+
+}  // namespace marrow::cook

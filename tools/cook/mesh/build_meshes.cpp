@@ -1,0 +1,335 @@
+// Which geometries there are, and which joints each mesh binds them to.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "common/failure.h"
+#include "common/parallel.h"
+#include "cook/build.h"
+#include "cook/learn/learn_deformers.h"
+#include "cook/mesh/subdivide_mesh.h"
+#include "cook/skin/deform_source.h"
+#include "cook/skin/primitive_palette.h"
+#include "cook/skin/skin_binding.h"
+#include "cook/skin/split_primitives.h"
+
+namespace marrow::cook {
+namespace {
+
+// A primitive bound to a skin, or to one joint when `skin` is kNone: done once, however many nodes draw it.
+struct Bound {
+  std::vector<Palette> palettes;  // a part; unused for one joint: each node has its own
+  std::size_t doubled = 0;        // as BuiltMesh's
+  std::uint32_t task = 0;
+  int learnt = kNone;          // index into BuiltScene::learnt
+  std::vector<BuiltLod> lods;  // their geometries are tasks
+};
+using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
+using SkinBindings = std::map<std::pair<int, int>, SkinBinding>;             // mesh, skin
+using Levels = std::map<std::pair<int, int>, std::vector<MeshLevel>>;        // mesh, skin; without one kNone
+
+// Hung rigidly: one joint, the nearest at or above the node.
+Palette bind_to_node(const NearestJoint& nearest) {
+  return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}, {}};
+}
+
+// One grid for all primitives of a mesh, so that where they touch they still do.
+MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
+  if (options.mesh_codec == MeshCodec::none) return {};
+  constexpr double kSteps = (1 << 14) - 1;
+  glm::dvec3 low(0), high(0);
+  bool first = true;
+  for (const RawPrimitive& primitive : mesh.primitives) {
+    for (const glm::vec3& v : primitive.positions) {
+      low = first ? glm::dvec3(v) : glm::min(low, glm::dvec3(v));
+      high = first ? glm::dvec3(v) : glm::max(high, glm::dvec3(v));
+      first = false;
+    }
+  }
+  const glm::dvec3 size = high - low;
+  const double side = std::max({size.x, size.y, size.z});
+  // Half a step along each axis is the farthest.
+  double step = options.position_error * (options.position_error_is_share ? side : 1.0) * 2 / std::sqrt(3.0);
+  if (step <= 0) step = side / kSteps;
+  constexpr double kMostSteps = (1 << packed::kMaxValueBits) - 1;
+  step = std::max(step, side / kMostSteps);
+  return {low, step > 0 ? step : 1.0};
+}
+
+// What build_geometry() is to make, each once.
+struct Task {
+  const RawPrimitive* primitive = nullptr;
+  std::vector<Binding> bindings;
+  std::vector<GeometryPart> parts;  // none: the primitive is whole
+  DeformerData deformers;           // of the full mesh alone
+  std::size_t joint_count = 0;
+  MeshGrid grid;
+  bool is_lod = false;
+};
+
+// The palette entries of each part, out of the whole primitive's.
+std::vector<std::vector<std::uint16_t>> entries_of_parts(const RawPrimitive& primitive, std::size_t number,
+                                                         const RawSkin& skin, const SkinBinding& binding,
+                                                         const std::vector<std::uint16_t>& entry_of) {
+  std::vector<std::vector<std::uint16_t>> out;
+  for (const PrimitivePart& part : parts_of(primitive, binding.part_of[number])) {
+    std::vector<std::uint16_t>& entries = out.emplace_back();
+    for (const std::uint32_t v : part.vertices)
+      for (const std::uint32_t joint : palette_needs(binding, skin.joints.size(), binding.primitives[number][v]))
+        entries.push_back(entry_of[joint]);
+    std::ranges::sort(entries);
+    const auto rest = std::ranges::unique(entries);
+    entries.erase(rest.begin(), rest.end());
+  }
+  return out;
+}
+
+std::vector<GeometryPart> geometry_parts(const RawPrimitive& primitive, const std::vector<std::uint32_t>& part_of,
+                                         const std::vector<std::vector<std::uint16_t>>& entries) {
+  std::vector<GeometryPart> out;
+  if (part_of.empty()) return out;
+  for (PrimitivePart& part : parts_of(primitive, part_of))
+    out.push_back({std::move(part.vertices), std::move(part.indices), entries[out.size()]});
+  return out;
+}
+
+// How many vertices are in several parts, one counted for each part but the first.
+std::size_t doubled_vertices(const std::vector<GeometryPart>& parts) {
+  std::size_t all = 0;
+  std::set<std::uint32_t> distinct;
+  for (const GeometryPart& part : parts) {
+    all += part.vertices.size();
+    distinct.insert(part.vertices.begin(), part.vertices.end());
+  }
+  return all - distinct.size();
+}
+
+// What hangs on a node: each vertex on one joint.
+Bound hang_primitive(const RawPrimitive& primitive, std::size_t number, const std::vector<MeshLevel>& levels, Task task,
+                     std::vector<Task>& tasks) {
+  Bound bound;
+  task.joint_count = 1;
+  const auto add = [&](const RawPrimitive& part) {
+    task.primitive = &part;
+    task.bindings.assign(part.positions.size(), {{0}, {1.0}, {}});
+    tasks.push_back(task);
+    task.is_lod = true;
+    return static_cast<std::uint32_t>(tasks.size() - 1);
+  };
+  bound.task = add(primitive);
+  for (const MeshLevel& level : levels)
+    bound.lods.push_back({add(level.primitives[number]), level.rms_error_m, level.max_error_m});
+  return bound;
+}
+
+// Adds what is to be built of one primitive, in full and at each level.
+Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const RawSkin& skin, const SkinBinding& binding,
+                     const std::vector<MeshLevel>& levels, const std::vector<int>& joint_of_node, Task task,
+                     std::vector<Task>& tasks) {
+  Bound bound;
+  std::vector<std::uint16_t> entry_of;
+  const Palette palette = make_palette(skin, binding, binding.primitives[number], joint_of_node, entry_of);
+  std::vector<std::vector<std::uint16_t>> entries;
+  if (binding.part_of[number].empty()) {
+    bound.palettes.push_back(palette);
+  } else {
+    entries = entries_of_parts(primitive, number, skin, binding, entry_of);
+    for (const std::vector<std::uint16_t>& part : entries) bound.palettes.push_back(some_of(palette, part));
+  }
+  task.deformers = deformer_data(binding, number, entry_of, palette.size());
+  task.grid.residual_step = binding.residual_step_m;
+  task.grid.residual_weight_step = binding.residual_weight_step;
+  task.joint_count = palette.size();
+  const auto add = [&](const RawPrimitive& part, const std::vector<BoundVertex>& vertices,
+                       const std::vector<std::uint32_t>& part_of) {
+    task.primitive = &part;
+    task.bindings = bind_vertices(binding, vertices, entry_of);
+    task.parts = geometry_parts(part, part_of, entries);
+    tasks.push_back(task);
+    task.is_lod = true;
+    task.deformers = {};
+    return static_cast<std::uint32_t>(tasks.size() - 1);
+  };
+  bound.task = add(primitive, binding.primitives[number], binding.part_of[number]);
+  bound.doubled = doubled_vertices(tasks.back().parts);
+  for (const MeshLevel& level : levels)
+    bound.lods.push_back({add(level.primitives[number], level.vertices[number], level.part_of[number]),
+                          level.rms_error_m, level.max_error_m});
+  return bound;
+}
+
+// Bound, and learnt from its poses, once for all its primitives.
+void bind_mesh(RawScene& scene, int mesh, int skin, const CookOptions& options, SkinBindings& bindings,
+               BuiltScene& out) {
+  const auto [at, is_new] = bindings.try_emplace({mesh, skin});
+  if (is_new) {
+    const RawMesh& source = scene.meshes[static_cast<std::size_t>(mesh)];
+    const RawSkin& onto = scene.skins[static_cast<std::size_t>(skin)];
+    at->second = bind_to_skin(scene, source);
+    out.learnt.push_back(learn_binding(scene, source, onto, out, options.learn, at->second));
+    learn_deformers(scene, source, onto, out, options, mesh_grid(source, options), at->second, out.learnt.back());
+    at->second.report = static_cast<int>(out.learnt.size()) - 1;
+  }
+}
+
+bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive) {
+  return instance.skin != kNone && !primitive.influences.empty();
+}
+
+SkinBindings bind_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
+  SkinBindings bindings;
+  for (const RawInstance& instance : scene.instances)
+    for (const RawPrimitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+      if (is_skinned(instance, primitive)) bind_mesh(scene, instance.mesh, instance.skin, options, bindings, out);
+  return bindings;
+}
+
+// What is drawn, for all that follows.
+void subdivide_meshes(RawScene& scene, int steps, const BuiltScene& built, SkinBindings& bindings) {
+  std::set<int> drawn;
+  for (const RawInstance& instance : scene.instances) drawn.insert(instance.mesh);
+  for (const int number : drawn) {
+    RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
+    std::vector<MovedBy> skins;
+    for (auto& bound : bindings) {
+      if (bound.first.first != number) continue;
+      SkinBinding& binding = bound.second;
+      const RawSkin& skin = scene.skins[static_cast<std::size_t>(bound.first.second)];
+      skins.push_back({&binding, [&mesh, &skin, &binding, &built] {
+                         return poses_of_clips(deform_source(mesh, skin, binding, built), binding, built);
+                       }});
+    }
+    const std::size_t cut = subdivide_mesh(mesh, skins, steps);
+    if (cut > 0)
+      scene.warnings.push_back({mesh.primitives.front().pointer, "influences-dropped",
+                                std::to_string(cut) +
+                                    " points of the finer mesh would follow more than 8 joints; they get the closest "
+                                    "that 8 can do"});
+  }
+}
+
+// Once for all its primitives.
+const std::vector<MeshLevel>& levels_of(RawScene& scene, int mesh, int skin, const SkinBinding* binding,
+                                        const CookOptions& options, const BuiltScene& built, Levels& levels) {
+  const auto [at, is_new] = levels.try_emplace({mesh, skin});
+  if (is_new && !options.lod.empty())
+    at->second = make_levels(scene, scene.meshes[static_cast<std::size_t>(mesh)],
+                             skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)], binding, built,
+                             options.lod);
+  return at->second;
+}
+
+bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
+  return a.section.size() == b.section.size() && std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
+}
+
+// On all cores; returns for each task which geometries its parts have become, of those that differ.
+std::vector<std::vector<std::uint32_t>> build_tasks(const std::string& source, const std::vector<Task>& tasks,
+                                                    const CookOptions& options, BuiltScene& out) {
+  std::vector<std::vector<BuiltGeometry>> built(tasks.size());
+  tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
+    const Task& task = tasks[i];
+    try {
+      CookOptions with = options;
+      with.keep_vertex_order = options.keep_vertex_order && !task.is_lod;
+      if (task.parts.empty()) {
+        built[i].push_back(
+            build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, with, task.deformers));
+      } else {
+        built[i] = build_geometries(*task.primitive, task.bindings, task.joint_count, task.parts, task.grid, with,
+                                    task.deformers);
+      }
+    } catch (const tools::Failure& failure) {
+      throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
+    }
+  });
+  std::vector<std::vector<std::uint32_t>> numbers;
+  for (std::vector<BuiltGeometry>& parts : built) {
+    std::vector<std::uint32_t>& number = numbers.emplace_back();
+    for (BuiltGeometry& geometry : parts) {
+      const auto twin = std::find_if(out.geometries.begin(), out.geometries.end(),
+                                     [&](const BuiltGeometry& g) { return same(g, geometry); });
+      number.push_back(static_cast<std::uint32_t>(twin - out.geometries.begin()));
+      if (twin == out.geometries.end()) out.geometries.push_back(std::move(geometry));
+    }
+  }
+  return numbers;
+}
+
+BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
+                     const Bound& bound, std::uint32_t part, int skin, int subdivide, const BuiltScene& built) {
+  // All joints of a skin are of one skeleton.
+  const int follows = skin == kNone ? instance.node : scene.skins[static_cast<std::size_t>(skin)].joints.front();
+  const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(follows)];
+  const Palette palette = skin == kNone ? bind_to_node(nearest) : bound.palettes[part];
+  BuiltMesh mesh;
+  mesh.skeleton = static_cast<std::uint32_t>(nearest.skeleton);
+  mesh.name = scene.meshes[static_cast<std::size_t>(instance.mesh)].name;
+  if (mesh.name.empty()) mesh.name = scene.nodes[static_cast<std::size_t>(instance.node)].name;
+  mesh.geometry = bound.task;
+  mesh.part = part;
+  mesh.parts = static_cast<std::uint32_t>(std::max<std::size_t>(1, bound.palettes.size()));
+  mesh.doubled = bound.doubled;
+  mesh.learnt = bound.learnt;
+  mesh.joints = palette.joints;
+  mesh.inverse_bind = palette.inverse_bind;
+  mesh.half_joints = palette.half_joints;
+  mesh.lods = bound.lods;
+  if (subdivide > 0) mesh.source_triangles = primitive.indices.size() / 3 >> (2 * subdivide);
+  mesh.targets = instance.weights;
+  mesh.raw_material = primitive.material;
+  if (primitive.material != kNone) {
+    const RawMaterial& material = scene.materials[static_cast<std::size_t>(primitive.material)];
+    mesh.material = material.name;
+    mesh.double_sided = material.double_sided;
+    for (int c = 0; c < 4; ++c) mesh.base_colour[c] = material.base_colour[c];
+  }
+  return mesh;
+}
+
+}  // namespace
+
+void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
+  SkinBindings bindings = bind_meshes(scene, options, out);
+  if (options.subdivide > 0) subdivide_meshes(scene, options.subdivide, out, bindings);
+  for (auto& [of, binding] : bindings)
+    split_primitives(scene, scene.meshes[static_cast<std::size_t>(of.first)],
+                     scene.skins[static_cast<std::size_t>(of.second)].joints.size(), options.most_entries, binding);
+  BoundPrimitives bound;
+  Levels levels;
+  std::vector<Task> tasks;
+  for (const RawInstance& instance : scene.instances) {
+    RawMesh& source = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+      RawPrimitive& primitive = source.primitives[i];
+      const int skin = is_skinned(instance, primitive) ? instance.skin : kNone;
+      const auto key = std::make_tuple(instance.mesh, i, skin);
+      auto found = bound.find(key);
+      if (found == bound.end()) {
+        Task task;
+        task.grid = mesh_grid(source, options);
+        const SkinBinding* const binding = skin == kNone ? nullptr : &bindings.at({instance.mesh, skin});
+        const std::vector<MeshLevel>& lods = levels_of(scene, instance.mesh, skin, binding, options, out, levels);
+        Bound fresh = binding == nullptr ? hang_primitive(primitive, i, lods, std::move(task), tasks)
+                                         : bind_primitive(primitive, i, scene.skins[static_cast<std::size_t>(skin)],
+                                                          *binding, lods, out.joint_of_node, std::move(task), tasks);
+        fresh.learnt = binding == nullptr ? kNone : binding->report;
+        found = bound.emplace(key, std::move(fresh)).first;
+      }
+      const std::size_t parts = std::max<std::size_t>(1, found->second.palettes.size());
+      for (std::uint32_t part = 0; part < parts; ++part)
+        out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, part, skin, options.subdivide, out));
+    }
+  }
+  const std::vector<std::vector<std::uint32_t>> geometries = build_tasks(scene.source, tasks, options, out);
+  for (BuiltMesh& mesh : out.meshes) {
+    mesh.geometry = geometries[mesh.geometry][mesh.part];
+    for (BuiltLod& lod : mesh.lods) lod.geometry = geometries[lod.geometry][mesh.part];
+    mesh.targets.resize(out.geometries[mesh.geometry].target_count);
+  }
+}
+
+}  // namespace marrow::cook

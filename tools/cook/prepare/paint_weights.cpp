@@ -1,0 +1,177 @@
+// Weights that an artist painted: grey-scale pictures in the place of a texture.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <glm/vec2.hpp>
+
+#include "common/decode.h"
+#include "common/failure.h"
+#include "common/files.h"
+#include "common/hash.h"
+#include "common/printable.h"
+#include "cook/prepare/bind_weights.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr std::uintmax_t kMostMaskBytes = 512'000'000;  // 8192 × 8192 pixels of 16-bit RGBA, not compressed
+
+struct Mask {
+  std::size_t width = 0, height = 0;
+  std::vector<std::uint8_t> grey;  // top row first
+
+  // Bilinear, repeated; (0, 0) is the upper left corner of the first pixel.
+  double at(const glm::vec2& uv) const {
+    std::size_t x[2], y[2];
+    const double u = split(static_cast<double>(uv.x), width, x), v = split(static_cast<double>(uv.y), height, y);
+    const auto pixel = [&](int i, int j) { return static_cast<double>(grey[y[j] * width + x[i]]); };
+    const double upper = pixel(0, 0) * (1 - u) + pixel(1, 0) * u, lower = pixel(0, 1) * (1 - u) + pixel(1, 1) * u;
+    return (upper * (1 - v) + lower * v) / 255;
+  }
+
+ private:
+  // The pixels on both sides, and how far from the first to the second.
+  static double split(double coordinate, std::size_t count, std::size_t (&pixels)[2]) {
+    const double place =
+        (coordinate - std::floor(coordinate)) * static_cast<double>(count) + static_cast<double>(count) - 0.5;
+    const double first = std::floor(place);
+    pixels[0] = static_cast<std::size_t>(first) % count;
+    pixels[1] = (pixels[0] + 1) % count;
+    return place - first;
+  }
+};
+
+std::string name_of(const PaintRule& rule) {
+  return gltf::printable("paint " + rule.joint);
+}
+
+tools::AlignedBytes bytes_of_mask(const std::string& path, RawRead& read) {
+  std::error_code error;
+  if (std::filesystem::file_size(path, error) > kMostMaskBytes && !error)
+    throw tools::Failure(tools::Exit::invalid, path, "", "too large for a mask",
+                         "export the picture again, at most 8192 pixels each way");
+  tools::AlignedBytes bytes = tools::read_file(path);
+  read = {std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string(), bytes.size(),
+          tools::hash_of({bytes.data(), bytes.size()})};
+  return bytes;
+}
+
+Mask read_mask(const PaintRule& rule, RawRead& read) {
+  const tools::AlignedBytes bytes = bytes_of_mask(rule.file, read);
+  const tools::Pixels pixels = tools::decode_image({bytes.data(), bytes.size()}, rule.file, name_of(rule));
+  Mask mask{static_cast<std::size_t>(pixels.width), static_cast<std::size_t>(pixels.height), {}};
+  mask.grey.resize(mask.width * mask.height);
+  for (std::size_t i = 0; i < mask.grey.size(); ++i) {
+    const std::uint8_t* const c = &pixels.rgba[i * 4];
+    mask.grey[i] = static_cast<std::uint8_t>((77 * c[0] + 150 * c[1] + 29 * c[2]) / 256);  // of a grey one: as it is
+  }
+  return mask;
+}
+
+// A primitive, and what is painted on it.
+struct Canvas {
+  RawPrimitive* primitive;
+  const RawSkin* skin;
+  std::map<std::uint32_t, std::vector<double>> painted;  // by joint: a weight a vertex
+};
+
+std::vector<Canvas> canvases(RawScene& scene) {
+  std::vector<Canvas> out;
+  std::set<int> seen;
+  for (const RawInstance& instance : scene.instances) {
+    if (instance.skin == kNone || !seen.insert(instance.mesh).second) continue;
+    for (RawPrimitive& primitive : scene.meshes[to_index(instance.mesh)].primitives)
+      if (!primitive.influences.empty()) out.push_back({&primitive, &scene.skins[to_index(instance.skin)], {}});
+  }
+  return out;
+}
+
+// kNone: the skin has no such joint.
+int joint_called(const RawScene& scene, const RawSkin& skin, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(skin.joints, [&](int joint) { return scene.nodes[to_index(joint)].name == name; });
+  return found == skin.joints.end() ? kNone : static_cast<int>(found - skin.joints.begin());
+}
+
+// A rule that fits nothing is a mistake, or, where it need not fit, a warning.
+void refuse_paint(RawScene& scene, const PaintRule& rule, const std::string& why, const std::string& advice) {
+  if (rule.origin.must_fit)
+    throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where, gltf::printable(why), advice);
+  scene.warnings.push_back({"/meshes", "rule-fits-nothing", "paint: " + gltf::printable(why)});
+}
+
+void apply(RawScene& scene, const PaintRule& rule, std::vector<Canvas>& canvases) {
+  RawRead read;
+  const Mask mask = read_mask(rule, read);
+  if (!scene.reads.empty()) scene.reads.push_back(read);
+  bool has_joint = false, has_uvs = false;
+  std::vector<RawWarning> without;
+  for (Canvas& canvas : canvases) {
+    const int joint = joint_called(scene, *canvas.skin, rule.joint);
+    if (joint == kNone) continue;
+    has_joint = true;
+    if (canvas.primitive->uvs.empty()) {
+      without.push_back({canvas.primitive->pointer, "paint-without-uvs",
+                         "\"" + gltf::printable(rule.joint) + "\" cannot be painted on a mesh without UVs"});
+      continue;
+    }
+    has_uvs = true;
+    std::vector<double>& weights = canvas.painted[static_cast<std::uint32_t>(joint)];
+    weights.clear();
+    for (const glm::vec2& uv : canvas.primitive->uvs) weights.push_back(mask.at(uv));
+  }
+  if (!has_joint)
+    return refuse_paint(scene, rule, "no joint that a mesh is bound to is called \"" + rule.joint + "\"",
+                        "give JOINT=MASK.png with names as `marrow info --json` lists them");
+  if (!has_uvs)
+    return refuse_paint(scene, rule, "no mesh that \"" + rule.joint + "\" could move has UVs",
+                        "export the meshes with UVs");
+  scene.warnings.insert(scene.warnings.end(), without.begin(), without.end());
+}
+
+// Painted joints have what is painted, all scaled down where it is more than 1; the others share what is left as they
+// did before, and without others the painted ones have it all.
+void paint_vertex(const std::vector<std::pair<std::uint32_t, double>>& painted, std::vector<RawInfluence>& vertex) {
+  std::vector<deform::Influence> out;
+  double sum = 0, rest = 0;
+  for (const auto& [joint, weight] : painted) {
+    out.push_back({joint, weight});
+    sum += weight;
+  }
+  const auto is_painted = [&](const RawInfluence& i) {
+    return std::ranges::any_of(painted, [&](const auto& p) { return p.first == i.joint; });
+  };
+  for (const RawInfluence& i : vertex)
+    if (!is_painted(i)) rest += static_cast<double>(i.weight);
+  if (rest <= 0 && sum <= 0) return;
+  for (const RawInfluence& i : vertex)
+    if (!is_painted(i) && sum < 1) out.push_back({i.joint, static_cast<double>(i.weight) / rest * (1 - sum)});
+  deform::keep_largest(out, kMaxInfluences, 0);
+  vertex.clear();
+  for (const deform::Influence& i : out) vertex.push_back({i.joint, static_cast<float>(i.weight)});
+}
+
+}  // namespace
+
+RawRead read_of_mask(const std::string& path) {
+  RawRead read;
+  bytes_of_mask(path, read);
+  return read;
+}
+
+void paint_weights(RawScene& scene, const std::vector<PaintRule>& rules) {
+  std::vector<Canvas> all = canvases(scene);
+  for (const PaintRule& rule : rules) apply(scene, rule, all);
+  for (Canvas& canvas : all) {
+    for (std::size_t v = 0; v < canvas.primitive->positions.size(); ++v) {
+      std::vector<std::pair<std::uint32_t, double>> painted;
+      for (const auto& [joint, weights] : canvas.painted) painted.emplace_back(joint, weights[v]);
+      if (!painted.empty()) paint_vertex(painted, canvas.primitive->influences[v]);
+    }
+  }
+}
+
+}  // namespace marrow::cook

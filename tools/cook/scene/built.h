@@ -1,0 +1,166 @@
+// The scene as the cooked file will have it: what the build stage yields and the writer lays out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "asset/format.h"
+#include "common/aligned_bytes.h"
+#include "cook/geometry/owned_streams.h"
+#include "cook/scene/raw.h"
+#include "marrow/file.h"
+
+namespace marrow::cook {
+
+// The joint at or above a node, and what lies between, which never moves.
+struct NearestJoint {
+  int skeleton = kNone;
+  int joint = kNone;  // of that skeleton; kNone: none above; the matrix is from the scene then
+  glm::dmat4 joint_from_node{1.0};
+};
+
+struct BuiltSkeleton {
+  std::string name;
+  std::vector<std::string> joint_names;
+  std::vector<std::uint16_t> parents;
+  std::vector<Affine> scene_from_root;
+  std::vector<SoaTransform> rest;
+  std::vector<int> node_of_joint;  // the way back to the source
+  std::vector<JointLimit> limits;  // ascending by joint
+  // The rest pose as packed files hold it, see unpack/rest.h.
+  std::int32_t translation_exponent = 0;
+  std::vector<std::uint64_t> rotation_codes;
+};
+
+// A clip's tracks in segments, as format::CodedHeader has them; frame_count is 0 without.
+struct BuiltCoded {
+  format::CodedHeader header{};
+  std::vector<float> times_s;  // a frame; none at even steps
+  std::vector<std::uint32_t> offsets;
+  std::vector<GroupMasks> masks;
+  std::vector<format::Constant> constants;
+  std::vector<std::byte> payload;
+};
+
+// How far a clip strays from its source, where and when.
+struct ClipError {
+  double error_m = 0;
+  double share = 0;  // of what is promised for the joint; the largest of any
+  std::size_t joint = 0;
+  double time_s = 0;
+};
+
+struct BuiltClip {
+  std::string name;
+  std::uint32_t skeleton = 0;
+  float duration_s = 0;
+  std::uint32_t most_keys = 0;  // of any track
+  std::vector<Track> tracks;
+  std::vector<Channel> channels;  // their names stand beside them
+  std::vector<std::string> channel_names;
+  std::vector<float> times_s;
+  std::vector<float> values;
+  BuiltCoded coded;
+  ClipError error;
+  std::string additive;                 // over what, in --additive's words; empty: an ordinary clip
+  std::vector<SoaTransform> reference;  // empty: the rest pose
+};
+
+struct BuiltGeometry {
+  format::GeometryHeader header{};
+  std::uint32_t influences = 0;     // the most of any vertex
+  tools::AlignedBytes section;      // GEOM as the runtime will see it
+  std::uint8_t codec = 0;           // packed::Codec of the record; 0: not packed
+  std::vector<std::byte> record;    // what a packed file has instead
+  std::uint64_t scratch_bytes = 0;  // of memory, to unpack the record
+  std::uint32_t target_count = 0;   // morph targets; 0 if none moves anything
+  double position_step_m = 0;       // of a packed one's positions
+  MeshError error;
+};
+
+// How multi-weights or a pose space came about.
+struct DeformerReport {
+  const char* truth = "";  // empty: not asked for
+  bool shipped = false;
+  std::size_t poses = 0, made_up = 0, examples = 0;  // examples: of pose space
+  double held_out_share = 1, worse_share = 0;        // see deform::FitQuality
+};
+
+// How a mesh's animation space came about, and what else was learnt.
+struct LearnReport {
+  const char* kind = "lift";  // as it was shipped: lift, smooth or fit
+  const char* truth = "";
+  std::size_t poses = 0, made_up = 0, half_joints = 0;
+  double held_out_share = 1, worse_share = 0;  // see deform::FitQuality
+  DeformerReport multi_weights, pose_space;
+};
+
+// A level of detail of a mesh.
+struct BuiltLod {
+  std::uint32_t geometry = 0;
+  double rms_error_m = 0, max_error_m = 0;  // see MeshLevel; of all primitives of the mesh
+};
+
+struct BuiltMesh {
+  std::string name;
+  std::string material;
+  std::uint32_t skeleton = 0;
+  int raw_material = kNone;            // index into RawScene::materials
+  std::uint32_t material_section = 0;  // as in format::MeshHeader
+  std::uint32_t geometry = 0;
+  std::uint32_t part = 0, parts = 1;  // of a primitive that one palette was too small for; its parts stand in a row
+  std::size_t doubled = 0;            // vertices that stand in several of them, one counted for each but the first
+  std::vector<std::uint16_t> joints;
+  std::vector<Affine> inverse_bind;
+  Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
+  std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
+  std::vector<HalfJoint> half_joints;
+  std::vector<BuiltLod> lods;            // levels 1, 2, …
+  std::size_t source_triangles = 0;      // of a subdivided mesh; else 0
+  int learnt = kNone;                    // index into BuiltScene::learnt
+  std::vector<RawTargetWeight> targets;  // as many as the geometry's
+  float base_colour[4] = {1, 1, 1, 1};
+  bool double_sided = false;
+};
+
+struct BuiltMaterial {
+  std::string name;
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  std::vector<Texture> textures;
+};
+
+// A node that --keep asked for.
+struct BuiltNode {
+  std::string name;
+  std::uint32_t skeleton = 0;
+  std::uint16_t joint = kNoJoint;
+  Affine joint_from_node;
+  std::vector<RawProperty> properties;
+};
+
+// What one GLOB of --keep fits.
+struct Kept {
+  std::string glob;
+  std::vector<std::string> nodes;
+};
+
+struct BuiltScene {
+  bool is_pack = false;  // the skeletons are only referred to
+  std::vector<BuiltSkeleton> skeletons;
+  std::vector<int> joint_of_node;         // in its skeleton; kNone for nodes that are no joints
+  std::vector<NearestJoint> nearest;      // a node
+  std::vector<BuiltClip> clips;           // clip by clip of the source, in each skeleton by skeleton
+  std::vector<BuiltGeometry> geometries;  // no two the same
+  std::vector<LearnReport> learnt;
+  std::vector<BuiltMesh> meshes;         // node by node, primitive by primitive, part by part
+  std::vector<BuiltMaterial> materials;  // those with more than MESH says; no two the same
+  std::vector<RawImage> images;          // no two the same
+  std::vector<BuiltNode> nodes;          // in the source's order
+  std::vector<Kept> kept;                // a GLOB
+};
+
+}  // namespace marrow::cook

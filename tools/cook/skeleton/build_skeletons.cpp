@@ -1,0 +1,157 @@
+// Which nodes become joints of which skeleton. A joint is a node that a skin names, that a clip moves, that lies
+// between two such nodes, or that carries a mesh with nothing of the kind above it. Nodes above the joints never move:
+// their product is kept a root.
+#include <algorithm>
+
+#include "common/failure.h"
+#include "cook/build.h"
+#include "cook/skeleton/group_trees.h"
+#include "cook/skeleton/round_rest.h"
+
+namespace marrow::cook {
+namespace {
+
+// Every node after its parent.
+std::vector<std::size_t> parents_first(const RawScene& scene) {
+  std::vector<std::vector<std::size_t>> children(scene.nodes.size());
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const int parent = scene.nodes[i].parent;
+    (parent == kNone ? order : children[static_cast<std::size_t>(parent)]).push_back(i);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order.insert(order.end(), children[order[i]].begin(), children[order[i]].end());
+  return order;
+}
+
+std::vector<char> named_or_moved(const RawScene& scene) {
+  std::vector<char> joint(scene.nodes.size(), 0);
+  for (const RawSkin* const skin : skins_in_use(scene))
+    for (const int node : skin->joints) joint[static_cast<std::size_t>(node)] = 1;
+  for (const RawClip& clip : scene.clips)
+    for (const RawChannel& channel : clip.channels)
+      if (scene.nodes[static_cast<std::size_t>(channel.node)].in_scene)
+        joint[static_cast<std::size_t>(channel.node)] = 1;
+  return joint;
+}
+
+std::vector<char> choose_joints(const RawScene& scene, const std::vector<std::size_t>& order) {
+  std::vector<char> joint = named_or_moved(scene);
+  std::vector<char> rigid(scene.nodes.size(), 0), above(scene.nodes.size(), 0), below(scene.nodes.size(), 0);
+  for (const RawInstance& instance : scene.instances)
+    for (const RawPrimitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+      if (instance.skin == kNone || primitive.influences.empty()) rigid[static_cast<std::size_t>(instance.node)] = 1;
+  const auto parent_of = [&](std::size_t n) { return static_cast<std::size_t>(scene.nodes[n].parent); };
+  const auto has_parent = [&](std::size_t n) { return scene.nodes[n].parent != kNone; };
+  for (const std::size_t n : order) {
+    above[n] = has_parent(n) && (above[parent_of(n)] || joint[parent_of(n)]);
+    if (rigid[n] && !above[n]) joint[n] = 1;
+  }
+  for (std::size_t i = order.size(); i-- > 0;) {
+    const std::size_t n = order[i];
+    if (has_parent(n) && (joint[n] || below[n])) below[parent_of(n)] = 1;
+  }
+  for (const std::size_t n : order)
+    if (above[n] && below[n]) joint[n] = 1;  // what lies between two joints moves with the upper one
+  return joint;
+}
+
+// Joints of each skeleton: roots first, then their children, then theirs; within a level by parent, within a parent by
+// node number.
+std::vector<std::vector<int>> breadth_first(const RawScene& scene, const std::vector<char>& joint,
+                                            const std::vector<std::size_t>& order) {
+  std::vector<std::vector<int>> children(scene.nodes.size());
+  std::vector<int> roots, tree_of_node(scene.nodes.size(), kNone);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (!joint[i]) continue;
+    const int parent = scene.nodes[i].parent;
+    const bool root = parent == kNone || !joint[static_cast<std::size_t>(parent)];
+    if (root) tree_of_node[i] = static_cast<int>(roots.size());
+    (root ? roots : children[static_cast<std::size_t>(parent)]).push_back(static_cast<int>(i));
+  }
+  for (const std::size_t n : order)
+    if (tree_of_node[n] == kNone && scene.nodes[n].parent != kNone)
+      tree_of_node[n] = tree_of_node[static_cast<std::size_t>(scene.nodes[n].parent)];
+  const std::vector<std::size_t> skeleton_of_tree = group_trees(scene, tree_of_node, roots.size());
+  std::vector<std::vector<int>> out;
+  for (std::size_t tree = 0; tree < roots.size(); ++tree) {
+    out.resize(std::max(out.size(), skeleton_of_tree[tree] + 1));
+    out[skeleton_of_tree[tree]].push_back(roots[tree]);
+  }
+  for (std::vector<int>& joints : out)
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const std::vector<int>& next = children[static_cast<std::size_t>(joints[i])];
+      joints.insert(joints.end(), next.begin(), next.end());
+    }
+  return out;
+}
+
+void set_rest(const RawNode& node, std::size_t lane, SoaTransform& four) {
+  for (int axis = 0; axis < 3; ++axis) {
+    four.translation[axis][lane] = static_cast<float>(node.translation[axis]);
+    four.scale[axis][lane] = static_cast<float>(node.scale[axis]);
+  }
+  const glm::dquat& q = node.rotation;
+  const double xyzw[4] = {q.x, q.y, q.z, q.w};
+  for (int i = 0; i < 4; ++i) four.rotation[i][lane] = static_cast<float>(xyzw[i]);
+}
+
+constexpr SoaTransform kIdentity = {{}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}};
+
+void number_joints(const RawScene& scene, const std::vector<std::vector<int>>& skeletons,
+                   const std::vector<std::size_t>& order, BuiltScene& out) {
+  out.joint_of_node.assign(scene.nodes.size(), kNone);
+  out.nearest.assign(scene.nodes.size(), {});
+  for (std::size_t s = 0; s < skeletons.size(); ++s) {
+    if (skeletons[s].size() > kMaxJoints)
+      throw tools::Failure(
+          tools::Exit::unsupported, scene.source, "/nodes", "too-many-joints",
+          std::to_string(skeletons[s].size()) + " joints in one skeleton; the most is " + std::to_string(kMaxJoints));
+    for (std::size_t j = 0; j < skeletons[s].size(); ++j) {
+      const auto node = static_cast<std::size_t>(skeletons[s][j]);
+      out.joint_of_node[node] = static_cast<int>(j);
+      out.nearest[node] = {static_cast<int>(s), static_cast<int>(j), glm::dmat4(1.0)};
+    }
+  }
+  for (const std::size_t n : order) {
+    const RawNode& node = scene.nodes[n];
+    if (out.joint_of_node[n] != kNone) continue;
+    if (node.parent != kNone) out.nearest[n] = out.nearest[static_cast<std::size_t>(node.parent)];
+    out.nearest[n].joint_from_node = out.nearest[n].joint_from_node * local_matrix(node);
+  }
+}
+
+BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, const std::vector<NearestJoint>& nearest) {
+  BuiltSkeleton out;
+  out.rest.assign(soa_count(joints.size()), kIdentity);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const RawNode& node = scene.nodes[static_cast<std::size_t>(joints[j])];
+    const NearestJoint up = node.parent == kNone ? NearestJoint{} : nearest[static_cast<std::size_t>(node.parent)];
+    out.joint_names.push_back(node.name);
+    out.parents.push_back(up.joint == kNone ? kNoParent : static_cast<std::uint16_t>(up.joint));
+    if (up.joint == kNone) out.scene_from_root.push_back(to_affine(up.joint_from_node));
+    set_rest(node, j % 4, out.rest[j / 4]);
+  }
+  round_rest(out);
+  out.node_of_joint = std::move(joints);
+  out.name = out.joint_names.front();
+  return out;
+}
+
+}  // namespace
+
+void build_skeletons(const RawScene& scene, BuiltScene& out) {
+  const std::vector<std::size_t> order = parents_first(scene);
+  const std::vector<std::vector<int>> skeletons = breadth_first(scene, choose_joints(scene, order), order);
+  number_joints(scene, skeletons, order, out);
+  for (const std::vector<int>& joints : skeletons) out.skeletons.push_back(build_skeleton(scene, joints, out.nearest));
+  std::vector<char> named(out.skeletons.size(), 0);
+  for (const RawSkin* const skin : skins_in_use(scene)) {
+    const auto s = static_cast<std::size_t>(out.nearest[static_cast<std::size_t>(skin->joints.front())].skeleton);
+    if (named[s] != 0 || skin->name.empty()) continue;
+    out.skeletons[s].name = skin->name;
+    named[s] = 1;
+  }
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,47 @@
+// A mesh of the scene as the offline deformers take it, and its poses.
+#pragma once
+
+#include <string>
+
+#include "cook/skin/sampled_poses.h"
+#include "cook/skin/skin_binding.h"
+#include "deform/mesh.h"
+
+namespace marrow::cook {
+
+// A pose in which the surface is known.
+struct ShownPose {
+  deform::Pose pose;            // of the skin's joints
+  deform::Positions positions;  // of DeformSource::mesh
+  std::uint32_t clip = 0;
+  std::string clip_name;
+  double time_s = 0;
+  double share = 0;  // of the clip's duration
+};
+
+struct DeformSource {
+  deform::SkinnedMesh mesh;                           // joints are the skin's; vertices that move alike are one
+  std::vector<std::vector<std::uint32_t>> vertex_of;  // for each primitive and its vertices which of the mesh's
+  // Of the skin's joints: the nearest one above (kNone: none), where it is in the bind pose, and which of the skeleton
+  // it is.
+  std::vector<int> parents;
+  std::vector<glm::dvec3> centres;
+  std::vector<std::uint16_t> joints;
+  std::vector<glm::dmat4> inverse_bind;
+  std::uint32_t skeleton = 0;
+  std::vector<ShownPose> shown;  // in ascending order of clips; read_examples() has them
+};
+
+DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding,
+                           const BuiltScene& built);
+
+// The joints' matrices in a pose of the skeleton, half-joints not among them.
+deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skeleton,
+                         const std::vector<SoaTransform>& local);
+
+// What the mesh does: the bind pose, then moments of all clips, without clips poses made up; half-joints among the
+// joints.
+std::vector<deform::Pose> poses_of_clips(const DeformSource& source, const SkinBinding& binding,
+                                         const BuiltScene& built);
+
+}  // namespace marrow::cook

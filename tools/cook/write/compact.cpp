@@ -1,0 +1,317 @@
+#include "cook/write/compact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "cook/build.h"
+#include "cook/clip/compress/pack_tracks.h"
+#include "cook/geometry/record.h"
+#include "marrow/local_to_model.h"
+#include "unpack/structure.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr Affine kIdentityMap = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+constexpr std::size_t kTries = 4;  // joints whose bind pose may say where the mesh stands
+
+bool is_identity(const Affine& a) {
+  return std::memcmp(&a, &kIdentityMap, sizeof a) == 0;
+}
+
+glm::dmat4 to_matrix(const Affine& a) {
+  glm::dmat4 m(1.0);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) m[column][row] = static_cast<double>(a.rows[row][column]);
+  return m;
+}
+
+std::vector<Affine> rest_in_model_space(const BuiltSkeleton& s) {
+  std::vector<Affine> model(s.parents.size());
+  (void)local_to_model(view(s), {s.rest.data(), s.rest.size()}, {model.data(), model.size()});
+  return model;
+}
+
+// How far a corner of the box goes if one inverse bind takes the place of another, in the mesh's space. Infinite for
+// what cannot be inverted.
+double displacement(const Affine& given, const Affine& derived, const format::GeometryHeader& box) {
+  const glm::dmat4 change = glm::inverse(to_matrix(given)) * to_matrix(derived);
+  double most = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    glm::dvec4 v(0, 0, 0, 1);
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] = static_cast<double>((corner >> axis & 1) != 0 ? box.box_max[axis] : box.box_min[axis]);
+    const double distance = glm::length(glm::dvec3(change * v - v));
+    if (!std::isfinite(distance)) return HUGE_VAL;
+    most = std::max(most, distance);
+  }
+  return most;
+}
+
+// The bind poses of a mesh, or of all parts of one, each joint once.
+struct Binds {
+  std::vector<std::uint16_t> joints;
+  std::vector<Affine> inverse_bind;
+};
+
+// Where the mesh would stand for most of its inverse binds to follow from the rest pose, and which of them do not.
+struct Derived {
+  Affine place = kIdentityMap;
+  std::vector<Affine> inverse_bind;
+  std::vector<char> is_given;
+  double moved_m = 0;
+};
+
+Derived derive(const std::vector<Affine>& model, double allowed_m, const format::GeometryHeader& box,
+               const Binds& mesh) {
+  std::vector<Affine> places = {kIdentityMap};
+  for (std::size_t i = 0; i < std::min(mesh.joints.size(), kTries); ++i)
+    places.push_back(to_affine(to_matrix(model[mesh.joints[i]]) * to_matrix(mesh.inverse_bind[i])));
+  std::size_t fewest = mesh.joints.size() + 1;
+  Derived best;
+  for (const Affine& place : places) {
+    Derived out;
+    out.place = place;
+    for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
+      out.inverse_bind.push_back(derived_inverse_bind(model[mesh.joints[i]], place));
+      const double moved = displacement(mesh.inverse_bind[i], out.inverse_bind.back(), box);
+      out.is_given.push_back(moved > allowed_m);
+      if (out.is_given.back() == 0) out.moved_m = std::max(out.moved_m, moved);
+    }
+    const auto count = static_cast<std::size_t>(std::count(out.is_given.begin(), out.is_given.end(), 1));
+    if (count >= fewest) continue;
+    fewest = count;
+    best = std::move(out);
+  }
+  return best;
+}
+
+// Parts in a row, decided together, so that a joint is where it is in all of them.
+void derive_parts(const std::vector<Affine>& model, std::span<BuiltMesh> parts, BuiltScene& scene,
+                  std::vector<double>& moved_m) {
+  Binds binds;
+  std::map<std::uint16_t, std::size_t> at;
+  format::GeometryHeader box = scene.geometries[parts.front().geometry].header;
+  for (const BuiltMesh& part : parts) {
+    const format::GeometryHeader& h = scene.geometries[part.geometry].header;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.box_min[axis] = std::min(box.box_min[axis], h.box_min[axis]);
+      box.box_max[axis] = std::max(box.box_max[axis], h.box_max[axis]);
+    }
+    for (std::size_t i = 0; i < part.joints.size(); ++i) {
+      if (!at.try_emplace(part.joints[i], binds.joints.size()).second) continue;
+      binds.joints.push_back(part.joints[i]);
+      binds.inverse_bind.push_back(part.inverse_bind[i]);
+    }
+  }
+  const Derived derived = derive(model, scene.geometries[parts.front().geometry].position_step_m / 8, box, binds);
+  for (BuiltMesh& part : parts) {
+    part.scene_from_mesh = derived.place;
+    part.bind_is_given.clear();
+    for (std::size_t i = 0; i < part.joints.size(); ++i) {
+      const std::size_t joint = at.at(part.joints[i]);
+      part.bind_is_given.push_back(derived.is_given[joint]);
+      if (derived.is_given[joint] == 0) part.inverse_bind[i] = derived.inverse_bind[joint];
+    }
+    moved_m[part.geometry] = std::max(moved_m[part.geometry], derived.moved_m);
+  }
+}
+
+void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
+  for (int shift = 0; shift < 24; shift += 8) out.push_back(static_cast<std::byte>(value >> shift & 0xFF));
+}
+
+std::uint32_t shared_start(const std::string& a, const std::string& b) {
+  const std::size_t most = std::min({a.size(), b.size(), std::size_t{63}});
+  return static_cast<std::uint32_t>(
+      std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(most), b.begin()).first - a.begin());
+}
+
+}  // namespace
+
+void derive_inverse_binds(BuiltScene& scene) {
+  std::vector<std::vector<Affine>> models;
+  for (const BuiltSkeleton& skeleton : scene.skeletons) models.push_back(rest_in_model_space(skeleton));
+  std::vector<double> moved_m(scene.geometries.size(), 0);
+  for (std::size_t m = 0; m < scene.meshes.size(); m += scene.meshes[m].parts)
+    derive_parts(models[scene.meshes[m].skeleton], std::span(scene.meshes).subspan(m, scene.meshes[m].parts), scene,
+                 moved_m);
+  for (std::size_t i = 0; i < scene.geometries.size(); ++i) scene.geometries[i].error.position_m += moved_m[i];
+}
+
+std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t name,
+                                        const std::vector<std::uint32_t>& joint_names) {
+  const std::size_t joints = s.parents.size(), roots = s.scene_from_root.size();
+  std::vector<std::byte> out;
+  add_varint(name, out);
+  add_varint(static_cast<std::uint32_t>(joints), out);
+  add_varint(static_cast<std::uint32_t>(roots), out);
+  for (const Affine& above : s.scene_from_root) {
+    add_value(static_cast<std::uint8_t>(is_identity(above) ? 0 : 1), out);
+    if (!is_identity(above)) add_value(above, out);
+  }
+  add_value(static_cast<std::int8_t>(s.translation_exponent), out);
+  std::vector<std::uint32_t> children(joints, 0);
+  for (std::size_t j = roots; j < joints; ++j) ++children[s.parents[j]];
+  for (std::size_t j = 0; j < joints; ++j) {
+    const SoaTransform& four = s.rest[j / 4];
+    const std::size_t lane = j % 4;
+    float t[3], q[4];
+    std::uint32_t flags = 0;
+    bool scales = false;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      t[i] = four.translation[i][lane];
+      if (t[i] != 0) flags |= packed::kJointTranslates << i;
+      scales = scales || four.scale[i][lane] != 1;
+    }
+    for (int i = 0; i < 4; ++i) q[i] = four.rotation[i][lane];
+    if (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 1) flags |= packed::kJointRotates;
+    if (scales) flags |= packed::kJointScales;
+    if (joint_names[j] != 0) flags |= packed::kJointNameIsOld;
+    const bool many = children[j] >= packed::kJointManyChildren;
+    flags |= (many ? packed::kJointManyChildren : children[j]) << packed::kJointChildrenShift;
+    add_value(static_cast<std::uint8_t>(flags), out);
+    if (many) add_varint(children[j], out);
+    if (joint_names[j] != 0) add_varint(joint_names[j] - 1, out);
+    for (const float x : t)
+      if (x != 0) add_24_bits(static_cast<std::int32_t>(std::ldexp(x, -s.translation_exponent)), out);
+    if ((flags & packed::kJointRotates) != 0) add_value(s.rotation_codes[j], out);
+    if (scales)
+      for (const auto& axis : four.scale) add_value(axis[lane], out);
+  }
+  return out;
+}
+
+std::vector<std::byte> compact_clip(std::span<const std::byte> section, std::uint32_t codec, std::size_t joint_count) {
+  format::ClipHeader h;
+  std::memcpy(&h, section.data(), sizeof h);
+  const format::ClipLayout lists = layout(h);
+  const bool coded = codec == format::kCodecSegments;
+  format::CodedHeader c{};
+  if (coded) std::memcpy(&c, section.data() + lists.bytes, sizeof c);
+  std::uint32_t flags = coded ? packed::kClipIsCoded : 0u;
+  if (h.additive != 0) flags |= packed::kClipIsAdditive;
+  if (lists.bytes > sizeof h) flags |= packed::kClipHasLists;
+  if (c.start_s != 0) flags |= packed::kClipStartsLater;
+  if (c.time_count != 0) flags |= packed::kClipIsUneven;
+
+  std::vector<std::byte> out = {static_cast<std::byte>(flags)};
+  const auto add_bytes = [&](std::uint64_t first, std::uint64_t end) {
+    const auto part = section.subspan(first, end - first);
+    out.insert(out.end(), part.begin(), part.end());
+  };
+  add_varint(h.name, out);
+  add_varint(h.skeleton, out);
+  add_value(h.duration_s, out);
+  if ((flags & packed::kClipHasLists) != 0) {
+    for (const std::uint32_t count : {h.track_count, h.channel_count, h.time_count, h.value_count})
+      add_varint(count, out);
+    add_value(h.reference_groups, out);
+  }
+  add_bytes(sizeof h, lists.bytes);
+  if (!coded) return out;
+
+  const format::CodedLayout l = layout(c, lists.bytes, static_cast<std::uint32_t>(joint_count));
+  add_varint(c.frame_count, out);
+  add_varint(c.segment_intervals, out);
+  add_value(c.frames_per_s, out);
+  if (c.start_s != 0) add_value(c.start_s, out);
+  add_bytes(l.times, l.offsets);
+  std::uint32_t before = 0;
+  for (std::uint64_t at = l.offsets + 4; at < l.masks; at += 4) {
+    std::uint32_t offset = 0;
+    std::memcpy(&offset, section.data() + at, sizeof offset);
+    add_varint(offset - before, out);
+    before = offset;
+  }
+  for (std::uint64_t at = l.masks; at < l.constants; at += 2) {
+    std::uint16_t mask = 0;
+    std::memcpy(&mask, section.data() + at, sizeof mask);
+    add_varint(mask, out);
+  }
+  add_bytes(l.constants, l.bytes - format::kPayloadPadding);
+  return out;
+}
+
+std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHeader& h,
+                                    const std::vector<MeshTarget>& targets) {
+  const bool coloured = std::any_of(h.base_colour, h.base_colour + 4, [](float c) { return c != 1; });
+  const bool placed = !is_identity(mesh.scene_from_mesh);
+  const bool halves = !mesh.half_joints.empty();
+  const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
+  std::vector<std::byte> out;
+  add_varint((mesh.double_sided ? packed::kMeshIsDoubleSided : 0u) | (mesh.part > 0 ? packed::kMeshIsNextPart : 0u) |
+                 (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
+                 (gives ? packed::kMeshGivesBinds : 0u) | (halves ? packed::kMeshHasHalfJoints : 0u) |
+                 (mesh.lods.empty() ? 0u : packed::kMeshHasLods),
+             out);
+  for (const std::uint32_t n :
+       {h.name, h.material, h.material_section, h.skeleton, h.geometry, h.joint_count, h.target_count})
+    add_varint(n, out);
+  if (halves) add_varint(h.half_joint_count, out);
+  if (!mesh.lods.empty()) add_varint(h.lod_count, out);
+  if (coloured) add_value(h.base_colour, out);
+  if (placed) add_value(mesh.scene_from_mesh, out);
+  std::uint32_t next = 0;
+  for (const std::uint16_t joint : mesh.joints) {
+    const std::uint32_t step = joint - next;
+    add_varint(step << 1 ^ (0 - (step >> 31)), out);
+    next = joint + 1u;
+  }
+  if (gives) {
+    for (std::size_t i = 0; i < mesh.joints.size(); i += 8) {
+      unsigned bits = 0;
+      for (std::size_t k = i; k < std::min(i + 8, mesh.joints.size()); ++k)
+        bits |= static_cast<unsigned>(mesh.bind_is_given[k] != 0) << (k - i);
+      out.push_back(static_cast<std::byte>(bits));
+    }
+    for (std::size_t i = 0; i < mesh.joints.size(); ++i)
+      if (mesh.bind_is_given[i] != 0) add_value(mesh.inverse_bind[i], out);
+  }
+  for (const MeshTarget& t : targets) {
+    add_varint(t.name, out);
+    add_varint(t.channel, out);
+    add_value(t.weight, out);
+  }
+  for (const HalfJoint& half : mesh.half_joints) {
+    add_varint(half.parent, out);
+    add_varint(half.joint, out);
+    add_value(half.share, out);
+  }
+  for (const BuiltLod& lod : mesh.lods) {
+    add_varint(lod.geometry, out);
+    add_value(static_cast<float>(lod.max_error_m), out);
+  }
+  return out;
+}
+
+std::vector<std::byte> compact_names(const std::vector<char>& pool) {
+  std::vector<std::byte> out;
+  add_varint(static_cast<std::uint32_t>(pool.size()), out);
+  std::string last[4];  // newest first
+  for (std::size_t at = 1; at < pool.size();) {
+    const std::string name(pool.data() + at);
+    at += name.size() + 1;
+    unsigned best = 0;
+    for (unsigned i = 1; i < 4; ++i)
+      if (shared_start(name, last[i]) > shared_start(name, last[best])) best = i;
+    const std::uint32_t shared = shared_start(name, last[best]);
+    out.push_back(static_cast<std::byte>(best << 6 | shared));
+    for (std::size_t i = shared; i <= name.size(); ++i) out.push_back(static_cast<std::byte>(name.c_str()[i]));
+    std::rotate(last, last + 3, last + 4);
+    last[0] = name;
+  }
+  return out;
+}
+
+std::uint64_t compact_scratch_bytes(const BuiltSkeleton& skeleton) {
+  return skeleton.parents.size() * sizeof(Affine);
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,29 @@
+// Skeletons, clips, meshes and names as packed files hold them; runtime/unpack/structure.h reads them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "cook/scene/built.h"
+
+namespace marrow::cook {
+
+// Replaces inverse binds by what the runtime derives from the rest pose, if that moves no corner of the mesh's box by
+// more than an eighth of a step of its positions; the geometries' errors grow by as much.
+void derive_inverse_binds(BuiltScene& scene);
+
+// `name`: of the skeleton, an offset plus one, or 0 if it is the next new one; of joints likewise.
+std::vector<std::byte> compact_skeleton(const BuiltSkeleton& skeleton, std::uint32_t name,
+                                        const std::vector<std::uint32_t>& joint_names);
+// Of a whole section.
+std::vector<std::byte> compact_clip(std::span<const std::byte> section, std::uint32_t codec, std::size_t joint_count);
+// `header` is the section's; the names are targets'.
+std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHeader& header,
+                                    const std::vector<MeshTarget>& targets);
+std::vector<std::byte> compact_names(const std::vector<char>& pool);
+
+// Of memory, to unpack meshes of this skeleton.
+std::uint64_t compact_scratch_bytes(const BuiltSkeleton& skeleton);
+
+}  // namespace marrow::cook

@@ -1,0 +1,335 @@
+#include "cook/write/write_scene.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+#include "asset/skeleton_hash.h"
+#include "common/aligned_bytes.h"
+#include "common/failure.h"
+#include "common/unpack_mrw.h"
+#include "cook/geometry/record.h"
+#include "cook/write/compact.h"
+
+namespace marrow::cook {
+namespace {
+
+// Bytes of one section in the making, and of the record that packed files have instead, if there is one.
+class Section {
+ public:
+  template <class T>
+  void add(const T& value) {
+    add_bytes(&value, sizeof value);
+  }
+  template <class T>
+  void add_all(const std::vector<T>& values) {
+    add_bytes(values.data(), values.size() * sizeof(T));
+  }
+  const std::vector<std::byte>& bytes() const { return bytes_; }
+  std::uint32_t codec = format::kCodecRaw;
+  std::vector<std::byte> compact;
+
+ private:
+  void add_bytes(const void* data, std::size_t size) {
+    const auto* first = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), first, first + size);
+  }
+  std::vector<std::byte> bytes_;
+};
+
+// Zero-terminated names, each once; the empty one first.
+class Names {
+ public:
+  Names() { add(""); }
+  std::uint32_t add(const std::string& name) {
+    const std::string text = name.substr(0, name.find('\0'));
+    const auto [at, is_new] = offsets_.try_emplace(text, static_cast<std::uint32_t>(pool_.size()));
+    if (is_new) pool_.insert(pool_.end(), text.c_str(), text.c_str() + text.size() + 1);
+    return at->second;
+  }
+  // As compact records have it: 0 if this adds the name, else its offset, plus one.
+  std::uint32_t add_in_turn(const std::string& name, std::uint32_t& offset) {
+    const std::size_t end = pool_.size();
+    offset = add(name);
+    return offset == end ? 0 : offset + 1;
+  }
+  const std::vector<char>& pool() const { return pool_; }
+
+ private:
+  std::map<std::string, std::uint32_t> offsets_;
+  std::vector<char> pool_;
+};
+
+Section write_skeleton(const BuiltSkeleton& s, Names& names) {
+  Section out;
+  const auto joints = static_cast<std::uint32_t>(s.parents.size());
+  std::uint32_t name = 0;
+  const std::uint32_t name_code = names.add_in_turn(s.name, name);
+  out.add(format::SkeletonHeader{name, joints, static_cast<std::uint32_t>(s.scene_from_root.size()), 0});
+  out.add_all(s.scene_from_root);
+  out.add_all(s.rest);
+  std::vector<std::uint32_t> codes;
+  for (const std::string& joint : s.joint_names) {
+    codes.push_back(names.add_in_turn(joint, name));
+    out.add(name);
+  }
+  out.add_all(s.parents);
+  out.compact = compact_skeleton(s, name_code, codes);
+  return out;
+}
+
+Section write_reference(const BuiltSkeleton& s, Names& names) {
+  Section out;
+  Fnv64 hash;
+  std::vector<std::uint32_t> rest_hashes;
+  for (std::size_t j = 0; j < s.parents.size(); ++j) {
+    add_joint(hash, s.joint_names[j].c_str(), s.parents[j], s.rest.data(), j);
+    rest_hashes.push_back(rest_hash(s.rest.data(), j));
+  }
+  out.add(format::ReferenceHeader{names.add(s.name), static_cast<std::uint32_t>(s.parents.size()), hash.value()});
+  for (const std::string& name : s.joint_names) out.add(names.add(name));
+  out.add_all(rest_hashes);
+  out.add_all(s.parents);
+  return out;
+}
+
+void add_coded(const BuiltCoded& coded, Section& out) {
+  out.codec = format::kCodecSegments;
+  out.add(coded.header);
+  out.add_all(coded.times_s);
+  out.add_all(coded.offsets);
+  out.add_all(coded.masks);
+  out.add_all(coded.constants);
+  out.add_all(coded.payload);
+}
+
+Section write_clip(const BuiltClip& c, std::size_t joint_count, Names& names) {
+  Section out;
+  out.add(format::ClipHeader{names.add(c.name), c.skeleton, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
+                             static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
+                             static_cast<std::uint32_t>(c.channels.size()),
+                             static_cast<std::uint16_t>(c.additive.empty() ? 0 : 1),
+                             static_cast<std::uint16_t>(c.reference.size())});
+  out.add_all(c.reference);
+  out.add_all(c.tracks);
+  for (std::size_t i = 0; i < c.channels.size(); ++i) {
+    Channel channel = c.channels[i];
+    channel.name = names.add(c.channel_names[i]);
+    out.add(channel);
+  }
+  out.add_all(c.times_s);
+  out.add_all(c.values);
+  if (c.coded.header.frame_count > 0) add_coded(c.coded, out);
+  out.compact = compact_clip(out.bytes(), out.codec, joint_count);
+  return out;
+}
+
+Section write_mesh(const BuiltMesh& m, Names& names) {
+  Section out;
+  format::MeshHeader h{};
+  h.name = names.add(m.name);
+  h.material = names.add(m.material);
+  h.skeleton = m.skeleton;
+  h.geometry = m.geometry;
+  h.joint_count = static_cast<std::uint32_t>(m.joints.size());
+  h.material_section = m.material_section;
+  h.flags =
+      static_cast<std::uint8_t>((m.double_sided ? format::kDoubleSided : 0u) | (m.part > 0 ? format::kNextPart : 0u));
+  h.lod_count = static_cast<std::uint8_t>(m.lods.size());
+  h.half_joint_count = static_cast<std::uint16_t>(m.half_joints.size());
+  std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
+  h.target_count = static_cast<std::uint32_t>(m.targets.size());
+  out.add(h);
+  out.add_all(m.inverse_bind);
+  std::vector<MeshTarget> targets;
+  for (const RawTargetWeight& t : m.targets) targets.push_back({names.add(t.target), names.add(t.channel), t.rest});
+  out.add_all(targets);
+  out.add_all(m.joints);
+  if ((!m.half_joints.empty() || !m.lods.empty()) && m.joints.size() % 2 != 0) out.add(std::uint16_t{0});
+  out.add_all(m.half_joints);
+  for (const BuiltLod& lod : m.lods) out.add(MeshLod{lod.geometry, static_cast<float>(lod.max_error_m)});
+  if (!m.bind_is_given.empty()) out.compact = compact_mesh(m, h, targets);
+  return out;
+}
+
+Section write_material(const BuiltMaterial& m, Names& names) {
+  Section out;
+  out.add(format::MaterialHeader{names.add(m.name), m.alpha_cutoff, m.alpha,
+                                 static_cast<std::uint8_t>(m.textures.size()), 0});
+  out.add_all(m.textures);
+  return out;
+}
+
+Section write_image(const RawImage& i, Names& names) {
+  Section out;
+  out.add(format::ImageHeader{
+      names.add(i.name), names.add(i.uri), static_cast<std::uint32_t>(i.bytes.size()), i.format, {}});
+  out.add_all(i.bytes);
+  return out;
+}
+
+Section write_node(const BuiltNode& n, Names& names) {
+  Section out;
+  out.add(format::NodeHeader{names.add(n.name), n.skeleton, static_cast<std::uint32_t>(n.properties.size()), n.joint, 0,
+                             n.joint_from_node});
+  for (const RawProperty& raw : n.properties) {
+    Property p{};
+    p.name = names.add(raw.name);
+    p.type = raw.type;
+    p.number = 0;  // all eight bytes
+    if (raw.type == PropertyType::text) {
+      p.text = names.add(raw.text);
+    } else {
+      p.number = raw.number;
+    }
+    out.add(p);
+  }
+  return out;
+}
+
+Section write_limits(const BuiltSkeleton& s, std::uint32_t skeleton) {
+  Section out;
+  out.add(format::LimitHeader{skeleton, static_cast<std::uint32_t>(s.limits.size())});
+  out.add_all(s.limits);
+  return out;
+}
+
+// A section on its way: what the runtime sees, and what a packed file has instead.
+struct Entry {
+  format::Kind kind;
+  std::uint32_t codec;
+  std::span<const std::byte> section;
+  std::uint32_t record_codec;
+  std::span<const std::byte> record;
+};
+
+std::uint32_t checked_size(std::uint64_t bytes, const std::string& source) {
+  if (bytes > UINT32_MAX)
+    throw tools::Failure(tools::Exit::unsupported, source, "", "too-large", "a cooked file holds at most 4 GiB");
+  return static_cast<std::uint32_t>(bytes);
+}
+
+std::uint32_t file_size(const std::vector<Entry>& entries, const std::string& source) {
+  std::uint64_t end = sizeof(format::Header) + entries.size() * sizeof(File::Section);
+  for (const Entry& e : entries) end = format::align16(end) + e.section.size();
+  return checked_size(end, source);
+}
+
+std::vector<std::byte> write_plain(const std::vector<Entry>& entries, const std::string& source) {
+  std::vector<std::byte> bytes(file_size(entries, source));
+  format::Header h{format::kMagic,
+                   format::kVersion,
+                   static_cast<std::uint32_t>(bytes.size()),
+                   static_cast<std::uint32_t>(entries.size()),
+                   0,
+                   0};
+  std::uint64_t end = sizeof h + entries.size() * sizeof(File::Section);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::uint64_t offset = format::align16(end);
+    const File::Section s{format::kTypes[entries[i].kind], static_cast<std::uint32_t>(offset),
+                          static_cast<std::uint32_t>(entries[i].section.size()), entries[i].codec};
+    std::memcpy(bytes.data() + sizeof h + i * sizeof s, &s, sizeof s);
+    std::memcpy(bytes.data() + offset, entries[i].section.data(), s.bytes);
+    end = offset + s.bytes;
+  }
+  h.checksum = format::checksum(bytes.data() + sizeof h, bytes.size() - sizeof h);
+  std::memcpy(bytes.data(), &h, sizeof h);
+  return bytes;
+}
+
+std::vector<std::byte> write_packed(const std::vector<Entry>& entries, std::uint64_t scratch_bytes,
+                                    const std::string& source) {
+  packed::Header h{packed::kMagic,
+                   packed::kVersion,
+                   0,
+                   file_size(entries, source),
+                   0,
+                   static_cast<std::uint32_t>(entries.size()),
+                   0};
+  h.memory_bytes = checked_size(format::align16(h.file_bytes) + format::align16(scratch_bytes), source);
+  std::vector<std::byte> bytes(sizeof h);
+  for (const Entry& e : entries) {
+    bytes.push_back(static_cast<std::byte>(e.kind));
+    bytes.push_back(static_cast<std::byte>(e.record_codec));
+    add_varint(checked_size(e.record.size(), source), bytes);
+    bytes.insert(bytes.end(), e.record.begin(), e.record.end());
+  }
+  h.packed_bytes = checked_size(bytes.size(), source);
+  h.checksum = format::checksum(bytes.data() + sizeof h, bytes.size() - sizeof h);
+  std::memcpy(bytes.data(), &h, sizeof h);
+  return bytes;
+}
+
+void check(const tools::AlignedBytes& file, const std::string& source) {
+  File loaded;
+  DataError error;
+  if (load({file.data(), file.size()}, loaded, &error) != Status::ok)
+    throw tools::Failure(tools::Exit::internal, source, "@" + std::to_string(error.offset), to_string(error.status),
+                         error.rule);
+}
+
+// A packed file must unpack to the plain one.
+void check_packed(const std::vector<std::byte>& packed, const std::vector<Entry>& entries, const std::string& source) {
+  const tools::AlignedBytes file = tools::unpacked(packed, source);
+  const std::vector<std::byte> plain = write_plain(entries, source);
+  if (file.size() != plain.size() || std::memcmp(file.data(), plain.data(), plain.size()) != 0)
+    throw tools::Failure(tools::Exit::internal, source, "", "packed-file", "the file does not unpack to itself");
+  check(file, source);
+}
+
+}  // namespace
+
+WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
+  Names names;
+  WrittenFile out;
+  std::vector<Section> sections;  // their bytes stay where they are
+  sections.reserve(2 * scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
+                   scene.images.size() + scene.nodes.size() + 1);
+  std::vector<Entry> entries;
+  const bool is_packed = std::any_of(scene.geometries.begin(), scene.geometries.end(),
+                                     [](const BuiltGeometry& g) { return g.codec != 0; });
+  const auto add = [&](format::Kind kind, Section section) {
+    const Section& kept = sections.emplace_back(std::move(section));
+    const bool compact = is_packed && !kept.compact.empty();
+    entries.push_back({kind, kept.codec, kept.bytes(), compact ? std::uint32_t{packed::kCompact} : kept.codec,
+                       compact ? kept.compact : kept.bytes()});
+    return entries.back().record.size();
+  };
+  std::uint64_t scratch_bytes = 0;
+  for (const BuiltSkeleton& skeleton : scene.skeletons) {
+    scene.is_pack ? add(format::kReferences, write_reference(skeleton, names))
+                  : add(format::kSkeletons, write_skeleton(skeleton, names));
+    scratch_bytes = std::max(scratch_bytes, compact_scratch_bytes(skeleton));
+  }
+  for (const BuiltClip& clip : scene.clips)
+    out.clip_bytes.push_back(
+        add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names)));
+  for (const BuiltGeometry& g : scene.geometries) {
+    const std::span<const std::byte> section(g.section.data(), g.section.size());
+    const bool has_record = g.codec != 0;
+    entries.push_back({format::kGeometries, format::kCodecRaw, section, g.codec,
+                       has_record ? std::span<const std::byte>(g.record) : section});
+    out.geometry_bytes.push_back(entries.back().record.size());
+    scratch_bytes = std::max(scratch_bytes, g.scratch_bytes);
+  }
+  for (const BuiltMesh& mesh : scene.meshes) out.mesh_bytes.push_back(add(format::kMeshes, write_mesh(mesh, names)));
+  for (const BuiltMaterial& material : scene.materials) add(format::kMaterials, write_material(material, names));
+  for (const RawImage& image : scene.images) add(format::kImages, write_image(image, names));
+  for (const BuiltNode& node : scene.nodes) add(format::kNodes, write_node(node, names));
+  for (std::size_t s = 0; s < scene.skeletons.size(); ++s)
+    if (!scene.is_pack && !scene.skeletons[s].limits.empty())
+      add(format::kLimits, write_limits(scene.skeletons[s], static_cast<std::uint32_t>(s)));
+  Section pool;
+  pool.add_all(names.pool());
+  pool.compact = compact_names(names.pool());
+  add(format::kNames, std::move(pool));
+
+  out.bytes = is_packed ? write_packed(entries, scratch_bytes, source) : write_plain(entries, source);
+  for (const Entry& e : entries)
+    out.sections.push_back({format::kTypes[e.kind], static_cast<std::uint32_t>(e.record.size())});
+  is_packed ? check_packed(out.bytes, entries, source)
+            : check(tools::AlignedBytes{std::span<const std::byte>(out.bytes)}, source);
+  return out;
+}
+
+}  // namespace marrow::cook

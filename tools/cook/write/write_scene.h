@@ -1,0 +1,27 @@
+// Lays the built scene out as a cooked file.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cook/scene/built.h"
+
+namespace marrow::cook {
+
+struct WrittenFile {
+  std::vector<std::byte> bytes;
+  // Bytes of each clip's, geometry's and mesh's section, in their order.
+  std::vector<std::size_t> clip_bytes, geometry_bytes, mesh_bytes;
+  struct Part {
+    std::uint32_t type;  // as File::Section's
+    std::uint32_t bytes;
+  };
+  std::vector<Part> sections;  // or, in a packed file, the records that stand for them
+};
+
+// docs/format.md, version 1; packed if a geometry is. The result has passed load(). Throws tools::Failure (unsupported)
+// beyond 4 GiB.
+WrittenFile write_scene(const BuiltScene& scene, const std::string& source);
+
+}  // namespace marrow::cook

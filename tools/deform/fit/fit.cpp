@@ -1,0 +1,204 @@
+#include "deform/fit/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+#include "common/parallel.h"
+#include "deform/fit/choose_joints.h"
+#include "deform/fit/training.h"
+
+namespace marrow::deform {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kKeepPrior = std::numeric_limits<double>::infinity();
+
+// Columns perpendicular to (1, …, 1) and each other, unit: Helmert's.
+MatrixXd differences(Index n) {
+  MatrixXd h = MatrixXd::Zero(n, n - 1);
+  for (Index c = 0; c + 1 < n; ++c) {
+    const double scale = 1 / std::sqrt(static_cast<double>((c + 1) * (c + 2)));
+    for (Index r = 0; r <= c; ++r) h(r, c) = scale;
+    h(c + 1, c) = -static_cast<double>(c + 1) * scale;
+  }
+  return h;
+}
+
+// Unknown 4 j + c of joint j; the w always sum to 0, the others only if the bind pose is to stay.
+MatrixXd constraint_basis(Index joints, bool keep_bind_pose) {
+  const MatrixXd bound = differences(joints), free = MatrixXd::Identity(joints, joints);
+  const Index width = 3 * (keep_bind_pose ? joints - 1 : joints) + joints - 1;
+  MatrixXd out = MatrixXd::Zero(4 * joints, width);
+  Index column = 0;
+  for (Index c = 0; c < 4; ++c) {
+    const MatrixXd& part = c == 3 || keep_bind_pose ? bound : free;
+    for (Index i = 0; i < part.cols(); ++i, ++column)
+      for (Index j = 0; j < joints; ++j) out(4 * j + c, column) = part(j, i);
+  }
+  return out;
+}
+
+// Equations of what is missing from the prior, within the constraints.
+struct Corrections {
+  MatrixXd basis, a, missing;
+
+  Corrections(const Group& group, const Training& training, const Coordinates& prior, bool keep_bind_pose)
+      : basis(constraint_basis(index(group.joints.size()), keep_bind_pose)) {
+    const Equations eq(group, training);
+    missing = eq.truth - eq.a * unknowns(group, prior, training.diagonal_m);
+    a = eq.a * basis;
+  }
+};
+
+// As cross-validation found, a strength.
+struct Validated {
+  double ridge[kStrengthCount];
+  VectorXd held_out[kStrengthCount];  // squared errors, a pose
+};
+
+struct Sums {
+  MatrixXd normal, right;
+};
+
+Sums add_up(const Corrections& eq, const VectorXd& weights, const Fold& fold) {
+  const Index first = 3 * index(fold.first), rows = 3 * index(fold.count);
+  const auto a = eq.a.middleRows(first, rows);
+  const MatrixXd weighted = weights.segment(first, rows).asDiagonal() * a;
+  return {a.transpose() * weighted, weighted.transpose() * eq.missing.middleRows(first, rows)};
+}
+
+MatrixXd solve(const Sums& sums, double ridge) {
+  MatrixXd normal = sums.normal;
+  normal.diagonal().array() += ridge;
+  return normal.ldlt().solve(sums.right);
+}
+
+// Squared errors of a fold's rows, written a pose; returns their weighted sum.
+double squared_errors(const Corrections& eq, const VectorXd& weights, const Fold& fold, const MatrixXd& x,
+                      VectorXd& out) {
+  const Index first = 3 * index(fold.first), rows = 3 * index(fold.count);
+  const VectorXd by_row =
+      (eq.a.middleRows(first, rows) * x - eq.missing.middleRows(first, rows)).rowwise().squaredNorm();
+  for (std::size_t i = 0; i < fold.count; ++i) out[index(fold.first + i)] = by_row.segment<3>(3 * index(i)).sum();
+  return by_row.dot(weights.segment(first, rows));
+}
+
+void cross_validate(const Corrections& eq, const Training& training, const FitOptions& options, Validated& group) {
+  const bool can = training.folds.size() > 1;
+  for (std::size_t s = 0; s < kStrengthCount; ++s) {
+    const VectorXd& weights = training.weights[s];
+    std::vector<Sums> parts;
+    for (const Fold& fold : training.folds) parts.push_back(add_up(eq, weights, fold));
+    Sums all = parts.front();
+    for (std::size_t f = 1; f < parts.size(); ++f) {
+      all.normal += parts[f].normal;
+      all.right += parts[f].right;
+    }
+    const VectorXd by_row = eq.missing.rowwise().squaredNorm();
+    double least = by_row.dot(weights);
+    group.ridge[s] = kKeepPrior;
+    group.held_out[s].resize(index(training.examples.size()));
+    for (Index i = 0; i < group.held_out[s].size(); ++i) group.held_out[s][i] = by_row.segment<3>(3 * i).sum();
+    if (eq.a.cols() == 0) continue;
+    for (std::size_t r = 0; r < (can ? options.ridges.size() : 1); ++r) {
+      VectorXd errors(index(training.examples.size()));
+      double error = 0;
+      for (std::size_t f = 0; f < parts.size(); ++f) {
+        const Sums others = can ? Sums{all.normal - parts[f].normal, all.right - parts[f].right} : all;
+        error += squared_errors(eq, weights, training.folds[f], solve(others, options.ridges[r]), errors);
+      }
+      if (!(error < least)) continue;
+      least = error;
+      group.ridge[s] = options.ridges[r];
+      group.held_out[s] = errors;
+    }
+  }
+}
+
+struct HeldOut {
+  FitQuality quality;
+  double squares = 0;  // of all vertices in all shipped poses
+  std::size_t poses = 0;
+};
+
+HeldOut held_out(const std::vector<Validated>& groups, const Training& training, std::size_t strength) {
+  VectorXd errors = VectorXd::Zero(index(training.examples.size()));
+  for (const Validated& group : groups) errors += group.held_out[strength];
+  double ours = 0, reference = 0;
+  std::size_t worse = 0, shipped = 0;
+  for (std::size_t e = 0; e < training.examples.size(); ++e) {
+    if (!training.examples[e].at->shipped) continue;
+    ++shipped;
+    ours += errors[index(e)];
+    reference += training.examples[e].reference_error;
+    worse += errors[index(e)] > training.examples[e].reference_error;
+  }
+  if (!(reference > 0)) return {};
+  return {{std::sqrt(ours / reference), static_cast<double>(worse) / static_cast<double>(shipped)}, ours, shipped};
+}
+
+// What counts is the error, and dearly the share of poses beyond `most_worse` that become worse.
+std::size_t best_strength(const std::vector<Validated>& groups, const Training& training, const FitOptions& options,
+                          HeldOut& best) {
+  std::size_t chosen = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < kStrengthCount; ++s) {
+    const HeldOut h = held_out(groups, training, s);
+    const double cost = h.quality.share * (1 + 2 * std::max(0.0, h.quality.worse_share - options.most_worse));
+    if (cost >= least) continue;
+    least = cost;
+    chosen = s;
+    best = h;
+  }
+  return chosen;
+}
+
+void write_solution(const Group& group, const Corrections& eq, const Training& training, std::size_t strength,
+                    double ridge, Coordinates& out) {
+  const Fold all{0, training.examples.size()};
+  const MatrixXd x = eq.basis * solve(add_up(eq, training.weights[strength], all), ridge);
+  for (std::size_t i = 0; i < group.vertices.size(); ++i) {
+    std::vector<Coordinate>& vertex = out[group.vertices[i]];
+    for (std::size_t j = 0; j < vertex.size(); ++j)
+      vertex[j].q += coordinate(group, x.col(index(i)).segment<4>(4 * index(j)), training.diagonal_m);
+  }
+}
+
+}  // namespace
+
+Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vector<TrainingPose> poses,
+                    const Deformer& truth, const Deformer& reference, const FitOptions& options) {
+  const Training training = prepare_training(diagonal_m, poses, truth, reference);
+  if (training.examples.empty()) return {candidates, {}, 0};
+  const Coordinates prior =
+      options.kept == nullptr ? candidates : choose_joints(candidates, *options.kept, options.most_joints, training);
+  const std::vector<Group> groups = group_by_joints(prior);
+  std::vector<Validated> validated(groups.size());
+  Steps steps(options.progress, groups.size());
+  tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
+    cross_validate(Corrections(groups[g], training, prior, options.keep_bind_pose), training, options, validated[g]);
+    steps.one_more();
+  });
+  Fit out;
+  HeldOut best;
+  const std::size_t strength = best_strength(validated, training, options, best);
+  out.quality = best.quality;
+  if (best.poses > 0)
+    out.rms = std::sqrt(best.squares / static_cast<double>(best.poses) / static_cast<double>(prior.size()));
+  out.coordinates = prior;
+  tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
+    const double ridge = validated[g].ridge[strength];
+    if (ridge == kKeepPrior) return;
+    write_solution(groups[g], Corrections(groups[g], training, prior, options.keep_bind_pose), training, strength,
+                   ridge, out.coordinates);
+  });
+  return out;
+}
+
+}  // namespace marrow::deform

@@ -1,0 +1,329 @@
+#include "deform/fit/pose_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "common/parallel.h"
+#include "deform/rotation_of_matrix.h"
+
+namespace marrow::deform {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Rotations = std::vector<glm::dquat>;
+
+Index index(std::size_t i) {
+  return static_cast<Index>(i);
+}
+
+// D of each joint.
+using Distances = std::vector<double>;
+
+Distances distances(const Rotations& a, const Rotations& b) {
+  Distances out;
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    const double d = glm::dot(a[j], b[j]);
+    out.push_back(std::max(0.0, 1 - d * d));
+  }
+  return out;
+}
+
+double weighted(const std::vector<Influence>& influences, const Distances& d) {
+  double sum = 0;
+  for (const Influence& i : influences) sum += i.weight * d[i.joint];
+  return sum;
+}
+
+Matrix blend(const std::vector<Influence>& influences, const Pose& pose) {
+  Matrix sum(0.0);
+  for (const Influence& i : influences) sum += pose[i.joint] * i.weight;
+  return sum;
+}
+
+// How far a pose is from the examples and from the bind pose.
+struct FromExamples {
+  Distances bind;
+  std::vector<Distances> to;  // an example
+
+  FromExamples(const Rotations& pose, const std::vector<const Rotations*>& examples)
+      : bind(distances(pose, Rotations(pose.size(), glm::dquat(1, 0, 0, 0)))) {
+    for (const Rotations* const e : examples) to.push_back(distances(pose, *e));
+  }
+  double phi(const std::vector<Influence>& influences, std::size_t k, double sigma) const {
+    return std::exp(-weighted(influences, to[k]) / (2 * sigma * sigma));
+  }
+  // How far the pose is from the bind pose: 0 there, almost 1 far away.
+  double lift(const std::vector<Influence>& influences, double sigma) const {
+    return -std::expm1(-weighted(influences, bind) / (2 * sigma * sigma));
+  }
+};
+
+// A pose of the training with what SSD misses there.
+struct Example {
+  Rotations rotations;
+  std::vector<glm::dvec3> missing;  // a vertex: truth less SSD, metres, where the pose is
+  double reference_error = 0;       // squares, summed
+};
+
+Example make_example(const SkinnedMesh& mesh, const std::vector<int>& parents, const Pose& pose,
+                     const Deformer& truth) {
+  Example e;
+  e.rotations = local_rotations(pose, parents);
+  Positions wanted;
+  truth(pose, wanted);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    e.missing.push_back(wanted[v] - transform(blend(mesh.influences[v], pose), mesh.positions[v]));
+    e.reference_error += glm::dot(e.missing[v], e.missing[v]);
+  }
+  return e;
+}
+
+struct Training {
+  const SkinnedMesh& mesh;
+  std::vector<TrainingPose> poses;
+  std::vector<Example> examples;  // a pose
+  double diagonal_m;
+};
+
+// What is missing of a vertex, in bind space. False if its blended matrix cannot bring it there.
+bool correction(const Training& t, std::size_t pose, std::size_t v, glm::dvec3& out) {
+  constexpr double kLeastVolume = 1e-3;  // of that of a cube with the longest edge
+  const glm::dmat3 m = linear_of(blend(t.mesh.influences[v], t.poses[pose].pose));
+  const double edge = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  if (!(std::abs(glm::determinant(m)) > kLeastVolume * edge * edge * edge)) return false;
+  out = glm::inverse(m) * t.examples[pose].missing[v];
+  return true;
+}
+
+// What is interpolated: some of the examples, with deltas a vertex.
+struct Interpolant {
+  std::vector<std::size_t> chosen;
+  double sigma = 1;
+  std::vector<Positions> deltas;  // a chosen example
+};
+
+std::vector<const Rotations*> rotations_of_chosen(const Training& t, const std::vector<std::size_t>& chosen) {
+  std::vector<const Rotations*> out;
+  for (const std::size_t c : chosen) out.push_back(&t.examples[c].rotations);
+  return out;
+}
+
+// The deltas of one vertex: lift Σ_k φ_k d_k is the correction in each example that can say what it is, but for the
+// ridge.
+void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExamples>& from,
+                  const PoseSpaceOptions& options, Interpolant& out) {
+  constexpr double kLeastLift = 1e-6;  // nothing that moves the vertex differs from the bind pose
+  const std::vector<Influence>& influences = t.mesh.influences[v];
+  std::vector<std::size_t> used;
+  std::vector<glm::dvec3> corrections;
+  for (std::size_t k = 0; k < out.chosen.size(); ++k) {
+    glm::dvec3 c;
+    const double lift = from[k].lift(influences, out.sigma);
+    if (lift < kLeastLift || !correction(t, out.chosen[k], v, c)) continue;
+    used.push_back(k);
+    corrections.push_back(c / lift);
+  }
+  MatrixXd system(index(used.size()), index(used.size())), right(index(used.size()), 3);
+  for (std::size_t a = 0; a < used.size(); ++a) {
+    for (std::size_t b = 0; b < used.size(); ++b)
+      system(index(a), index(b)) = from[used[a]].phi(influences, used[b], out.sigma);
+    right.row(index(a)) << corrections[a].x, corrections[a].y, corrections[a].z;
+  }
+  if (used.empty() || right.isZero(0)) return;
+  constexpr double kMostRidge = 1e12;
+  const double most = options.most_delta * t.diagonal_m;
+  double ridge = options.ridge;
+  MatrixXd x;
+  do {
+    MatrixXd ridged = system;
+    ridged.diagonal().array() += ridge;
+    x = ridged.ldlt().solve(right);
+    ridge *= 10;
+  } while (!(x.rowwise().norm().maxCoeff() <= most) && ridge < kMostRidge);
+  if (!(x.rowwise().norm().maxCoeff() <= most)) return;
+  for (std::size_t a = 0; a < used.size(); ++a)
+    out.deltas[used[a]][v] = {x(index(a), 0), x(index(a), 1), x(index(a), 2)};
+}
+
+Interpolant interpolate(const Training& t, const std::vector<std::size_t>& chosen, double sigma,
+                        const PoseSpaceOptions& options) {
+  Interpolant out{chosen, sigma, {}};
+  out.deltas.assign(chosen.size(), Positions(t.mesh.positions.size(), glm::dvec3(0)));
+  const auto others = rotations_of_chosen(t, chosen);
+  std::vector<FromExamples> from;
+  for (const std::size_t c : chosen) from.emplace_back(t.examples[c].rotations, others);
+  constexpr std::size_t kVertices = 256;
+  tools::for_each_in_parallel((t.mesh.positions.size() + kVertices - 1) / kVertices, [&](std::size_t part) {
+    const std::size_t end = std::min(t.mesh.positions.size(), (part + 1) * kVertices);
+    for (std::size_t v = part * kVertices; v < end; ++v) solve_vertex(t, v, from, options, out);
+  });
+  return out;
+}
+
+// Squared errors of poses, summed over vertices.
+std::vector<double> errors_of(const Training& t, const Interpolant& with, const std::vector<std::size_t>& poses) {
+  std::vector<double> out(poses.size(), 0);
+  const auto examples = rotations_of_chosen(t, with.chosen);
+  tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
+    const FromExamples from(t.examples[poses[i]].rotations, examples);
+    for (std::size_t v = 0; v < t.mesh.positions.size(); ++v) {
+      const std::vector<Influence>& influences = t.mesh.influences[v];
+      glm::dvec3 delta(0);
+      for (std::size_t k = 0; k < with.chosen.size(); ++k)
+        if (with.deltas[k][v] != glm::dvec3(0)) delta += with.deltas[k][v] * from.phi(influences, k, with.sigma);
+      delta *= from.lift(influences, with.sigma);
+      const Matrix m = blend(influences, t.poses[poses[i]].pose);
+      const glm::dvec3 off = t.examples[poses[i]].missing[v] - linear_of(m) * delta;
+      out[i] += glm::dot(off, off);
+    }
+  });
+  return out;
+}
+
+// The root mean square over vertices that move of how far it is from an example to the nearest other or the bind pose.
+double mean_distance(const Training& t, const std::vector<std::size_t>& chosen) {
+  double sum = 0;
+  std::size_t count = 0;
+  const auto others = rotations_of_chosen(t, chosen);
+  for (std::size_t a = 0; a < chosen.size(); ++a) {
+    const FromExamples from(*others[a], others);
+    for (const std::vector<Influence>& influences : t.mesh.influences) {
+      double nearest = weighted(influences, from.bind);
+      for (std::size_t b = 0; b < chosen.size(); ++b)
+        if (b != a) nearest = std::min(nearest, weighted(influences, from.to[b]));
+      if (nearest < 1e-6) continue;
+      sum += nearest;
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 1.0;
+}
+
+// Of `poses`, the worst first.
+std::vector<std::size_t> choose(const Training& t, const std::vector<std::size_t>& poses,
+                                const PoseSpaceOptions& options) {
+  std::vector<std::size_t> chosen;
+  while (chosen.size() < std::min(options.most_examples, poses.size())) {
+    const Interpolant now = interpolate(t, chosen, options.widths[0] * mean_distance(t, chosen), options);
+    const std::vector<double> errors = errors_of(t, now, poses);
+    std::size_t worst = poses.size();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      if (std::find(chosen.begin(), chosen.end(), poses[i]) != chosen.end() || !(errors[i] > 0)) continue;
+      if (worst == poses.size() || errors[i] > errors[worst]) worst = i;
+    }
+    if (worst == poses.size()) break;
+    chosen.push_back(poses[worst]);
+  }
+  return chosen;
+}
+
+// Which of the widths is best, and the errors of poses held out with it.
+std::size_t cross_validate(const Training& t, const PoseSpaceOptions& options, std::vector<double>& held_out) {
+  std::vector<std::uint32_t> folds;
+  for (const TrainingPose& p : t.poses) folds.push_back(p.fold);
+  std::sort(folds.begin(), folds.end());
+  folds.erase(std::unique(folds.begin(), folds.end()), folds.end());
+  const bool can = folds.size() > 1;
+  std::vector<std::vector<double>> errors(can ? options.widths.size() : 1, std::vector<double>(t.poses.size(), 0));
+  Steps steps(options.progress, folds.size());
+  for (const std::uint32_t fold : folds) {
+    std::vector<std::size_t> inside, others;
+    for (std::size_t p = 0; p < t.poses.size(); ++p) (t.poses[p].fold == fold ? inside : others).push_back(p);
+    const std::vector<std::size_t> chosen = choose(t, can ? others : inside, options);
+    const double distance = mean_distance(t, chosen);
+    for (std::size_t w = 0; w < errors.size(); ++w) {
+      const Interpolant with = interpolate(t, chosen, options.widths[w] * distance, options);
+      const std::vector<double> of_fold = errors_of(t, with, inside);
+      for (std::size_t i = 0; i < inside.size(); ++i) errors[w][inside[i]] = of_fold[i];
+    }
+    steps.one_more();
+  }
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t w = 0; w < errors.size(); ++w) {
+    double sum = 0;
+    for (const double e : errors[w]) sum += e;
+    if (!(sum < least)) continue;
+    least = sum;
+    best = w;
+  }
+  held_out = errors[best];
+  return best;
+}
+
+FitQuality quality_of(const Training& t, const std::vector<double>& errors) {
+  double ours = 0, reference = 0;
+  std::size_t worse = 0, shipped = 0;
+  for (std::size_t p = 0; p < t.poses.size(); ++p) {
+    if (!t.poses[p].shipped) continue;
+    ++shipped;
+    ours += errors[p];
+    reference += t.examples[p].reference_error;
+    worse += errors[p] > t.examples[p].reference_error;
+  }
+  if (!(reference > 0)) return {};
+  return {std::sqrt(ours / reference), static_cast<double>(worse) / static_cast<double>(shipped)};
+}
+
+}  // namespace
+
+Rotations local_rotations(const Pose& pose, const std::vector<int>& parents) {
+  std::vector<glm::dmat3> rotations;
+  for (const Matrix& m : pose) rotations.push_back(rotation_of(linear_of(m)));
+  Rotations out;
+  for (std::size_t j = 0; j < pose.size(); ++j)
+    out.push_back(parents[j] < 0
+                      ? glm::dquat(1, 0, 0, 0)
+                      : quaternion_of(glm::transpose(rotations[static_cast<std::size_t>(parents[j])]) * rotations[j]));
+  return out;
+}
+
+Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space) {
+  return [&mesh, &space](const Pose& pose, Positions& out) {
+    std::vector<const Rotations*> examples;
+    for (const PoseSpaceExample& e : space.examples) examples.push_back(&e.rotations);
+    const FromExamples from(local_rotations(pose, space.parents), examples);
+    out.resize(mesh.positions.size());
+    for (std::size_t v = 0; v < out.size(); ++v) {
+      const std::vector<Influence>& influences = mesh.influences[v];
+      glm::dvec3 delta(0);
+      for (std::size_t k = 0; k < examples.size(); ++k)
+        delta += space.examples[k].deltas[v] * from.phi(influences, k, space.sigma);
+      out[v] = transform(blend(influences, pose), mesh.positions[v] + delta * from.lift(influences, space.sigma));
+    }
+  };
+}
+
+PoseSpaceFit fit_pose_space(const SkinnedMesh& mesh, const std::vector<int>& parents, std::vector<TrainingPose> poses,
+                            const Deformer& truth, const PoseSpaceOptions& options) {
+  Training t{mesh, std::move(poses), {}, diagonal(mesh)};
+  t.examples.resize(t.poses.size());
+  tools::for_each_in_parallel(
+      t.poses.size(), [&](std::size_t p) { t.examples[p] = make_example(mesh, parents, t.poses[p].pose, truth); });
+  PoseSpaceFit out;
+  out.space.parents = parents;
+  std::vector<double> held_out;
+  const std::size_t width = cross_validate(t, options, held_out);
+  out.quality = quality_of(t, held_out);
+  if (!(out.quality.share < 1)) {
+    out.quality = {};
+    return out;
+  }
+  std::vector<std::size_t> all;
+  for (std::size_t p = 0; p < t.poses.size(); ++p) all.push_back(p);
+  out.chosen = choose(t, all, options);
+  out.space.sigma = options.widths[width] * mean_distance(t, out.chosen);
+  Interpolant with = interpolate(t, out.chosen, out.space.sigma, options);
+  for (std::size_t k = 0; k < out.chosen.size(); ++k)
+    out.space.examples.push_back({t.examples[out.chosen[k]].rotations, std::move(with.deltas[k])});
+  return out;
+}
+
+}  // namespace marrow::deform
