@@ -20,16 +20,15 @@ marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
 marrow_embed(marrow_cook_tests stride_v1 golden/stride_v1.mrw)
 marrow_embed(marrow_cook_tests lod_v1 golden/lod_v1.mrw)
 marrow_embed(marrow_cook_tests limits_v1 golden/limits_v1.mrw)
-target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_deform marrow_export marrow_sample draco::draco)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_options marrow_deform marrow_export marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow unit/cook/settings_test.cpp unit/cook/workflow_test.cpp)
-target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook marrow_sample)
+target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook_command marrow_sample)
 
 # What `marrow bench` runs; the command itself is tested with the program.
-marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp
-  ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
-target_link_libraries(marrow_bench_tests PRIVATE marrow_bench)
+marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp)
+target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 
 # Offline deformers and fits, against the papers' own properties.
 marrow_test(marrow_deform_tests deform unit/deform/animation_space_test.cpp unit/deform/auto_weights_test.cpp
@@ -45,9 +44,8 @@ target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVA
 marrow_warnings(marrow_reference)
 
 marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp
-  ${PROJECT_SOURCE_DIR}/tools/pose/evaluate.cpp)
-target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_export)
+  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp)
+target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp

@@ -9,24 +9,24 @@
 
 #include <CLI/CLI.hpp>
 
-#include "bench/bench.h"
+#include "commands/bench/bench.h"
+#include "commands/compare/compare.h"
+#include "commands/cook/command_line.h"
+#include "commands/diff/diff.h"
+#include "commands/info/info.h"
+#include "commands/pose/write_pose.h"
 #include "common/failure.h"
 #include "common/files.h"
-#include "compare/compare.h"
-#include "cook/command_line.h"
-#include "diff/diff.h"
 #include "export/export.h"
-#include "info/info.h"
-#include "pose/pose.h"
-#include "sample/sample.h"
+#include "sample/embedded.h"
 #ifdef MARROW_HAS_GLES
-#include "bench/gpu.h"
-#include "demo/demo.h"
+#include "commands/bench/gpu.h"
+#include "commands/demo/demo.h"
+#include "commands/render/render.h"
 #include "render/paths.h"
-#include "render/render.h"
 #endif
 #ifdef MARROW_HAS_VIEW
-#include "view/view.h"
+#include "commands/view/view.h"
 #endif
 
 namespace marrow::tools {

@@ -6,7 +6,7 @@
 #include "common/failure.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
-#include "sample/sample.h"
+#include "sample/embedded.h"
 
 namespace marrow::tools {
 namespace {

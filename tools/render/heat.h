@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "image/image.h"
 #include "pose/evaluate.h"
-#include "render/image.h"
 
 namespace marrow::tools {
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "image/image.h"
 #include "render/camera.h"
-#include "render/image.h"
 
 namespace marrow::tools {
 

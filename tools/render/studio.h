@@ -8,10 +8,10 @@
 
 #include <glm/vec4.hpp>
 
+#include "image/image.h"
 #include "marrow/gles3_crowd.h"
 #include "render/camera.h"
 #include "render/gl.h"
-#include "render/image.h"
 #include "render/textures.h"
 
 namespace marrow::tools {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "isosurface.h"
 #include "shape.h"
-#include "surface.h"
 
 namespace marrow::sample {
 

@@ -7,7 +7,7 @@
 
 #include "clips.h"
 #include "face.h"
-#include "surface.h"
+#include "isosurface.h"
 #include "weights.h"
 
 namespace marrow::sample {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "surface.h"
+#include "isosurface.h"
 
 namespace marrow::sample {
 namespace {

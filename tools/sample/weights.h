@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "isosurface.h"
 #include "shape.h"
-#include "surface.h"
 
 namespace marrow::sample {
 

@@ -11,7 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include "cook/cook.h"
-#include "cook/options.h"
+#include "options/options.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {

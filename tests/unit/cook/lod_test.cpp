@@ -11,7 +11,7 @@
 #include "common/failure.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
-#include "cook/options.h"
+#include "options/options.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 

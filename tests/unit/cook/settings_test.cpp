@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/settings.h"
+#include "options/settings.h"
 
 namespace marrow::cook {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "common/failure.h"
 #include "cook/cook.h"
-#include "cook/options.h"
+#include "options/options.h"
 #include "support/millipede.h"
 #include "support/rig.h"
 #include "unit/cook/loaded_cook.h"

@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
+#include "commands/cook/depfile.h"
 #include "common/failure.h"
 #include "common/hash.h"
 #include "common/parallel.h"
 #include "cook/cook.h"
-#include "cook/depfile.h"
 #include "cook/gltf/read.h"
-#include "cook/options.h"
-#include "sample/sample.h"
+#include "options/options.h"
+#include "sample/embedded.h"
 
 namespace marrow::tools {
 namespace {

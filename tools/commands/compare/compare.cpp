@@ -1,0 +1,125 @@
+#include "commands/compare/compare.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/compare/html.h"
+#include "commands/compare/measure.h"
+#include "commands/compare/pictures.h"
+#include "commands/compare/verdict.h"
+#include "common/failure.h"
+#include "common/files.h"
+
+namespace marrow::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string truth_of(const CompareArguments& a) {
+  const auto given = a.given.find("truth");
+  return given == a.given.end() ? "cor" : given->second.back().text;
+}
+
+ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
+  ordered_json rows = ordered_json::array();
+  for (const DeformerRow& r : c.rows) {
+    const auto or_null = [](double x) { return x > 0 ? ordered_json(x) : ordered_json(); };
+    rows.push_back({{"deformer", r.deformer},
+                    {"train_rms", r.train_rms},
+                    {"train_max", r.train_max},
+                    {"held_rms", r.held_rms},
+                    {"held_max", r.held_max},
+                    {"worse_share", r.worse_share},
+                    {"volume", r.volume},
+                    {"crease_deg", r.crease_deg},
+                    {"normal_deg", r.normal_deg},
+                    {"blended_normal_deg", r.blended_normal_deg},
+                    {"bytes_per_vertex", or_null(r.bytes_per_vertex)},
+                    {"ns_per_vertex", or_null(r.ns_per_vertex)},
+                    {"instructions_per_vertex", or_null(r.instructions_per_vertex)}});
+  }
+  return {{"truth", truth_of(a)}, {"holdout", a.holdout},     {"trained_poses", c.trained},
+          {"held_poses", c.held}, {"diagonal", c.diagonal_m}, {"rows", rows}};
+}
+
+// SSD, and the best fits without and with half-joints.
+std::vector<std::size_t> shown(const DeformerComparison& c) {
+  std::vector<std::size_t> out;
+  for (const char* const name : {"ssd", "as_fit", "as_fit_half1"})
+    out.push_back(static_cast<std::size_t>(std::ranges::find(c.rows, name, &DeformerRow::deformer) - c.rows.begin()));
+  return out;
+}
+
+void print_table(const Study& study, const CompareArguments& a, const DeformerComparison& c) {
+  fmt::print("{}\n\n", verdict(c));
+  fmt::print("{}: truth {}, {} poses learnt from, {} held out; lengths in mm\n", study.name, truth_of(a), c.trained,
+             c.held);
+  fmt::print("{:<14}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>9}{:>9}{:>8}{:>8}\n", "deformer", "train rms",
+             "held rms", "held max", "of ssd's", "worse", "volume", "crease", "normals", "blended", "B/vertex", "ns",
+             "instr");
+  const auto or_none = [](double x) { return x > 0 ? fmt::format("{:.2f}", x) : std::string("-"); };
+  double ssd = 0;
+  for (const DeformerRow& r : c.rows)
+    if (r.deformer == "ssd") ssd = r.held_rms;
+  for (const DeformerRow& r : c.rows)
+    fmt::print(
+        "{:<14}{:>10.4f}{:>10.4f}{:>10.3f}{:>10.3f}{:>7.1f}%{:>8.3f}{:>7.1f}°{:>8.2f}°{:>8.2f}°{:>9}{:>8}{:>8}\n",
+        r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, 1e3 * r.held_max, ssd > 0 ? r.held_rms / ssd : 1.0,
+        100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, r.blended_normal_deg, or_none(r.bytes_per_vertex),
+        or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
+}
+
+// POSE-PICTURE-CAPTION.png, the caption up to what is measured.
+void write_pictures(const std::string& folder, const std::vector<PictureRow>& rows) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Failure(Exit::io, folder, "", error.message(), "give a folder that can be written");
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t i = 0; i < rows[r].pictures.size(); ++i) {
+      const Picture& picture = rows[r].pictures[i];
+      const std::size_t colon = picture.caption.find(':');
+      const std::string name = fmt::format("{}-{}-{}{}.png", r + 1, i + 1, picture.caption.substr(0, colon),
+                                           colon == std::string::npos ? "" : "-error");
+      write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png);
+    }
+}
+
+}  // namespace
+
+void run_compare(const CompareArguments& a) {
+  if (a.in.empty() == a.sample.empty())
+    throw Failure(Exit::usage, "compare", "", "nothing to compare on, or two things",
+                  "give IN.glb or --sample cylinder");
+  cook::Given given = a.given;
+  given["as"] = {{"fit", {"--as", ""}}};
+  cook::LearnOptions options = cook::to_options(given).learn;
+  if (!a.sample.empty() && !a.given.contains("delta-mush"))
+    options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
+  if (!a.sample.empty() && options.truth == cook::Truth::examples)
+    throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
+  Study study = a.sample.empty() ? study_file(a.in, a.holdout == "clips" ? Holdout::clips : Holdout::frames, options)
+                                 : study_cylinder();
+  drop_unusable_poses(cook::make_truth(study.source, options), study);
+  const DeformerComparison comparison = compare_deformers(study, options);
+  if (a.json) {
+    fmt::print("{}\n", report(a, comparison).dump(2));
+  } else {
+    print_table(study, a, comparison);
+  }
+  if (a.out.empty() && a.pictures.empty()) return;
+  std::vector<PictureRow> pictures;
+#ifdef MARROW_HAS_GLES
+  pictures = draw_worst_poses(study, comparison, cook::make_truth(study.source, options), shown(comparison), 3);
+#endif
+  if (!a.pictures.empty()) write_pictures(a.pictures, pictures);
+  if (a.out.empty()) return;
+  const std::string page = comparison_page(a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(),
+                                           truth_of(a), study, comparison, pictures);
+  write_file_atomically(a.out, std::as_bytes(std::span(page.data(), page.size())));
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,22 @@
+// `marrow compare`: which deformer should this character use?
+#pragma once
+
+#include <string>
+
+#include "options/options.h"
+
+namespace marrow::tools {
+
+struct CompareArguments {
+  std::string in, sample;
+  std::string holdout = "frames";
+  std::string out;       // HTML; empty: none
+  std::string pictures;  // folder of the page's pictures; empty: none
+  bool json = false;
+  cook::Given given;  // --truth, --delta-mush, --keep-bind-pose, as for `cook`
+};
+
+// Throws Failure.
+void run_compare(const CompareArguments& arguments);
+
+}  // namespace marrow::tools

@@ -1,0 +1,165 @@
+#include "commands/compare/contestants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include "cook/learn/learn_deformers.h"
+#include "deform/fit/multi_weight.h"
+#include "deform/fit/pose_space.h"
+#include "deform/fit/refit.h"
+
+namespace marrow::tools {
+namespace {
+
+using cook::AnimationSpace;
+using cook::LearnOptions;
+using deform::Pose;
+using deform::Positions;
+using deform::SkinnedMesh;
+
+constexpr int kPoseExamples = 8;
+
+// A copy, as training may go before the study.
+Trained by_weights(const SkinnedMesh& mesh) {
+  const auto kept = std::make_shared<const SkinnedMesh>(mesh);
+  Trained out;
+  out.deform = [kept, deformer = deform::ssd(*kept)](const Pose& pose, Positions& to) { deformer(pose, to); };
+  out.blend = mesh.influences;
+  out.extend = [](const Pose& pose) { return pose; };
+  return out;
+}
+
+SkinnedMesh follows_one_joint(SkinnedMesh mesh) {
+  for (std::vector<deform::Influence>& influences : mesh.influences) {
+    const auto most = std::ranges::max_element(influences, {}, &deform::Influence::weight);
+    influences = {{most->joint, 1.0}};
+  }
+  return mesh;
+}
+
+Trained by_coordinates(const SkinnedMesh& mesh, cook::Learnt learnt) {
+  const auto kept = std::make_shared<const cook::Learnt>(std::move(learnt));
+  Trained out;
+  out.extend = [kept](Pose pose) {
+    deform::append_half_joints(kept->half_joints, pose);
+    return pose;
+  };
+  out.deform = [kept, extend = out.extend, deformer = deform::animation_space(kept->coordinates)](
+                   const Pose& pose, Positions& to) { deformer(extend(pose), to); };
+  for (const auto& vertex : kept->coordinates) {
+    std::vector<deform::Influence>& blend = out.blend.emplace_back();
+    for (const deform::Coordinate& c : vertex) blend.push_back({c.joint, c.q.w});
+  }
+  out.tangents =
+      deform::tangent_coordinates(kept->coordinates, mesh, deform::vertex_normals(mesh.positions, mesh.indices));
+  return out;
+}
+
+// Normals go through linear blend skinning's matrices, as the runtime's do.
+Trained by_multi_weights(const Study& study, const Round& round, const deform::Deformer& truth) {
+  const SkinnedMesh& mesh = study.source.mesh;
+  const std::uint32_t root = cook::multi_weight_root(study.source);
+  const auto fit =
+      std::make_shared<const deform::MultiWeightFit>(deform::fit_multi_weights(mesh, root, round.train, truth));
+  Trained out = by_weights(mesh);
+  out.deform = [fit, deformer = deform::multi_weight(mesh, fit->weights, root)](const Pose& pose, Positions& to) {
+    deformer(pose, to);
+  };
+  return out;
+}
+
+Trained in_pose_space(const Study& study, const Round& round, const deform::Deformer& truth) {
+  const SkinnedMesh& mesh = study.source.mesh;
+  deform::PoseSpaceOptions most;
+  most.most_examples = kPoseExamples;
+  const auto fit = std::make_shared<const deform::PoseSpaceFit>(
+      deform::fit_pose_space(mesh, study.source.parents, round.train, truth, most));
+  Trained out = by_weights(mesh);
+  out.deform = [fit, deformer = deform::pose_space(mesh, fit->space)](const Pose& pose, Positions& to) {
+    deformer(pose, to);
+  };
+  return out;
+}
+
+LearnOptions with(LearnOptions options, AnimationSpace kind, int half_joints) {
+  options.animation_space = kind;
+  options.half_joints = half_joints;
+  return options;
+}
+
+Contestant in_animation_space(const std::string& name, const LearnOptions& options) {
+  Contestant out;
+  out.name = name;
+  out.cooked = options;
+  out.kernel = Contestant::Kernel::as;
+  out.train = [options](const Study& study, const Round& round, const LearnOptions&) {
+    return by_coordinates(study.source.mesh, cook::learn(study.source, round.train, options));
+  };
+  return out;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vector<glm::dvec3>& bind_normals,
+                                        const Pose& pose, bool blended) {
+  const Pose extended = trained.extend(pose);
+  if (!blended && !trained.tangents.empty()) return deform::surface_normals(trained.tangents, extended);
+  std::vector<glm::dvec3> out;
+  for (std::size_t v = 0; v < bind_normals.size(); ++v) {
+    glm::dmat3 blend(0);
+    for (const deform::Influence& i : trained.blend[v]) blend += deform::linear_of(extended[i.joint]) * i.weight;
+    const glm::dvec3 n = glm::inverseTranspose(blend) * bind_normals[v];
+    const double length = glm::length(n);
+    out.push_back(length > 0 && std::isfinite(length) ? n / length : glm::dvec3(0));
+  }
+  return out;
+}
+
+std::vector<Contestant> contestants(const LearnOptions& options) {
+  const LearnOptions lift = with(options, AnimationSpace::lift, 0);
+  Contestant rigid, ssd, refit;
+  rigid.name = "rigid";
+  rigid.cooked = lift;
+  rigid.kernel = Contestant::Kernel::rigid;
+  rigid.train = [](const Study& study, const Round&, const LearnOptions&) {
+    return by_weights(follows_one_joint(study.source.mesh));
+  };
+  ssd.name = "ssd";
+  ssd.cooked = lift;
+  ssd.train = [](const Study& study, const Round&, const LearnOptions&) { return by_weights(study.source.mesh); };
+  refit.name = "ssd_refit";
+  refit.cooked = lift;
+  refit.can_be_cooked = false;
+  refit.train = [](const Study& study, const Round& round, const LearnOptions& o) {
+    return by_weights(deform::refit_weights(study.source.mesh, round.train, cook::make_truth(study.source, o)));
+  };
+  Contestant mwe = ssd, psd = ssd;
+  mwe.name = "mwe";
+  mwe.cooked.multi_weights = true;
+  mwe.kernel = Contestant::Kernel::mwe;
+  mwe.train = [](const Study& study, const Round& round, const LearnOptions& o) {
+    return by_multi_weights(study, round, cook::make_truth(study.source, o));
+  };
+  psd.name = "psd";
+  psd.cooked.pose_examples = kPoseExamples;
+  psd.kernel = Contestant::Kernel::psd;
+  psd.train = [](const Study& study, const Round& round, const LearnOptions& o) {
+    return in_pose_space(study, round, cook::make_truth(study.source, o));
+  };
+  return {rigid,
+          ssd,
+          refit,
+          in_animation_space("as_lift", lift),
+          in_animation_space("as_smooth", with(options, AnimationSpace::smooth, 0)),
+          in_animation_space("as_fit", with(options, AnimationSpace::fit, 0)),
+          in_animation_space("as_fit_half1", with(options, AnimationSpace::fit, 1)),
+          in_animation_space("as_fit_half2", with(options, AnimationSpace::fit, 2)),
+          mwe,
+          psd};
+}
+
+}  // namespace marrow::tools

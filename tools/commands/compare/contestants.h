@@ -1,0 +1,39 @@
+// The deformers that are compared.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "commands/compare/study.h"
+#include "deform/tangents.h"
+
+namespace marrow::tools {
+
+// What a deformer has become by training. Poses are given without half-joints.
+struct Trained {
+  deform::Deformer deform;
+  // What normals go through: for each vertex the weights of the joints' matrices, or tangents where it has them. Over
+  // poses as `extend` makes them.
+  std::vector<std::vector<deform::Influence>> blend;
+  deform::TangentCoordinates tangents;
+  std::function<deform::Pose(const deform::Pose&)> extend;
+};
+
+// The normals that a deformer shades with, unit, 0 where they have no direction. blended: through the blended matrix
+// even where there are tangents. bind_normals: of the bind pose's triangles.
+std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vector<glm::dvec3>& bind_normals,
+                                        const deform::Pose& pose, bool blended);
+
+struct Contestant {
+  std::string name;
+  std::function<Trained(const Study& study, const Round& round, const cook::LearnOptions& options)> train;
+  cook::LearnOptions cooked;  // how `marrow cook` makes it
+  enum class Kernel { rigid, ssd, as, mwe, psd } kernel = Kernel::ssd;
+  bool can_be_cooked = true;
+};
+
+// options: truth and delta mush; the rest is each contestant's own.
+std::vector<Contestant> contestants(const cook::LearnOptions& options);
+
+}  // namespace marrow::tools

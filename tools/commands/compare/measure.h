@@ -1,0 +1,37 @@
+// How far deformers are from the truth, and what they cost.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands/compare/contestants.h"
+
+namespace marrow::tools {
+
+// Lengths in metres.
+struct DeformerRow {
+  std::string deformer;
+  double train_rms = 0, train_max = 0, held_rms = 0, held_max = 0;
+  double worse_share = 0;  // of held-out poses in which the RMS error is above SSD's
+  double volume = 1;       // over the truth's, in held-out poses, on average
+  double crease_deg = 0;   // how sharply some edge is folded beyond the bind pose; the mean over held-out poses
+  double normal_deg = 0;   // between the normals it shades with and those of the mesh it makes, where joints meet
+  double blended_normal_deg = 0;  // the same if all went through the blended matrix, as is cheaper
+  // Of the cooked file; 0: cannot be cooked, or is no better than SSD in its clips and not shipped.
+  double bytes_per_vertex = 0;         // of geometry
+  double ns_per_vertex = 0;            // of the runtime's kernel on this machine, positions
+  double instructions_per_vertex = 0;  // of the same; 0 also where they cannot be counted
+  // For pictures and charts, of the first round: a held-out pose's RMS error.
+  std::vector<double> error_of_pose;
+};
+
+struct DeformerComparison {
+  std::vector<DeformerRow> rows;
+  double diagonal_m = 0;
+  std::size_t trained = 0, held = 0;  // poses of all rounds
+  std::vector<Trained> trained_in_first_round;
+};
+
+DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options);
+
+}  // namespace marrow::tools

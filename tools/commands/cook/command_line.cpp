@@ -1,0 +1,77 @@
+#include "commands/cook/command_line.h"
+
+#include <algorithm>
+
+#include "commands/cook/run_cook.h"
+
+namespace marrow::tools {
+namespace {
+
+// One option of the table, as on the command line.
+void add_option(CLI::App* command, const cook::Option& option, cook::Given& given) {
+  const std::string flag = std::string("--") + option.name;
+  const auto value_of = [flag](const std::string& text) { return cook::Value{text, {flag, ""}}; };
+  if (option.kind == cook::OptionKind::flag) {
+    command->add_flag_function(
+        flag,
+        [&given, &option, value_of](std::int64_t n) { given[option.name] = {value_of(n > 0 ? "true" : "false")}; },
+        option.help);
+    return;
+  }
+  const auto take = [&given, &option, value_of](const std::vector<std::string>& texts) {
+    std::vector<cook::Value>& values = given[option.name];
+    values.clear();
+    for (const std::string& text : texts) values.push_back(value_of(text));
+  };
+  CLI::Option* const added = command->add_option_function<std::vector<std::string>>(flag, take, option.help);
+  added->type_name(option.shape)->allow_extra_args(false);
+  if (option.kind == cook::OptionKind::list) {
+    added->take_all();
+  } else {
+    added->take_last()->expected(1);
+  }
+  if (!option.choices.empty()) added->check(CLI::IsMember(option.choices))->default_str(option.choices.front());
+}
+
+}  // namespace
+
+void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Given& given) {
+  for (const cook::Option& option : cook::option_table())
+    if (std::ranges::find(names, option.name) != names.end()) add_option(command, option, given);
+}
+
+void add_cook(CLI::App& app, int& exit_code) {
+  static CookArguments a;  // as long as the options that point at it
+  CLI::App* const command = app.add_subcommand("cook", "Cook .gltf and .glb files into .mrw files");
+  command->add_option("inputs", a.inputs, "files, or folders that are searched for .gltf and .glb")
+      ->required()
+      ->type_name("IN");
+  command
+      ->add_option(
+          "-o,--output", a.out,
+          "the cooked file to write; for several inputs, a folder among them or a name that ends in / a folder, "
+          "under which the trees below the inputs are mirrored")
+      ->required()
+      ->type_name("OUT.mrw|DIR/");
+  command->add_option("--report", a.report, "also write a report as JSON; of several inputs a list")
+      ->type_name("R.json");
+  command->add_flag("--json", a.json, "print the report on stdout instead of a summary");
+  command->add_option("--depfile", a.depfile, "also write what outputs were made from, for ninja and make")
+      ->type_name("FILE");
+  command
+      ->add_option("--settings", a.settings,
+                   "options from this file; without it from the nearest marrow.toml, in the input's folder or above")
+      ->type_name("FILE");
+  command->add_option("--cache", a.cache, "keep cooked files in this folder and cook nothing twice")
+      ->envname("MARROW_CACHE")
+      ->type_name("DIR");
+  command->add_option("--cache-size", a.cache_bytes, "beyond it what was not used for longest is removed, as in 500MB")
+      ->transform(CLI::AsSizeValue(true))
+      ->default_str("1GiB")
+      ->type_name("BYTES");
+  command->add_option("--jobs", a.jobs, "threads; without it one a core")->check(CLI::Range(1u, 1024u))->type_name("N");
+  for (const cook::Option& option : cook::option_table()) add_option(command, option, a.given);
+  command->callback([&exit_code] { exit_code = run_cook(a); });
+}
+
+}  // namespace marrow::tools

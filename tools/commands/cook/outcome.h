@@ -1,0 +1,37 @@
+// What became of one input, and how a batch says it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "commands/cook/batch.h"
+#include "common/failure.h"
+#include "cook/scene/raw.h"
+
+namespace marrow::tools {
+
+struct Outcome {
+  Exit code = Exit::done;
+  std::string failure;  // one line that names the input
+  nlohmann::ordered_json report;
+  std::vector<cook::RawRead> reads;
+  double seconds = 0;
+  bool from_cache = false;
+};
+
+// As a file and on stdout; names need not be UTF-8, the report says what it can.
+std::string report_text(const nlohmann::ordered_json& report);
+
+// {source {file}, error {code, text}} of a failure, else the report.
+nlohmann::ordered_json report_of(const CookJob& job, const Outcome& outcome);
+
+// One line about a single file, and a table of many; on stdout.
+void print_summary(const CookJob& job, const Outcome& outcome);
+void print_table(const std::vector<CookJob>& jobs, const std::vector<Outcome>& outcomes, double seconds);
+
+// Warnings about one input; on stderr.
+void print_warnings(const CookJob& job, const Outcome& outcome);
+
+}  // namespace marrow::tools

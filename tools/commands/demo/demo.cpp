@@ -1,0 +1,132 @@
+#include "commands/demo/demo.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands/demo/moves.h"
+#include "commands/demo/sheet.h"
+#include "commands/demo/timings.h"
+#include "common/failure.h"
+#include "common/files.h"
+#include "common/load_mrw.h"
+#include "cook/cook.h"
+#include "sample/embedded.h"
+
+namespace marrow::tools {
+namespace {
+
+// The embedded sample's name, when no input is given.
+constexpr const char* kSampleName = "newt.glb";
+
+using Row = std::vector<std::string>;
+
+const Row kHeading = {"file",      "source B", "cooked B", "joints", "vertices",     "clip",
+                      "sample us", "SSD us",   "AS us",    "AS-SSD", "contact sheet"};
+constexpr std::size_t kFirstColumns[] = {0, 5, 10};  // text; the others are numbers, set to the right
+
+void print_table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(kHeading.size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  }
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const bool text = std::find(std::begin(kFirstColumns), std::end(kFirstColumns), c) != std::end(kFirstColumns);
+      line += fmt::format(fmt::runtime(text ? "{:<{}}  " : "{:>{}}  "), row[c], widths[c]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::printf("%s\n", line.c_str());
+  }
+}
+
+void create_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw Failure(Exit::io, directory, "", error.message(), "give a folder that can be written");
+}
+
+std::uint64_t source_bytes(const nlohmann::ordered_json& report) {
+  return report.at("source").at("bytes").get<std::uint64_t>();
+}
+
+// One input: cooks it, draws its sheet, measures it. `stem` names the outputs.
+Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input, const std::string& stem) {
+  cook::CookOptions options;
+  options.learn.animation_space = cook::AnimationSpace::fit;
+  options.learn.half_joints = 1;
+  const cook::CookResult cooked = cook::cook_file(input, options);
+  const std::string mrw = (std::filesystem::path(arguments.directory) / (stem + ".mrw")).string();
+  write_file_atomically(mrw, cooked.file);
+  // Read back, so that what is shown is what the file holds.
+  const LoadedFile loaded = load_mrw(mrw);
+  const File& file = loaded.file;
+  const std::optional<std::uint32_t> clip =
+      arguments.clip.empty() ? liveliest_clip(file) : find_clip(mrw, file, arguments.clip);
+  const Sheet sheet = make_sheet(gl, file, clip, stem);
+  const std::string png = (std::filesystem::path(arguments.directory) / (stem + ".png")).string();
+  write_png(png, sheet.image);
+  const Timings timings = measure(file, clip);
+  std::uint64_t joints = 0, vertices = 0;
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) vertices += file.mesh(i).geometry.vertex_count;
+  return {std::filesystem::path(input).filename().string(),
+          std::to_string(source_bytes(cooked.report)),
+          std::to_string(cooked.file.size()),
+          std::to_string(joints),
+          std::to_string(vertices),
+          clip ? file.clip(*clip).name : "(rest pose)",
+          clip ? fmt::format("{:.1f}", timings.sample_us) : "-",
+          fmt::format("{:.1f}", timings.ssd_us),
+          fmt::format("{:.1f}", timings.as_us),
+          fmt::format("{:.2g} mm", 1e3 * static_cast<double>(sheet.largest_m)),
+          png};
+}
+
+// Two inputs of the same name must not overwrite each other's pictures.
+std::string unique_stem(std::vector<std::string>& taken, const std::string& input) {
+  const std::string stem = std::filesystem::path(input).stem().string();
+  std::string name = stem;
+  for (int number = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++number) {
+    name = fmt::format("{}_{}", stem, number);
+  }
+  taken.push_back(name);
+  return name;
+}
+
+// What the sample does beyond its clips.
+void show_moves(const Gl& gl, const std::string& directory) {
+  const LoadedFile loaded = load_mrw((std::filesystem::path(directory) / "newt.mrw").string());
+  const std::string png = (std::filesystem::path(directory) / "newt-ik.png").string();
+  write_png(png, make_moves_sheet(gl, loaded.file));
+  std::fprintf(stderr, "%s: feet on a slope, a hand and the eyes on a point\n", png.c_str());
+}
+
+}  // namespace
+
+void run_demo(const DemoArguments& arguments) {
+  create_directory(arguments.directory);
+  std::vector<std::string> inputs = arguments.inputs;
+  if (inputs.empty()) {
+    inputs.push_back((std::filesystem::path(arguments.directory) / kSampleName).string());
+    write_file_atomically(inputs.back(), sample_glb());
+  }
+  const Gl gl;
+  std::vector<Row> rows = {kHeading};
+  std::vector<std::string> taken;
+  for (const std::string& input : inputs) {
+    std::fprintf(stderr, "%s: cooking and drawing\n", input.c_str());
+    rows.push_back(show(gl, arguments, input, unique_stem(taken, input)));
+  }
+  if (arguments.inputs.empty()) show_moves(gl, arguments.directory);
+  print_table(rows);
+  std::printf("times: CPU, medians, one thread; skinning every vertex with its normal\nGL driver: %s\n",
+              gl.driver().c_str());
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,54 @@
+#include "commands/demo/layout.h"
+
+#include "image/caption.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr int kGap = 4;
+constexpr int kEdge = 28;
+constexpr int kTitleHeight = 76;
+constexpr int kStripHeight = 42;  // above each row
+constexpr int kFooterHeight = 40;
+constexpr int kWidth = 2 * kEdge + kSheetColumns * kCellWidth + (kSheetColumns - 1) * kGap;
+
+constexpr Rgb kPaper = {20, 25, 31};
+constexpr Rgb kBright = {236, 233, 226};
+
+float to_float(int value) {
+  return static_cast<float>(value);
+}
+
+int column_x(std::size_t column) {
+  return kEdge + static_cast<int>(column) * (kCellWidth + kGap);
+}
+
+}  // namespace
+
+void draw_right(Image& image, int right, int baseline, float size, Rgb colour, const std::string& text) {
+  draw_text(image, to_float(right) - text_width(size, text), to_float(baseline), size, colour, text);
+}
+
+Image lay_out(const SheetPage& page) {
+  const int rows = static_cast<int>(page.rows.size());
+  Image image(kWidth, kTitleHeight + rows * (kStripHeight + kCellHeight) + kFooterHeight, kPaper);
+  const float title_end = draw_text(image, kEdge, 50, 24, kBright, page.title);
+  draw_text(image, title_end + 24, 50, 13, kSheetQuiet, page.scene);
+  draw_right(image, kWidth - kEdge, 50, 13, kSheetQuiet, page.right);
+  int y = kTitleHeight;
+  for (const SheetRow& row : page.rows) {
+    const int baseline = y + kStripHeight - 14;
+    const float name_end = draw_text(image, kEdge, to_float(baseline), 13, kBright, row.name);
+    draw_text(image, name_end + 14, to_float(baseline), 11, kSheetQuiet, row.about);
+    if (row.strip) row.strip(image, kWidth - kEdge, baseline);
+    y += kStripHeight;
+    for (std::size_t column = 0; column < row.cells.size(); ++column)
+      paste(image, row.cells[column], column_x(column), y);
+    y += kCellHeight;
+  }
+  for (std::size_t column = 0; column < page.columns.size(); ++column)
+    draw_text(image, to_float(column_x(column)), to_float(y + 24), 11, kSheetQuiet, page.columns[column]);
+  return image;
+}
+
+}  // namespace marrow::tools

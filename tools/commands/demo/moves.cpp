@@ -1,0 +1,213 @@
+#include "commands/demo/moves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "commands/demo/layout.h"
+#include "common/aligned_bytes.h"
+#include "common/failure.h"
+#include "cook/cook.h"
+#include "marrow/glm.h"
+#include "marrow/marrow.h"
+#include "render/figure.h"
+#include "render/mark.h"
+#include "render/performance.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr float kSlope = 0.22f;                 // metres up a metre along +X, through the origin
+constexpr glm::vec2 kHalfRamp = {0.7f, 0.55f};  // along X and Z
+constexpr std::array<float, 3> kTarget = {0.46f, 0.88f, 0.3f};
+constexpr float kFrame_s = 1.0f / 60;
+
+// A wedge with the slope as its upper side, and flat sides.
+cook::RawScene ramp_scene() {
+  const float x = kHalfRamp.x, y = kSlope * x, z = kHalfRamp.y;
+  const glm::vec3 low_front = {-x, -y, z}, low_back = {-x, -y, -z}, high_front = {x, y, z}, high_back = {x, y, -z};
+  const glm::vec3 below_front = {x, -y, z}, below_back = {x, -y, -z};
+  cook::RawPrimitive primitive;
+  const auto add = [&](std::initializer_list<glm::vec3> corners) {
+    const auto first = static_cast<std::uint32_t>(primitive.positions.size());
+    const glm::vec3* const c = corners.begin();
+    const glm::vec3 normal = glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0]));
+    for (const glm::vec3& corner : corners) {
+      primitive.positions.push_back(corner);
+      primitive.normals.push_back(normal);
+    }
+    for (std::uint32_t i = 2; i < corners.size(); ++i)
+      primitive.indices.insert(primitive.indices.end(), {first, first + i - 1, first + i});
+  };
+  add({low_front, high_front, high_back, low_back});
+  add({high_front, below_front, below_back, high_back});
+  add({low_front, below_front, high_front});
+  add({low_back, high_back, below_back});
+  primitive.pointer = "/meshes/0/primitives/0";
+  primitive.material = 0;
+  cook::RawScene scene;
+  scene.source = "ramp";
+  scene.nodes.emplace_back().name = "ramp";
+  scene.materials.emplace_back().base_colour = {0.34f, 0.31f, 0.27f, 1};
+  scene.meshes.push_back({"ramp", {}, {primitive}});
+  cook::RawInstance& instance = scene.instances.emplace_back();
+  instance.node = instance.mesh = 0;
+  return scene;
+}
+
+// A prop that does not move, in a file of its own.
+class Ramp {
+ public:
+  explicit Ramp(const Gl& gl) : bytes_(cook::cook_scene(ramp_scene(), raw()).file) {
+    check(load({bytes_.data(), bytes_.size()}, file_));
+    figure_ = std::make_unique<Figure>(gl, file_);
+    posed_ = skin_all(file_, Character(file_), Deformer::ssd);
+  }
+  std::vector<Drawable> drawables() { return figure_->from_cpu(posed_); }
+  Box box() const { return box_of(posed_); }
+
+ private:
+  static cook::CookOptions raw() {
+    cook::CookOptions options;
+    options.mesh_codec = cook::MeshCodec::none;
+    return options;
+  }
+
+  AlignedBytes bytes_;
+  File file_;
+  std::unique_ptr<Figure> figure_;
+  std::vector<PosedMesh> posed_;
+};
+
+// What the sheet moves of the sample.
+struct Rig {
+  Skeleton skeleton;
+  std::array<Foot, 2> feet;
+  Feet both;
+  TwoBoneLimb arm{};
+  std::array<std::uint32_t, 2> looking{};  // neck, head
+  Aim look;
+};
+
+std::uint32_t joint_of(const File& file, const Skeleton& skeleton, const std::string& name) {
+  for (std::uint32_t j = 0; j < skeleton.joint_count; ++j)
+    if (name == file.text(skeleton.names[j])) return j;
+  throw Failure(Exit::internal, "the sample", "", "no joint \"" + name + "\"", "please report this");
+}
+
+void put(float (&to)[3], glm::vec3 v) {
+  for (int c = 0; c < 3; ++c) to[c] = v[c];
+}
+
+// The sample's own measures: soles below the middle of the feet, forward and up of the head, eyes before it.
+void make_rig(const File& file, Rig& rig) {
+  rig.skeleton = file.skeleton(0);
+  std::vector<Affine> rest(rig.skeleton.joint_count);
+  check(local_to_model(rig.skeleton, {rig.skeleton.rest, rig.skeleton.soa_size()}, rest));
+  const auto joint = [&](const std::string& name) { return joint_of(file, rig.skeleton, name); };
+  const auto at = [&](std::uint32_t j) { return glm::vec3(to_glm(rest[j])[3]); };
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::string end = side == 0 ? ".L" : ".R";
+    Foot& foot = rig.feet[side];
+    foot.hip = joint("thigh" + end);
+    foot.knee = joint("shin" + end);
+    foot.ankle = joint("foot" + end);
+    const glm::vec3 middle = 0.5f * (at(foot.ankle) + at(joint("toes" + end)));
+    put(foot.sole, glm::vec3(glm::inverse(to_glm(rest[foot.ankle])) * glm::vec4(middle.x, 0, middle.z, 1)));
+  }
+  rig.both.feet = rig.feet;
+  rig.both.pelvis = joint("pelvis");
+  rig.arm = {joint("upper_arm.L"), joint("forearm.L"), joint("hand.L")};
+  rig.looking = {joint("neck"), joint("head")};
+  const glm::mat4 head = glm::inverse(to_glm(rest[rig.looking[1]]));
+  put(rig.look.forward, glm::vec3(head * glm::vec4(0, 0, 1, 0)));
+  put(rig.look.up, glm::vec3(head * glm::vec4(0, 1, 0, 0)));
+  std::ranges::copy(kTarget, rig.look.target);
+  rig.look.pole[1] = 1;
+}
+
+struct Motion {
+  bool feet = false, hand = false;
+  std::array<FootMotion, 2> state = {};
+};
+
+void move(const Rig& rig, Motion& motion, Span<SoaTransform> local, Span<Affine> scene) {
+  if (motion.feet) {
+    std::array<FootGround, 2> ground;
+    FeetFrame frame;
+    frame.dt_s = kFrame_s;
+    for (std::size_t i = 0; i < 2; ++i) {
+      float sole[3];
+      check(foot_sole(rig.feet[i], frame.world_from_scene, scene, sole));
+      ground[i].hit = true;
+      put(ground[i].point, {sole[0], kSlope * sole[0], sole[2]});
+      put(ground[i].normal, {-kSlope, 1, 0});
+    }
+    check(place_feet(rig.skeleton, rig.both, frame, ground, motion.state, local, scene));
+  }
+  if (!motion.hand) return;
+  TwoBone hand;
+  std::ranges::copy(kTarget, hand.target);
+  check(solve_two_bone(rig.skeleton, rig.arm, hand, local, scene));
+  check(solve_look_at(rig.skeleton, rig.looking, rig.look, 0.6f, local, scene));
+}
+
+}  // namespace
+
+Image make_moves_sheet(const Gl& gl, const File& file) {
+  const std::uint32_t clip = file.find_clip("walk", 0);
+  if (clip == file.clip_count()) throw Failure(Exit::internal, "the sample", "", "no walk", "please report this");
+  const Play play = play_together(file, clip);
+  Character character(file, AsNormals::tangents);
+  const Performance performance(file, character, play);
+  Figure figure(gl, file, nullptr, AsNormals::tangents);
+  Studio studio(gl, kCellWidth, kCellHeight);
+  Ramp ramp(gl);
+  Rig rig;
+  make_rig(file, rig);
+  const auto frames = static_cast<int>(std::lround(play.duration_s / kFrame_s));
+
+  SheetPage page;
+  page.title = "Inverse kinematics";
+  page.scene = fmt::format("clip \"walk\", {:.2f} s, made for level ground", static_cast<double>(play.duration_s));
+  page.rows = {{"As animated", "feet go through a slope, or hang above it", {}, {}},
+               {"place_feet", "soles follow the ground, the pelvis gives way", {}, {}},
+               {"place_feet, solve_two_bone, solve_look_at", "and a hand stays on a point, and the eyes", {}, {}}};
+  for (std::size_t row = 0; row < page.rows.size(); ++row) {
+    Motion motion;
+    motion.feet = row > 0;
+    motion.hand = row > 1;
+    character.set_change(
+        [&](std::uint32_t, Span<SoaTransform> local, Span<Affine> scene) { move(rig, motion, local, scene); });
+    // A round to settle, and one to be photographed.
+    for (int frame = 0; frame < 2 * frames; ++frame) {
+      const int at = frame % frames;
+      const float time_s = static_cast<float>(at) * kFrame_s;
+      character.pose(play, time_s);
+      if (frame < frames || at % (frames / kSheetColumns) != 0) continue;
+      if (page.rows[row].cells.size() == kSheetColumns) break;
+      Shot shot = performance.shot(character, static_cast<float>(kCellWidth) / kCellHeight, 0.1f);
+      shot.palettes = &figure.palettes();
+      shot.box = box_of(skin_all(file, character, Deformer::as));
+      shot.box.add(ramp.box().min);
+      shot.box.add(ramp.box().max);
+      shot.ground_height = ramp.box().min.y;
+      std::vector<Drawable> drawables = figure.on_gpu(character, Deformer::as);
+      for (const Drawable& d : ramp.drawables()) drawables.push_back(d);
+      page.rows[row].cells.push_back(studio.shoot(shot, drawables));
+      if (motion.hand) draw_mark(page.rows[row].cells.back(), shot.camera, kTarget);
+      if (row == 0) page.columns.push_back(fmt::format("{:.2f} s", static_cast<double>(time_s)));
+    }
+  }
+  return lay_out(page);
+}
+
+}  // namespace marrow::tools

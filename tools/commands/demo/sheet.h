@@ -1,0 +1,26 @@
+// A contact sheet: six moments of a clip, skinned by SSD and by animation space, and where the two differ.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "image/image.h"
+#include "marrow/file.h"
+#include "render/gl.h"
+
+namespace marrow::tools {
+
+struct Sheet {
+  Image image;
+  float largest_m = 0;  // distance between SSD and AS over the moments shown, scene units
+};
+
+// The clip that bends joints most, the one worth showing; nullopt if the file has none.
+std::optional<std::uint32_t> liveliest_clip(const File& file);
+
+// title: what the file is called. All clips of the name of `clip` play, one a skeleton. Without a clip the rest pose is
+// shown from six sides.
+Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> clip, const std::string& title);
+
+}  // namespace marrow::tools

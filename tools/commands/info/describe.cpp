@@ -1,0 +1,179 @@
+// A cooked file in words and numbers, as JSON.
+#include "commands/info/describe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands/info/looks.h"
+#include "common/section_names.h"
+#include "marrow/clip_pack.h"
+#include "pose/evaluate.h"
+
+namespace marrow::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+// The sections of one type, in their order.
+std::vector<File::Section> sections_of(const LoadedFile& loaded, const char* type) {
+  std::vector<File::Section> out;
+  for (const File::Section& s : loaded.stored)
+    if (section_name(s.type) == type) out.push_back(s);
+  return out;
+}
+
+std::size_t bytes_of(const std::vector<File::Section>& sections) {
+  std::size_t sum = 0;
+  for (const File::Section& s : sections) sum += s.bytes;
+  return sum;
+}
+
+// Everything is counted once; what is left are the header, the table and padding.
+ordered_json describe_totals(const LoadedFile& loaded) {
+  const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH"));
+  const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
+                                bytes_of(sections_of(loaded, "LIMI")),
+                    clips = bytes_of(sections_of(loaded, "CLIP"));
+  return {{"geometry", geometry},
+          {"skeletons", skeletons},
+          {"clips", clips},
+          {"names_and_structure", loaded.stored_bytes - geometry - skeletons - clips}};
+}
+
+// Of the box around the joints at rest, scene units.
+double diagonal(const Character& character, std::uint32_t skeleton) {
+  double squared = 0;
+  for (int r = 0; r < 3; ++r) {
+    float low = 0, high = 0;
+    bool first = true;
+    for (const Affine& joint : character.scene_from_joint(skeleton)) {
+      low = first ? joint.rows[r][3] : std::min(low, joint.rows[r][3]);
+      high = first ? joint.rows[r][3] : std::max(high, joint.rows[r][3]);
+      first = false;
+    }
+    squared +=
+        (static_cast<double>(high) - static_cast<double>(low)) * (static_cast<double>(high) - static_cast<double>(low));
+  }
+  return std::sqrt(squared);
+}
+
+ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File::Section& geometry,
+                           bool first_of_geometry) {
+  std::uint32_t influences = 0;
+  for (const Run& run : mesh.geometry.runs) influences = std::max(influences, run.influences);
+  const Geometry& g = mesh.geometry;
+  ordered_json attributes = ordered_json::array({"position"});
+  if (g.normals != nullptr) attributes.push_back("normal");
+  if (g.tangents != nullptr) attributes.push_back("tangent");
+  if (g.uvs != nullptr) attributes.push_back("uv");
+  if (g.colours != nullptr) attributes.push_back("colour");
+  return {{"name", mesh.name},
+          {"material", mesh.material},
+          {"skeleton", mesh.skeleton},
+          {"vertices", g.vertex_count},
+          {"slots", g.slot_count},
+          {"triangles", g.index_count / 3},
+          {"joints", mesh.joint_count},
+          {"influences", influences},
+          {"joint_sets", g.runs.size},
+          {"attributes", attributes},
+          {"as", g.as_residual != nullptr ? "lift + residual" : "lift"},
+          {"mwe", g.mwe_residual != nullptr},
+          {"pose_examples", g.pose_space.examples.size},
+          {"targets", g.targets.size},
+          {"source_order", !g.source_slots.empty()},
+          {"next_part", mesh.is_next_part},
+          {"geometry", mesh.geometry_index},
+          {"codec", mesh_codec_name(geometry.codec)},
+          {"bytes", mesh_bytes + (first_of_geometry ? geometry.bytes : 0)},
+          {"bytes_per_vertex", static_cast<double>(geometry.bytes) / g.vertex_count}};
+}
+
+}  // namespace
+
+ordered_json describe(const std::string& path, const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  const Character character(file);
+  ordered_json r;
+  r["file"] = path;
+  r["version"] = 1;
+  r["bytes"] = loaded.stored_bytes;
+  r["packed"] = loaded.stored_bytes != loaded.bytes.size();
+  r["totals"] = describe_totals(loaded);
+  r["sections"] = ordered_json::array();
+  for (const File::Section& s : loaded.stored)
+    r["sections"].push_back(
+        {{"type", section_name(s.type)}, {"offset", s.offset}, {"bytes", s.bytes}, {"codec", s.codec}});
+  const std::vector<File::Section> skeletons = sections_of(loaded, "SKEL"), clips = sections_of(loaded, "CLIP"),
+                                   meshes = sections_of(loaded, "MESH"), geometries = sections_of(loaded, "GEOM");
+  r["skeletons"] = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
+    const Skeleton s = file.skeleton(i);
+    ordered_json joints = ordered_json::array();
+    for (std::uint32_t j = 0; j < s.joint_count; ++j)
+      joints.push_back({{"name", file.text(s.names[j])},
+                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
+    r["skeletons"].push_back({{"name", s.name},
+                              {"joints", s.joint_count},
+                              {"roots", s.root_count},
+                              {"limits", s.limits.size},
+                              {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
+                              {"diagonal_m", diagonal(character, i)},
+                              {"bytes", skeletons[i].bytes},
+                              {"joint_list", joints}});
+  }
+  r["references"] = ordered_json::array();
+  const std::vector<File::Section> references = sections_of(loaded, "SREF");
+  for (std::uint32_t i = 0; i < file.reference_count(); ++i) {
+    const SkeletonReference s = file.reference(i);
+    ordered_json joints = ordered_json::array();
+    for (std::uint32_t j = 0; j < s.joint_count; ++j)
+      joints.push_back({{"name", file.text(s.names[j])},
+                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
+    r["references"].push_back({{"name", s.name},
+                               {"joints", s.joint_count},
+                               {"hash", fmt::format("{:016x}", s.hash)},
+                               {"bytes", references[i].bytes},
+                               {"joint_list", joints}});
+  }
+  r["meshes"] = ordered_json::array();
+  std::vector<bool> counted(geometries.size(), false);
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
+    const Mesh mesh = file.mesh(i);
+    const std::uint32_t g = mesh.geometry_index;
+    r["meshes"].push_back(describe_mesh(mesh, meshes[i].bytes, geometries[g], !counted[g]));
+    counted[g] = true;
+    for (std::uint32_t level = 1; level <= mesh.lods.size; ++level) {
+      const Geometry less = file.mesh(i, level).geometry;
+      r["meshes"].back()["lods"].push_back({{"vertices", less.vertex_count},
+                                            {"triangles", less.index_count / 3},
+                                            {"bytes", geometries[mesh.lods[level - 1].geometry].bytes},
+                                            {"error_m", mesh.lods[level - 1].error_m}});
+    }
+  }
+  r["clips"] = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
+    const Clip c = file.clip(i);
+    const CodedTracks& coded = c.coded;
+    ordered_json channels = ordered_json::array();
+    for (const Channel& channel : c.channels) channels.push_back(file.text(channel.name));
+    r["clips"].push_back({{"name", c.name},
+                          {"duration_s", c.duration_s},
+                          {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
+                          {"codec", coded.frame_count > 0 ? "segments" : "raw"},
+                          {"frames", coded.frame_count},
+                          {"skeleton", c.skeleton},
+                          {"bytes", clips[i].bytes},
+                          {"additive", c.additive},
+                          {"reference", c.reference != nullptr ? "own" : "rest"},
+                          {"channels", channels}});
+  }
+  describe_looks(file, r);
+  describe_nodes(file, r);
+  return r;
+}
+
+}  // namespace marrow::tools

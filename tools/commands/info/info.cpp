@@ -1,0 +1,162 @@
+// A description as a tree for readers, with the bytes of every branch.
+#include "commands/info/info.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands/info/describe.h"
+#include "commands/info/looks.h"
+
+namespace marrow::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Line {
+  std::string label, bytes, source, words;
+};
+
+std::string text(const ordered_json& value) {
+  return value.get<std::string>();
+}
+
+std::string size_of(const ordered_json& value) {
+  return fmt::format("{} B", value.get<std::size_t>());
+}
+
+// Branches in the order in which they are added; a branch's leaves are added behind it.
+class Tree {
+ public:
+  Tree(const ordered_json& r, const ordered_json& source) : r_(r), source_(source) {
+    lines_.push_back({text(r["file"]), size_of(r["bytes"]), source_bytes("bytes"),
+                      fmt::format("format version {}", r["version"].get<int>())});
+    add_meshes();
+    add_skeletons();
+    add_clips();
+    branch("names and structure", "names_and_structure", true);
+    if (!source_.is_null()) lines_.push_back({"source: images", "", source_bytes("images"), ""});
+  }
+
+  // Columns as wide as the widest of each.
+  void print() const {
+    std::size_t label = 0, bytes = 0, source = 0;
+    for (const Line& line : lines_) {
+      label = std::max(label, width(line.label));
+      bytes = std::max(bytes, line.bytes.size());
+      source = std::max(source, line.source.size());
+    }
+    for (const Line& line : lines_) {
+      std::string out = line.label + std::string(label - width(line.label), ' ');
+      out += fmt::format("  {:>{}}", line.bytes, bytes);
+      if (source > 0) out += fmt::format("  {:>{}}", line.source, source);
+      if (!line.words.empty()) out += "  " + line.words;
+      fmt::print("{}\n", out.substr(0, out.find_last_not_of(' ') + 1));
+    }
+  }
+
+ private:
+  // Characters, counted by what is no continuation byte of UTF-8.
+  static std::size_t width(const std::string& s) {
+    return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  }
+  std::string source_bytes(const char* field) const {
+    return source_.is_null() ? "" : fmt::format("source {} B", source_[field].get<std::size_t>());
+  }
+  // Bytes of the source's element of the same name.
+  std::string source_bytes(const char* list, const ordered_json& name) const {
+    if (source_.is_null() || !source_[list].contains(text(name))) return "";
+    return fmt::format("source {} B", source_[list][text(name)].get<std::size_t>());
+  }
+
+  void branch(const std::string& name, const char* total, bool last = false) {
+    const auto bytes = r_["totals"][total].get<std::size_t>();
+    const double share = 100.0 * static_cast<double>(bytes) / r_["bytes"].get<double>();
+    lines_.push_back({(last ? "└─ " : "├─ ") + name, size_of(r_["totals"][total]), source_bytes(total),
+                      fmt::format("{:.1f} %", share)});
+  }
+  void leaf(bool last, const std::string& label, const std::string& bytes, const std::string& source,
+            const std::string& words) {
+    lines_.push_back({std::string("│  ") + (last ? "└─ " : "├─ ") + label, bytes, source, words});
+  }
+
+  void add_meshes() {
+    branch("geometry", "geometry");
+    for (std::size_t i = 0; i < r_["meshes"].size(); ++i) {
+      const auto& m = r_["meshes"][i];
+      leaf(i + 1 == r_["meshes"].size(), fmt::format("mesh {} \"{}\"", i, text(m["name"])), size_of(m["bytes"]),
+           source_bytes("mesh_bytes", m["name"]),
+           fmt::format("{} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}, {:.1f} B a "
+                       "vertex, {}{}{}{}",
+                       m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
+                       m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
+                       m["bytes_per_vertex"].get<double>(), text(m["codec"]),
+                       m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
+                       m["next_part"].get<bool>() ? ", next part" : "", of_skeleton(m)));
+    }
+  }
+
+  // Which skeleton, where there are several.
+  std::string of_skeleton(const ordered_json& o) const {
+    const bool several = r_["skeletons"].size() + r_["references"].size() > 1;
+    return several ? fmt::format(", skeleton {}", o["skeleton"].get<int>()) : std::string();
+  }
+
+  void add_skeletons() {
+    branch("skeletons", "skeletons");
+    for (std::size_t i = 0; i < r_["references"].size(); ++i) {
+      const auto& s = r_["references"][i];
+      leaf(i + 1 == r_["references"].size(), fmt::format("clip pack for skeleton \"{}\"", text(s["name"])),
+           size_of(s["bytes"]), "", fmt::format("{} joints, hash {}", s["joints"].get<int>(), text(s["hash"])));
+    }
+    for (std::size_t i = 0; i < r_["skeletons"].size(); ++i) {
+      const auto& s = r_["skeletons"][i];
+      leaf(i + 1 == r_["skeletons"].size(), fmt::format("skeleton {} \"{}\"", i, text(s["name"])), size_of(s["bytes"]),
+           "",
+           fmt::format("{} joints, {} roots, {}{:.3g} m across", s["joints"].get<int>(), s["roots"].get<int>(),
+                       s["limits"].get<int>() > 0 ? fmt::format("{} limits, ", s["limits"].get<int>()) : "",
+                       s["diagonal_m"].get<double>()));
+    }
+  }
+
+  void add_clips() {
+    branch("clips", "clips");
+    for (std::size_t i = 0; i < r_["clips"].size(); ++i) {
+      const auto& c = r_["clips"][i];
+      const bool last = i + 1 == r_["clips"].size();
+      const char* const kind = !c["additive"].get<bool>()       ? ""
+                               : text(c["reference"]) == "rest" ? ", additive over the rest pose"
+                                                                : ", additive over a reference of its own";
+      const int frames = c["frames"].get<int>();
+      leaf(last, fmt::format("clip {} \"{}\"", i, text(c["name"])), size_of(c["bytes"]),
+           source_bytes("clip_bytes", c["name"]),
+           fmt::format("{:.3f} s, {}{} tracks, {}{}", c["duration_s"].get<double>(),
+                       frames > 0 ? fmt::format("{} frames, ", frames) : "", c["tracks"].get<int>(), text(c["codec"]),
+                       kind, of_skeleton(c)));
+      for (const auto& channel : c["channels"])
+        lines_.push_back({fmt::format("│  {}  channel \"{}\"", last ? " " : "│", text(channel)), "", "", ""});
+    }
+  }
+
+  const ordered_json& r_;
+  const ordered_json& source_;  // null: unknown
+  std::vector<Line> lines_;
+};
+
+}  // namespace
+
+void run_info(const InfoArguments& a) {
+  ordered_json description = describe(a.in, load_mrw(a.in));
+  const ordered_json source = a.source.empty() ? ordered_json() : describe_source(a.source);
+  if (a.json) {
+    if (!source.is_null()) description["source"] = source;
+    fmt::print("{}\n", description.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    Tree(description, source).print();
+    print_looks(description);
+    print_nodes(description);
+  }
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,94 @@
+#include "commands/pose/write_pose.h"
+
+#include <cstring>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "common/failure.h"
+#include "common/files.h"
+#include "common/load_mrw.h"
+#include "common/vertex_order.h"
+#include "pose/evaluate.h"
+
+namespace marrow::tools {
+namespace {
+
+// A primitive of the source, posed: a mesh or the parts of one.
+struct PosedParts {
+  std::vector<Mesh> meshes;
+  std::vector<Geometry> geometries;
+  std::vector<PosedMesh> posed;
+};
+
+std::vector<PosedParts> pose_parts(const File& file, const Character& character, Deformer deformer) {
+  std::vector<PosedParts> out;
+  for (std::uint32_t m = 0; m < file.mesh_count();) {
+    PosedParts& parts = out.emplace_back();
+    parts.meshes = parts_at(file, m);
+    parts.geometries = geometries_of(parts.meshes);
+    for (std::size_t i = 0; i < parts.meshes.size(); ++i) character.skin(m++, deformer, parts.posed.emplace_back());
+  }
+  return out;
+}
+
+// Little-endian float32 x y z a vertex.
+std::string to_bin(const File& file, const Character& character, Deformer deformer) {
+  std::string out;
+  for (const PosedParts& parts : pose_parts(file, character, deformer))
+    for (const auto& [part, slot] : vertex_order(parts.geometries))
+      out.append(reinterpret_cast<const char*>(&parts.posed[part].positions[std::size_t{3} * slot]), 12);
+  return out;
+}
+
+void append_faces(std::span<const Geometry> parts, std::uint32_t first, bool normals, std::string& out) {
+  const std::vector<std::uint32_t> indices = indices_in_order(parts);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (i % 3 == 0) out += 'f';
+    const std::uint32_t n = first + indices[i];
+    out += normals ? fmt::format(" {}//{}", n, n) : fmt::format(" {}", n);
+    if (i % 3 == 2) out += '\n';
+  }
+}
+
+std::string to_obj(const File& file, const Character& character, Deformer deformer) {
+  std::string out;
+  std::uint32_t first = 1, number = 0;
+  for (const PosedParts& parts : pose_parts(file, character, deformer)) {
+    const std::vector<PartSlot> order = vertex_order(parts.geometries);
+    const char* const name = parts.meshes[0].name;
+    out += fmt::format("o {}\n", *name != '\0' ? name : fmt::format("mesh{}", number).c_str());
+    for (const auto& [part, s] : order) {
+      const std::vector<float>& at = parts.posed[part].positions;
+      out += fmt::format("v {} {} {}\n", at[3 * s], at[3 * s + 1], at[3 * s + 2]);
+    }
+    // Normals are numbered with the positions, so a mesh without them still takes its numbers.
+    const bool normals = !parts.posed[0].normals.empty();
+    for (const auto& [part, s] : order) {
+      const std::vector<float>& at = parts.posed[part].normals;
+      out +=
+          normals ? fmt::format("vn {} {} {}\n", at[3 * s], at[3 * s + 1], at[3 * s + 2]) : std::string("vn 0 0 0\n");
+    }
+    append_faces(parts.geometries, first, normals, out);
+    first += static_cast<std::uint32_t>(order.size());
+    number += static_cast<std::uint32_t>(parts.meshes.size());
+  }
+  return out;
+}
+
+}  // namespace
+
+void run_pose(const PoseArguments& a) {
+  const std::optional<Deformer> deformer = parse_deformer(a.deformer);
+  const bool obj = a.out.ends_with(".obj");
+  if (!obj && !a.out.ends_with(".bin"))
+    throw Failure(Exit::usage, a.out, "", "unknown format", "the output's name ends with .obj or .bin");
+  const LoadedFile loaded = load_mrw(a.in);
+  const Chosen chosen = choose(a.in, loaded.file, a.choice);
+  Character character(loaded.file);
+  character.pose(chosen.play, a.choice.time_s);
+  write_file_atomically(a.out,
+                        obj ? to_obj(loaded.file, character, *deformer) : to_bin(loaded.file, character, *deformer));
+}
+
+}  // namespace marrow::tools

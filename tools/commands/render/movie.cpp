@@ -1,0 +1,116 @@
+#include "commands/render/movie.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common/failure.h"
+#include "common/files.h"
+#include "image/apng.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr double kMostFrames = 3600;
+// Of an APNG, which is in memory until it is whole: a picture's encoder takes at most 3 bytes a pixel, mostly a third.
+constexpr std::size_t kMostPixels = std::size_t{1} << 30;
+constexpr double kTurnDegPerS = 60;
+constexpr double kRadPerDeg = 0.017453292519943295;
+
+// The number after a `%` at `at`: digits and where it ends; nothing if it is no number.
+struct Number {
+  int digits;
+  std::size_t end;
+};
+std::optional<Number> number_at(const std::string& text, std::size_t at) {
+  std::size_t end = at + 1;
+  if (end < text.size() && text[end] == '0') ++end;
+  int digits = 1;
+  if (end < text.size() && text[end] >= '1' && text[end] <= '9') digits = text[end++] - '0';
+  if (end >= text.size() || text[end] != 'd') return std::nullopt;
+  return Number{digits, end + 1};
+}
+
+std::uint16_t ticks(const Movie& movie, std::size_t frame) {
+  // Ends are rounded, not lengths, so that errors do not add up.
+  const auto end = [&](std::size_t i) {
+    const double share = static_cast<double>(i) / static_cast<double>(movie.instants.size());
+    return std::lround(movie.duration_s * share * Apng::kTicksPerSecond);
+  };
+  return static_cast<std::uint16_t>(std::clamp(end(frame + 1) - end(frame), 1L, 65535L));
+}
+
+}  // namespace
+
+Movie plan_movie(const RenderArguments& arguments, const Play& play) {
+  const double clip_s = arguments.held ? 0 : static_cast<double>(play.duration_s);
+  const bool plays = clip_s > 0;
+  const double turn_deg = arguments.turn_deg ? static_cast<double>(*arguments.turn_deg) : plays ? 0 : 360;
+  if (!plays && turn_deg == 0)
+    throw Failure(Exit::usage, "--movie", "", "nothing would move", "name a clip without --time, or give --turn");
+  const double turn_s = std::abs(turn_deg) / kTurnDegPerS;
+  Movie movie;
+  movie.duration_s = plays ? clip_s * std::max(1.0, std::ceil(turn_s / clip_s)) : turn_s;
+  const double frames = std::max(1.0, std::round(movie.duration_s * arguments.fps));
+  if (!(frames <= kMostFrames))
+    throw Failure(Exit::usage, "--movie", "",
+                  fmt::format("{:.4g} s at {} frames a second are too many frames", movie.duration_s, arguments.fps),
+                  fmt::format("at most {:.0f}: lower --fps", kMostFrames));
+  for (int i = 0; i < static_cast<int>(frames); ++i) {
+    Instant& instant = movie.instants.emplace_back();
+    const double time_s = movie.duration_s * i / frames;
+    instant.time_s = plays ? static_cast<float>(std::fmod(time_s, clip_s)) : arguments.choice.time_s;
+    if (turn_deg != 0) instant.turn_rad = static_cast<float>(turn_deg * kRadPerDeg * i / frames);
+  }
+  return movie;
+}
+
+std::string FrameNames::name(std::size_t frame) const {
+  return fmt::format("{}{:0{}}{}", before, frame, digits, after);
+}
+
+std::optional<FrameNames> parse_frame_names(const std::string& output) {
+  std::error_code ignored;
+  if (output.ends_with('/') || std::filesystem::is_directory(output, ignored))
+    return FrameNames{output, output.ends_with('/') ? output : output + "/", ".png"};
+  std::optional<FrameNames> names;
+  const std::size_t name_start = output.find_last_of('/') + 1;  // 0 without a folder
+  for (std::size_t at = output.find('%', name_start); at != std::string::npos; at = output.find('%', at + 1)) {
+    const std::optional<Number> number = number_at(output, at);
+    if (!number) continue;
+    if (names) throw Failure(Exit::usage, output, "", "two numbers in a frame's name", "give one, as in frame%04d.png");
+    names = FrameNames{"", output.substr(0, at), output.substr(number->end), number->digits};
+  }
+  return names;
+}
+
+void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
+  const Movie movie = plan_movie(arguments, sitting.play());
+  const std::optional<FrameNames> names = parse_frame_names(arguments.output);
+  const std::size_t frames = movie.instants.size();
+  const std::size_t pixels = static_cast<std::size_t>(sitting.width()) * static_cast<std::size_t>(sitting.height());
+  if (!names && frames > kMostPixels / pixels)
+    throw Failure(Exit::usage, arguments.output, "",
+                  fmt::format("{} frames of {} are too large for one file", frames, arguments.size),
+                  "lower --size or --fps, or write numbered frames: -o frames/");
+  if (names && !names->folder.empty()) create_folders(names->folder);
+  sitting.agree_on_heat(movie.instants);
+  Apng apng(static_cast<std::uint32_t>(frames));
+  for (std::size_t i = 0; i < frames; ++i) {
+    const Image frame = sitting.shoot(movie.instants[i]);
+    if (names) {
+      write_png(names->name(i), frame);
+    } else {
+      apng.add(frame, ticks(movie, i));
+    }
+  }
+  if (!names) write_file_atomically(arguments.output, apng.finish());
+  std::fputs(fmt::format("{}: {}x{}, {} frames, {:.4g} s, {}\n", arguments.output, sitting.width(), sitting.height(),
+                         frames, movie.duration_s, sitting.gl().driver())
+                 .c_str(),
+             stderr);
+}
+
+}  // namespace marrow::tools

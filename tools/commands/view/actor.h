@@ -1,0 +1,87 @@
+// The character on show in `marrow view`: posed and coloured as the settings have it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/view/view_settings.h"
+#include "render/figure.h"
+#include "render/performance.h"
+
+namespace marrow::tools {
+
+struct NamedPlay {
+  std::string name;
+  Play play;
+};
+
+struct NamedJoint {
+  std::string name;
+  std::uint32_t skeleton, joint;
+};
+
+// Milliseconds that the processor took.
+struct ActorTimes {
+  float pose = 0;
+  float skin = 0;  // and upload
+};
+
+class Actor {
+ public:
+  // Of a file, and what choose() made of it. Throws Failure: what textures throw. `gl` and `arguments` outlive it.
+  Actor(const Gl& gl, const LookArguments& arguments, LoadedFile loaded, Chosen chosen);
+
+  // The rest pose, each clip of the file, and what --clips chose.
+  const std::vector<NamedPlay>& plays() const { return plays_; }
+  // Which of them --clip chose, or 0.
+  std::size_t chosen() const { return chosen_; }
+  // Of all skeletons, in the file's order.
+  const std::vector<NamedJoint>& joints() const { return joints_; }
+  const File& file() const { return loaded_.file; }
+  const Character& character() const { return *character_; }
+  const Performance& performance() const { return *performance_; }
+  int coarsest_lod() const { return coarsest_lod_; }
+  // Whether the vertex shader has no room for a mesh's joints.
+  bool cpu_only() const { return figure_->too_large().has_value(); }
+  // The distance that the hottest colour stands for: the largest seen since the settings changed.
+  float heat_scale() const { return heat_scale_; }
+  const ActorTimes& times() const { return times_; }
+
+  // Poses; before it, rebuilds what the settings changed.
+  void pose(const Settings& settings);
+  std::vector<Drawable> drawables(const Settings& settings, Shot& shot);
+
+ private:
+  // What things are made for; as the settings have it, they are made again.
+  struct Made {
+    std::size_t clip = 0;
+    int lod = -1;
+    AsNormals normals = AsNormals::blended;
+    bool operator==(const Made&) const = default;
+  };
+  void add_plays(Chosen chosen);
+  void make(const Made& wanted);
+  std::vector<Drawable> weighted(const Settings& settings, Shot& shot);
+  std::vector<Drawable> heat(const Settings& settings, Shot& shot);
+
+  const Gl& gl_;
+  const LookArguments& arguments_;
+  LoadedFile loaded_;
+  std::optional<LoadedFile> pack_;
+  std::vector<NamedPlay> plays_;
+  std::vector<NamedJoint> joints_;
+  std::size_t chosen_ = 0;
+  int coarsest_lod_ = 0;
+  Textures textures_;
+  Made made_;
+  std::optional<Character> character_;
+  std::optional<Performance> performance_;
+  std::optional<Figure> figure_;
+  DeformerPair heat_pair_;
+  float heat_largest_ = 0, heat_scale_ = 1;
+  ActorTimes times_;
+};
+
+}  // namespace marrow::tools

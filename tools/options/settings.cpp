@@ -1,0 +1,219 @@
+#include "options/settings.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include <toml++/toml.h>
+
+#include "common/failure.h"
+#include "common/files.h"
+#include "common/pattern.h"
+#include "common/printable.h"
+
+namespace marrow::cook {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargest = 64 * 1024;
+constexpr const char* kName = "marrow.toml";
+
+std::string place(const toml::source_region& region) {
+  return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
+}
+
+// How many letters must be changed, added or left out (Levenshtein).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+// The line, from 1, on which keys are dotted more than kMostDots times, or 0. Each dot nests a table, and neither
+// toml++ 3.3 nor the stack is prepared for thousands; lists and inline tables end at 256.
+std::size_t line_of_deep_key(std::string_view text) {
+  constexpr std::size_t kMostDots = 16;
+  std::size_t line = 1, dots = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+    } else if (c == '#') {
+      at = std::min(text.find('\n', at), text.size()) - 1;
+    } else if (c == '.' && ++dots > kMostDots) {
+      return line;
+    } else if (c == '"' || c == '\'') {
+      // A string, to its closing quote; one of a single quote ends with its line even if it is not closed.
+      const bool multiline = text.substr(at, 3) == std::string(3, c);
+      const std::string_view close = text.substr(at, multiline ? 3 : 1);
+      for (at += close.size(); at < text.size() && text.substr(at, close.size()) != close; ++at) {
+        if (text[at] == '\n' && !multiline) break;
+        if (text[at] == '\n') ++line;
+        if (text[at] == '\\' && c == '"' && text.substr(at + 1, 1) != "\n") ++at;
+      }
+      if (at >= text.size()) return 0;
+      at = text[at] == '\n' ? at - 1 : at + close.size() - 1;
+      for (int more = 0; multiline && more < 2 && text.substr(at + 1, 1) == close.substr(0, 1); ++more) ++at;
+    }
+  }
+  return 0;
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : path_(path) {}
+
+  [[noreturn]] void fail(const std::string& where, const std::string& rule, const std::string& advice) const {
+    throw tools::Failure(tools::Exit::usage, path_, where, gltf::printable(rule), gltf::printable(advice));
+  }
+
+  // `match` is a list in rules; `file` the rules' own name at the top.
+  Given read_options(const toml::table& table, std::string_view but) const {
+    Given given;
+    for (const auto& [key, node] : table) {
+      const std::string_view name = key.str();
+      if (name == but) continue;
+      const auto option = std::ranges::find_if(option_table(), [&](const Option& o) { return name == o.name; });
+      if (option == option_table().end()) unknown(key, but);
+      given[option->name] = values(*option, node);
+    }
+    to_options(given);  // throws what is wrong
+    return given;
+  }
+
+  FileRule read_rule(const toml::node& node) const {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) fail(place(node.source()), "a rule must be a table", "write [[file]]");
+    FileRule rule;
+    rule.where = place(table->source());
+    const toml::node* const match = table->get("match");
+    if (match == nullptr) fail(rule.where, "the rule does not say which files", "give match = \"chars/hero*.glb\"");
+    for (const Value& value : strings("match", *match)) rule.match.push_back(value.text);
+    if (rule.match.empty()) fail(place(match->source()), "\"match\" names no files", "give a name, * and ? allowed");
+    rule.given = read_options(*table, "match");
+    return rule;
+  }
+
+ private:
+  [[noreturn]] void unknown(const toml::key& key, std::string_view also) const {
+    std::string nearest(also);
+    for (const Option& option : option_table())
+      if (distance(key.str(), option.name) < distance(key.str(), nearest)) nearest = option.name;
+    const bool near = distance(key.str(), nearest) <= std::max<std::size_t>(2, nearest.size() / 3);
+    fail(place(key.source()), "unknown setting \"" + std::string(key.str()) + "\"",
+         near ? "did you mean \"" + nearest + "\"?" : "`marrow cook --help` lists the options");
+  }
+
+  Value value_of(const std::string& text, const toml::node& node) const {
+    return {text, {path_, place(node.source()), false}};
+  }
+
+  std::vector<Value> strings(const std::string& name, const toml::node& node) const {
+    if (const auto* const text = node.as_string()) return {value_of(text->get(), node)};
+    const toml::array* const array = node.as_array();
+    if (array == nullptr) fail(place(node.source()), "\"" + name + "\" must be a string or a list of them", "quote it");
+    std::vector<Value> out;
+    for (const toml::node& element : *array) {
+      const auto* const text = element.as_string();
+      if (text == nullptr) fail(place(element.source()), "\"" + name + "\" must list strings", "quote it");
+      out.push_back(value_of(text->get(), element));
+    }
+    return out;
+  }
+
+  std::vector<Value> values(const Option& option, const toml::node& node) const {
+    const std::string name = option.name;
+    if (option.kind == OptionKind::list) return strings(name, node);
+    if (option.kind == OptionKind::flag) {
+      const auto* const flag = node.as_boolean();
+      if (flag == nullptr) fail(place(node.source()), "\"" + name + "\" must be true or false", "without quotes");
+      return {value_of(flag->get() ? "true" : "false", node)};
+    }
+    const auto* const text = node.as_string();
+    if (text == nullptr) fail(place(node.source()), "\"" + name + "\" must be a string", "quote it");
+    return {value_of(text->get(), node)};
+  }
+
+  std::string path_;
+};
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+}  // namespace
+
+Settings parse_settings(const std::string& path, std::string_view text) {
+  const Reader reader(path);
+  if (text.size() > kLargest) reader.fail("", "too large", "64 KiB is the limit; write patterns in place of names");
+  if (const std::size_t line = line_of_deep_key(text))
+    reader.fail(std::to_string(line) + ":1", "a key of too many parts", "options stand at the top or in [[file]]");
+  toml::table root;
+  try {
+    root = toml::parse(text);
+  } catch (const toml::parse_error& e) {
+    reader.fail(place(e.source()), "no TOML", std::string(e.description()));
+  }
+  Settings settings;
+  settings.path = path;
+  settings.folder = fs::weakly_canonical(fs::absolute(path)).parent_path().string();
+  settings.defaults = reader.read_options(root, "file");
+  if (const toml::node* const rules = root.get("file")) {
+    const toml::array* const array = rules->as_array();
+    if (array == nullptr) reader.fail(place(rules->source()), "\"file\" must be a list of tables", "write [[file]]");
+    for (const toml::node& rule : *array) settings.rules.push_back(reader.read_rule(rule));
+  }
+  return settings;
+}
+
+Settings read_settings(const std::string& path) {
+  std::error_code ignored;
+  if (fs::file_size(path, ignored) > kLargest && !ignored && fs::is_regular_file(path, ignored))
+    throw tools::Failure(tools::Exit::usage, path, "", "too large", "64 KiB is the limit");
+  const tools::AlignedBytes bytes = tools::read_file(path);
+  return parse_settings(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+std::optional<std::string> find_settings(const std::string& input, const std::string& root) {
+  std::error_code ignored;
+  const fs::path working = fs::weakly_canonical(fs::current_path(ignored), ignored);
+  const fs::path start = fs::weakly_canonical(fs::absolute(input), ignored).parent_path();
+  const fs::path above = fs::weakly_canonical(fs::absolute(root), ignored);
+  const fs::path last = is_below(start, working) ? working : above;
+  for (fs::path folder = start;; folder = folder.parent_path()) {
+    const fs::path candidate = folder / kName;
+    if (fs::is_regular_file(candidate, ignored)) {
+      // As short as the user would write it.
+      return is_below(candidate, working) ? candidate.lexically_relative(working).string() : candidate.string();
+    }
+    if (folder == last || folder == folder.parent_path() || !is_below(folder, last)) return std::nullopt;
+  }
+}
+
+Given settings_for(const Settings& settings, const std::string& input, std::vector<bool>& used) {
+  used.resize(settings.rules.size());
+  std::error_code ignored;
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(input), ignored);
+  const std::string name = canonical.lexically_relative(settings.folder).generic_string();
+  Given given = settings.defaults;
+  for (std::size_t i = 0; i < settings.rules.size(); ++i) {
+    const FileRule& rule = settings.rules[i];
+    if (std::ranges::none_of(rule.match, [&](const std::string& m) { return tools::fits(m, name); })) continue;
+    used[i] = true;
+    replace(given, rule.given);
+  }
+  return given;
+}
+
+}  // namespace marrow::cook
