@@ -42,6 +42,7 @@ std::vector<Include> includes_under(const fs::path& folder) {
 }
 
 const fs::path kRuntime = marrow::test::in_source("runtime");
+const fs::path kTools = marrow::test::in_source("tools");
 
 // Which folder stands behind a public header: where its functions are implemented.
 const std::map<std::string, std::string> kHeaders = {
@@ -96,6 +97,57 @@ TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }
+}
+
+// The folder of tools that an include line names; empty: none of them.
+std::string tool_of(const std::string& include) {
+  const std::string folder = include.substr(0, include.find('/'));
+  return folder != include && fs::is_directory(kTools / folder) && !fs::exists(kRuntime / include) ? folder : "";
+}
+
+TEST(Includes, LibrariesOfTheToolsPointOneWayAndToNoCommand) {
+  const std::map<std::string, std::set<std::string>> allowed = {
+      {"common", {}},
+      {"deform", {"common"}},
+      {"cook", {"common", "deform"}},
+      {"options", {"common", "deform", "cook"}},
+      {"export", {"common"}},
+      {"image", {"common"}},
+      {"pose", {"common"}},
+      {"sample", {"common"}},
+      {"bench", {"common", "cook", "pose", "sample"}},
+      {"render", {"common", "cook", "image", "pose"}},
+      {"sizes", {}},
+  };
+  for (const auto& entry : fs::directory_iterator(kTools)) {
+    if (!entry.is_directory()) continue;
+    const std::string folder = entry.path().filename().string();
+    const auto may = allowed.find(folder);
+    EXPECT_TRUE(may != allowed.end() || folder == "commands" || includes_under(entry.path()).empty()) << entry.path();
+    if (may == allowed.end()) continue;
+    for (const Include& include : includes_under(entry.path())) {
+      const std::string target = tool_of(include.name);
+      EXPECT_TRUE(target.empty() || target == folder || may->second.count(target))
+          << include.file << " includes " << include.name;
+    }
+  }
+}
+
+// A command's files are its own; what lies beside the folders in tools/commands is for all of them.
+TEST(Includes, CommandsDoNotKnowOneAnother) {
+  const fs::path commands = kTools / "commands";
+  int checked = 0;
+  for (const auto& entry : fs::directory_iterator(commands)) {
+    if (!entry.is_directory()) continue;
+    const std::string own = "commands/" + entry.path().filename().string();
+    for (const Include& include : includes_under(entry.path())) {
+      if (tool_of(include.name) != "commands") continue;
+      const std::string folder = fs::path(include.name).parent_path().string();
+      EXPECT_TRUE(folder == own || folder == "commands") << include.file << " includes " << include.name;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 15);
 }
 
 TEST(Includes, TheRuntimeKnowsNoFilesNoJsonNoStreams) {
