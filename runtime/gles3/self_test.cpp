@@ -5,7 +5,7 @@
 
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
-#include "gles3/memory.h"
+#include "core/memory.h"
 #include "gles3/self_test_key.h"
 #include "gles3/self_test_mesh.h"
 #include "gles3/self_test_target.h"

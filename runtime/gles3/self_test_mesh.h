@@ -1,7 +1,7 @@
 // The self-test's meshes and poses: made of numbers that look like noise and are the same everywhere.
 #pragma once
 
-#include "gles3/memory.h"
+#include "core/memory.h"
 #include "marrow/file.h"
 
 namespace marrow::gles3 {

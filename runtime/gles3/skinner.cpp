@@ -5,7 +5,7 @@
 
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
-#include "gles3/memory.h"
+#include "core/memory.h"
 #include "gles3/program_set.h"
 #include "gles3/skinned.h"
 #include "marrow/morph.h"
