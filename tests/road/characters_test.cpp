@@ -84,5 +84,54 @@ TEST(Characters, EachPlaysAsTheReferenceDoes) {
   std::printf("worst %.2e of the diagonal, %zu vertices\n", worst, compared);
 }
 
+// Every vertex of a finished character by SSD, in the source's order.
+std::vector<Vec3> vertices_of(const Character& character) {
+  std::vector<Vec3> out;
+  for (const CharacterMesh& m : character.meshes) {
+    std::vector<float> positions(std::size_t{3} * m.mesh.geometry.slot_count);
+    SkinOutput to;
+    to.positions = positions;
+    EXPECT_EQ(skin_ssd(m.mesh, m.palette, to), Status::ok);
+    for (const std::uint32_t slot : m.mesh.geometry.source_slots) {
+      Vec3& p = out.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) p[c] = static_cast<double>(positions[3 * std::size_t{slot} + c]);
+    }
+  }
+  return out;
+}
+
+TEST(Characters, AllOfAFilePlayByNameAsTheReferenceDoes) {
+  const std::string path = write_scene();
+  const Reference reference(path);
+  const Cooked cooked(path);
+  std::filesystem::remove(path);
+  const File& file = cooked.file();
+  AlignedBlock shared(animations_bytes(file, file)), own(character_bytes(file, {}));
+  Animations animations;
+  Character character;
+  ASSERT_EQ(make_animations(file, file, shared, animations), Status::ok);
+  ASSERT_EQ(make_character(file, {}, own, character), Status::ok);
+  const char* const names[] = {"fight", "run", "wait"};
+  double worst = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Animation* const animation = find_animation(animations, names[a]);
+    ASSERT_NE(animation, nullptr) << names[a];
+    EXPECT_NEAR(static_cast<double>(animation->duration_s), reference.duration_s(a), 1e-6);
+    for (int moment = 0; moment < kMoments; ++moment) {
+      const float time_s = 2.2f * static_cast<float>(moment) / (kMoments - 1);
+      const AnimationLayer layer{animation, time_s, 1};
+      ASSERT_EQ(pose_character(character, {&layer, 1}), Status::ok);
+      ASSERT_EQ(finish_character(character), Status::ok);
+      const std::vector<Vec3> want = reference.at(a, static_cast<double>(time_s)).positions;
+      const std::vector<Vec3> got = vertices_of(character);
+      ASSERT_EQ(got.size(), want.size());
+      for (std::size_t v = 0; v < want.size(); ++v)
+        worst = std::max(worst, length(minus(want[v], got[v])) / reference.diagonal());
+    }
+  }
+  EXPECT_LE(worst, kMostPosition);
+  EXPECT_GT(worst, 0);
+}
+
 }  // namespace
 }  // namespace marrow::test

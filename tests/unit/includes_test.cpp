@@ -53,7 +53,7 @@ const std::map<std::string, std::string> kHeaders = {
     {"marrow/ik.h", "ik"},        {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
     {"marrow/morph.h", "skin"},   {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
     {"marrow/draco.h", "draco"},  {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "springs"},
-    {"marrow/feet.h", "ik"},      {"marrow/ik_solve.h", "ik"}};
+    {"marrow/feet.h", "ik"},      {"marrow/ik_solve.h", "ik"},         {"marrow/character.h", "character"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
@@ -75,6 +75,7 @@ TEST(Includes, PointOneWay) {
       {"springs", {"core", "math", "asset", "pose", "springs"}},
       {"curve", {"core", "math", "curve"}},
       {"skin", {"core", "math", "asset", "skin"}},
+      {"character", {"core", "asset", "pose", "skin", "character"}},
       {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
       {"unpack", {"core", "math", "asset", "pose", "unpack"}},
       {"draco", {"core", "asset", "unpack", "draco"}},
@@ -92,8 +93,8 @@ TEST(Includes, PointOneWay) {
 }
 
 TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
-  const std::set<std::string> known = {"include", "core",  "math", "asset", "pose",   "limits", "ik",
-                                       "springs", "curve", "skin", "gles3", "unpack", "draco",  "meshopt"};
+  const std::set<std::string> known = {"include", "core", "math",  "asset",  "pose",  "limits",  "ik",       "springs",
+                                       "curve",   "skin", "gles3", "unpack", "draco", "meshopt", "character"};
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }

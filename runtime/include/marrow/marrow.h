@@ -2,6 +2,7 @@
 #pragma once
 
 #include "marrow/blend.h"           //    between them    several poses → one
+#include "marrow/character.h"       // 2. to 4.         all of a file: animations by name, every skeleton and mesh
 #include "marrow/clip_pack.h"       //    beside it       clips of another file
 #include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
 #include "marrow/feet.h"            //    after 3        soles on the ground

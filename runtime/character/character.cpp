@@ -1,0 +1,205 @@
+// The stages of marrow.h, called in their order for every skeleton and mesh of a file.
+#include "marrow/character.h"
+
+#include <cstring>
+
+#include "core/check.h"
+#include "core/memory.h"
+#include "marrow/local_to_model.h"
+#include "marrow/palette.h"
+#include "marrow/sample.h"
+#include "marrow/skin.h"
+
+namespace marrow {
+namespace {
+
+void take_skeletons(const File& file, const CharacterOptions& options, Memory& memory, Character& out) {
+  out.skeletons = memory.take<CharacterSkeleton>(file.skeleton_count());
+  std::size_t largest = 0;
+  for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
+    CharacterSkeleton made;
+    made.skeleton = file.skeleton(s);
+    made.local = memory.take<SoaTransform>(made.skeleton.soa_size());
+    made.scene_from_joint = memory.take<Affine>(made.skeleton.joint_count);
+    if (made.skeleton.soa_size() > largest) largest = made.skeleton.soa_size();
+    if (!out.skeletons.empty()) out.skeletons[s] = made;
+  }
+  out.sampled = memory.take<SoaTransform>(options.layers * largest);
+  out.blended = memory.take<BlendLayer>(options.layers);
+  out.change = memory.take<AdditiveTransform>(largest);
+}
+
+void take_meshes(const File& file, const CharacterOptions& options, Memory& memory, Character& out) {
+  out.meshes = memory.take<CharacterMesh>(file.mesh_count());
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
+    CharacterMesh made;
+    made.mesh = file.mesh(m, options.level);
+    made.first_target = out.target_count;
+    out.target_count += static_cast<std::uint32_t>(file.mesh(m).targets.size);
+    made.weights = memory.take<float>(made.mesh.targets.size);
+    if (options.skin) {
+      made.palette = memory.take<Affine>(made.mesh.palette_size());
+      if (options.animation_space) made.coordinates = memory.take<float>(as_coordinate_count(made.mesh.geometry));
+      made.vertices = memory.take<std::byte>(morphed_bytes(made.mesh.geometry));
+    }
+    if (!out.meshes.empty()) out.meshes[m] = made;
+  }
+}
+
+void lay_out(const File& file, const CharacterOptions& options, Memory& memory, Character& out) {
+  take_skeletons(file, options, memory, out);
+  take_meshes(file, options, memory, out);
+}
+
+Status make_vertices(CharacterMesh& m) {
+  const Geometry bind = m.mesh.geometry;
+  Status status = make_morphed(bind, m.vertices, m.morphed);
+  if (status == Status::ok && !m.coordinates.empty()) status = as_coordinates(bind, m.coordinates);
+  m.mesh.geometry = m.morphed.geometry;
+  return status;
+}
+
+// The pose of a clip; of an additive one its changes, laid on their reference.
+Status sample_either(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> change,
+                     Span<SoaTransform> out) {
+  if (!clip.additive) return sample(skeleton, clip, time_s, out);
+  const Status status = sample_additive(skeleton, clip, time_s, change);
+  if (status != Status::ok) return status;
+  std::memcpy(out.data, clip.reference != nullptr ? clip.reference : skeleton.rest, out.size * sizeof(SoaTransform));
+  return add(skeleton, {change, 1.0f, {}}, out);
+}
+
+Status sample_layer(const Skeleton& skeleton, const AnimationLayer& layer, std::uint32_t index,
+                    Span<AdditiveTransform> change, Span<SoaTransform> out) {
+  const std::uint32_t clip = layer.animation->clip_of_skeleton[index];
+  if (clip != kNoClip) return sample_either(skeleton, layer.animation->clips.clip(clip), layer.time_s, change, out);
+  std::memcpy(out.data, skeleton.rest, out.size * sizeof(SoaTransform));
+  return Status::ok;
+}
+
+Status sample_skeleton(Character& c, std::uint32_t index, Span<const AnimationLayer> layers) {
+  const CharacterSkeleton& s = c.skeletons[index];
+  const std::size_t size = s.skeleton.soa_size();
+  for (std::size_t i = 0; i < layers.size; ++i) {
+    const Span<SoaTransform> pose(c.sampled.data + i * size, size);
+    c.blended[i] = {pose, layers[i].weight, {}};
+    if (layers[i].weight == 0.0f) continue;  // blend() does not read it
+    const Status status = sample_layer(s.skeleton, layers[i], index, c.change, pose);
+    if (status != Status::ok) return status;
+  }
+  return blend(s.skeleton, {c.blended.data, layers.size}, s.local);
+}
+
+// Adds what an animation gives the mesh's targets, times `share`.
+Status add_weights(const AnimationLayer& layer, float share, CharacterMesh& m) {
+  const Animation& a = *layer.animation;
+  const std::uint32_t index = a.clip_of_skeleton[m.mesh.skeleton];
+  const Clip clip = index != kNoClip ? a.clips.clip(index) : Clip{};
+  Clip alone = clip;  // with one channel, so that the others need no memory
+  for (std::size_t t = 0; t < m.weights.size; ++t) {
+    const std::uint32_t channel = index != kNoClip ? a.channels[m.first_target + t] : kNoChannel;
+    float weight = m.mesh.targets[t].weight;
+    if (channel != kNoChannel) {
+      MARROW_REQUIRE(channel < clip.channels.size);
+      alone.channels = {clip.channels.data + channel, 1};
+      const Status status = sample_channels(alone, layer.time_s, {&weight, 1});
+      if (status != Status::ok) return status;
+    }
+    m.weights[t] += share * weight;
+  }
+  return Status::ok;
+}
+
+// Means by the rule of blend(): defaults join in below the threshold.
+Status sample_weights(Span<const AnimationLayer> layers, CharacterMesh& m) {
+  float total = 0;
+  for (const AnimationLayer& layer : layers) total += layer.weight;
+  const float rest = total < kRestThreshold ? kRestThreshold - total : 0.0f;
+  for (std::size_t t = 0; t < m.weights.size; ++t) m.weights[t] = rest / (total + rest) * m.mesh.targets[t].weight;
+  for (const AnimationLayer& layer : layers) {
+    if (layer.weight == 0.0f) continue;
+    const Status status = add_weights(layer, layer.weight / (total + rest), m);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+Status check_animation(const Character& c, const Animation* animation) {
+  MARROW_REQUIRE(animation != nullptr);
+  MARROW_REQUIRE(animation->clip_of_skeleton.size == c.skeletons.size);
+  MARROW_REQUIRE(animation->channels.size == c.target_count);
+  for (const std::uint32_t clip : animation->clip_of_skeleton)
+    MARROW_REQUIRE(clip == kNoClip || clip < animation->clips.clip_count());
+  return Status::ok;
+}
+
+}  // namespace
+
+std::size_t character_bytes(const File& file, const CharacterOptions& options) {
+  Memory counted;
+  Character unused;
+  lay_out(file, options, counted, unused);
+  return counted.whole();
+}
+
+Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out) {
+  MARROW_REQUIRE(options.layers > 0);
+  MARROW_REQUIRE(memory.size >= character_bytes(file, options));
+  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % 16 == 0);
+  Memory taken{memory.data};
+  Character made;
+  made.file = file;
+  made.options = options;
+  lay_out(file, options, taken, made);
+  for (CharacterMesh& m : made.meshes) {
+    const Status status = options.skin ? make_vertices(m) : Status::ok;
+    if (status != Status::ok) return status;
+  }
+  Status status = pose_character(made, {});
+  if (status == Status::ok) status = finish_character(made);
+  if (status == Status::ok) out = made;
+  return status;
+}
+
+Status sample_character(Character& character, Span<const AnimationLayer> layers) {
+  MARROW_REQUIRE(layers.size <= character.options.layers);
+  for (const AnimationLayer& layer : layers) {
+    const Status status = check_animation(character, layer.animation);
+    if (status != Status::ok) return status;
+  }
+  for (std::uint32_t s = 0; s < character.skeletons.size; ++s) {
+    const Status status = sample_skeleton(character, s, layers);
+    if (status != Status::ok) return status;
+  }
+  for (CharacterMesh& m : character.meshes) {
+    const Status status = sample_weights(layers, m);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+Status local_to_model(Character& character) {
+  for (const CharacterSkeleton& s : character.skeletons) {
+    const Status status = local_to_model(s.skeleton, s.local, s.scene_from_joint);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+Status pose_character(Character& character, Span<const AnimationLayer> layers) {
+  const Status status = sample_character(character, layers);
+  return status == Status::ok ? local_to_model(character) : status;
+}
+
+Status finish_character(Character& character) {
+  if (!character.options.skin) return Status::ok;
+  for (CharacterMesh& m : character.meshes) {
+    Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].scene_from_joint, m.palette);
+    if (status == Status::ok && !m.weights.empty()) status = morph(m.weights, m.morphed);
+    if (status == Status::ok && !m.coordinates.empty()) status = morph_coordinates(m.morphed, m.coordinates);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+}  // namespace marrow

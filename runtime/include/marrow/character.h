@@ -1,0 +1,135 @@
+// A character of a file, in one piece: all its skeletons and meshes through the stages of marrow.h, in their order.
+//
+//   once a load       make_animations
+//   once a character  make_character
+//   every frame       pose_character; the game reaches, places feet, lets springs swing; finish_character
+//   then              skin_ssd() and its like of a CharacterMesh, or pose() of a gles3::Skinner
+//
+// A file may hold several skeletons, such as a rider's and a horse's; they are posed together, and what is said here of
+// a skeleton or a mesh has its index in the file.
+//
+// Local poses may come from anyone. Instead of pose_character(): write CharacterSkeleton::local and
+// CharacterMesh::weights, then call local_to_model().
+//
+// No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
+// only read, and serve any number of them.
+#pragma once
+
+#include "marrow/blend.h"
+#include "marrow/file.h"
+#include "marrow/morph.h"
+
+namespace marrow {
+
+inline constexpr std::uint32_t kNoClip = 0xFFFFFFFF;
+
+// What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
+struct Animation {
+  File clips = {};       // that they are from: the character's file, or a clip pack
+  float duration_s = 0;  // of the longest
+  // One a skeleton of the character: which clip it plays; kNoClip: it rests.
+  Span<const std::uint32_t> clip_of_skeleton = {};
+  // One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
+  // skeleton plays.
+  Span<const std::uint32_t> channels = {};
+};
+
+struct Animations {
+  // One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
+  // A clip without a name has nothing to do with others.
+  Span<const Animation> all = {};
+};
+
+// Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
+std::size_t animations_bytes(const File& file, const File& clips);
+
+// Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
+// its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
+// fits none, its clips are left out: no skeleton plays them.
+//
+// memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
+// Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
+// a skeleton). Cost: compares names; once a load.
+Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out);
+
+// The first with this name that moves anything; null if there is none. Cost: compares names.
+const Animation* find_animation(const Animations& animations, const char* name);
+
+struct CharacterOptions {
+  std::uint32_t layers = 2;      // that are blended at once, at most; at least 1
+  std::uint32_t level = 0;       // of detail, as in File::mesh
+  bool skin = true;              // on the CPU; false: neither palettes nor morphed vertices, a gles3::Skinner has them
+  bool animation_space = false;  // skin by skin_as(), too
+};
+
+// A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
+// the other alike; all calls of stage 3½ do.
+struct CharacterSkeleton {
+  Skeleton skeleton = {};
+  Span<SoaTransform> local = {};       // skeleton.soa_size()
+  Span<Affine> scene_from_joint = {};  // skeleton.joint_count
+};
+
+// A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
+struct CharacterMesh {
+  Mesh mesh = {};                  // of the level asked for; with `skin` its geometry is this character's own, morphed
+  Span<float> weights = {};        // of morph targets
+  Span<Affine> palette = {};       // empty without `skin`
+  Span<float> coordinates = {};    // empty without `skin` and `animation_space`
+  MorphedGeometry morphed = {};    // with `skin`
+  Span<std::byte> vertices = {};   // what it lies in
+  std::uint32_t first_target = 0;  // in Animation::channels
+};
+
+// Views into the caller's memory. A copy is the same character.
+struct Character {
+  File file = {};
+  CharacterOptions options = {};
+  Span<CharacterSkeleton> skeletons = {};
+  Span<CharacterMesh> meshes = {};
+  std::uint32_t target_count = 0;  // of morph targets, of all meshes
+
+  // Scratch, of the largest skeleton.
+  Span<SoaTransform> sampled = {};  // a pose a layer
+  Span<BlendLayer> blended = {};
+  Span<AdditiveTransform> change = {};
+};
+
+// Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+std::size_t character_bytes(const File& file, const CharacterOptions& options);
+
+// A character in its rest pose, finished.
+//
+// `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
+// Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
+// meshes with morph targets, and as_coordinates().
+Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out);
+
+// An animation at a time, and how much of it.
+struct AnimationLayer {
+  const Animation* animation = nullptr;  // made for the character's file
+  float time_s = 0;                      // see playback.h
+  float weight = 1;                      // 0 … kMaxBlendWeight
+};
+
+// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
+// blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
+// reference.
+//
+// Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
+// out of range, a time that is not a number); a part of the character may have been written then.
+// Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
+Status sample_character(Character& character, Span<const AnimationLayer> layers);
+
+// Brings scene_from_joint of all skeletons up to date with `local`.
+Status local_to_model(Character& character);
+
+// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
+Status pose_character(Character& character, Span<const AnimationLayer> layers);
+
+// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
+// Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
+// mesh.
+Status finish_character(Character& character);
+
+}  // namespace marrow
