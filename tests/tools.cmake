@@ -78,11 +78,11 @@ set_target_properties(marrow_cook_tests marrow_cli_tests marrow_reference marrow
   UNITY_BUILD ${MARROW_UNITY} UNITY_BUILD_BATCH_SIZE 5)
 
 # The README's first program, as printed there.
-add_executable(marrow_first_program road/first_program.cpp)
+add_executable(marrow_first_program ${PROJECT_SOURCE_DIR}/examples/play.cpp)
 target_link_libraries(marrow_first_program PRIVATE marrow::draco)
 marrow_warnings(marrow_first_program)
 add_test(NAME readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/README.md
-  -DFIRST_PROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/road/first_program.cpp -DMARROW=$<TARGET_FILE:marrow>
+  -DFIRST_PROGRAM=${PROJECT_SOURCE_DIR}/examples/play.cpp -DMARROW=$<TARGET_FILE:marrow>
   -DBUILT=$<TARGET_FILE:marrow_first_program> -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/road/readme.cmake)
 set_tests_properties(readme PROPERTIES LABELS cli)
