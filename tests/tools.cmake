@@ -77,15 +77,24 @@ set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
 set_target_properties(marrow_cook_tests marrow_cli_tests marrow_reference marrow_workflow_tests PROPERTIES
   UNITY_BUILD ${MARROW_UNITY} UNITY_BUILD_BATCH_SIZE 5)
 
-# The README's first program, as printed there.
-add_executable(marrow_first_program ${PROJECT_SOURCE_DIR}/examples/play.cpp)
-target_link_libraries(marrow_first_program PRIVATE marrow::draco)
-marrow_warnings(marrow_first_program)
-add_test(NAME readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/README.md
-  -DFIRST_PROGRAM=${PROJECT_SOURCE_DIR}/examples/play.cpp -DMARROW=$<TARGET_FILE:marrow>
-  -DBUILT=$<TARGET_FILE:marrow_first_program> -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}
-  -P ${CMAKE_CURRENT_SOURCE_DIR}/road/readme.cmake)
-set_tests_properties(readme PROPERTIES LABELS cli)
+# The programs that documents show, as a game would build them.
+function(marrow_example name)
+  add_executable(marrow_example_${name} ${PROJECT_SOURCE_DIR}/examples/${name}.cpp)
+  target_link_libraries(marrow_example_${name} PRIVATE ${ARGN})
+  marrow_warnings(marrow_example_${name})
+endfunction()
+marrow_example(play marrow::draco)
+marrow_example(crowd marrow::runtime)
+set(example_draw "")
+if(MARROW_GLES AND NOT MARROW_SANITIZE)
+  marrow_example(draw marrow::gles3 marrow::egl)
+  target_include_directories(marrow_example_draw SYSTEM PRIVATE ${MARROW_GLES_INCLUDE})
+  set(example_draw $<TARGET_FILE:marrow_example_draw>)
+endif()
+add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
+  -DPLAY=$<TARGET_FILE:marrow_example_play> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DDRAW=${example_draw}
+  -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
+set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")
 
 # What others make of exports: the Khronos validator, and three.js in a headless browser beside the source. Skipped, which
 # ctest says aloud, where npm cannot be had.

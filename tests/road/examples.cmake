@@ -1,0 +1,31 @@
+# The programs in examples do what they say with the sample, and the documents show them as they are built.
+function(expect_shown document program)
+  file(READ ${SOURCE}/${document} text)
+  file(READ ${SOURCE}/examples/${program} wanted)
+  string(FIND "${text}" "```cpp\n${wanted}```" found)
+  if(found EQUAL -1)
+    message(FATAL_ERROR "${program} in ${document} differs from examples/${program}")
+  endif()
+endfunction()
+
+function(expect_printed program file pattern)
+  execute_process(COMMAND ${program} ${file} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "${program} printed: ${text}")
+  endif()
+  message("${text}")
+endfunction()
+
+expect_shown(README.md play.cpp)
+expect_shown(docs/programs.md crowd.cpp)
+expect_shown(docs/programs.md draw.cpp)
+set(sample ${FOLDER}/examples)
+execute_process(COMMAND ${MARROW} sample -o ${sample}.glb COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw -o ${sample}.mrw COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-codec none -o ${sample}_plain.mrw
+  COMMAND_ERROR_IS_FATAL ANY)
+expect_printed(${PLAY} ${sample}.mrw "^[a-z]+: vertex 0 at -?[0-9.e-]+ -?[0-9.e-]+ -?[0-9.e-]+ m\n$")
+expect_printed(${CROWD} ${sample}_plain.mrw "^100 characters, 200 feet on the ground\n$")
+if(DRAW)  # as large before the context is lost as after
+  expect_printed(${DRAW} ${sample}_plain.mrw "^frame 0: 2[0-9]+ pixels\nframe 29: 2[0-9]+ pixels\nframe 58: 2[0-9]+ pixels\n$")
+endif()
