@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/build.h"
-#include "cook/clip/compress/pack_tracks.h"
+#include "cook/cook.h"
 #include "cook/gltf/read.h"
+#include "cook/scene/views.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 #include "road/models.h"
@@ -109,8 +109,8 @@ constexpr std::uintmax_t kMostBytes = UINTMAX_MAX;
 
 TEST_P(Clips, KeepTheirPromise) {
   if (std::filesystem::file_size(GetParam()) > kMostBytes) GTEST_SKIP() << "thinned under sanitizers";
-  cook::RawScene raw = cook::read_gltf(GetParam());
-  const cook::BuiltScene built = cook::build_scene(raw, without_meshes());
+  cook::Notes notes;
+  const cook::BuiltScene built = cook::build_scene(cook::read_gltf(GetParam()), without_meshes(), notes);
   const Reference reference(GetParam());
   const std::vector<std::size_t> animations = animations_of(built, reference.source());
   const double scale = scale_of(built);
@@ -151,8 +151,8 @@ TEST_P(Clips, KeepTheirPromise) {
 // A set of joints, and a pose that already holds what stays: the same bits as of the whole pose.
 TEST_P(Clips, InPartsAreTheSame) {
   if (std::filesystem::file_size(GetParam()) > kMostBytes) GTEST_SKIP() << "thinned under sanitizers";
-  cook::RawScene raw = cook::read_gltf(GetParam());
-  const cook::BuiltScene built = cook::build_scene(raw, without_meshes());
+  cook::Notes notes;
+  const cook::BuiltScene built = cook::build_scene(cook::read_gltf(GetParam()), without_meshes(), notes);
   const auto lane = [](const SoaTransform& t, std::size_t n) {
     std::vector<std::uint32_t> bits(10);
     for (std::size_t i = 0; i < 10; ++i) std::memcpy(&bits[i], reinterpret_cast<const float*>(&t) + 4 * i + n, 4);
@@ -187,12 +187,12 @@ TEST_P(Clips, InPartsAreTheSame) {
 
 TEST(ClipPromise, IsOverriddenByJoint) {
   const std::string path = in_golden("dance.gltf");
-  cook::RawScene raw = cook::read_gltf(path);
+  cook::Notes notes;
   constexpr double kLoose = 1e-3, kStrict = 2e-5;
   cook::CookOptions options = without_meshes();
   options.clip_error.push_back({"", kLoose, false});
   options.clip_error.push_back({"j*3", kStrict, false});
-  const cook::BuiltScene built = cook::build_scene(raw, options);
+  const cook::BuiltScene built = cook::build_scene(cook::read_gltf(path), options, notes);
   const Reference reference(path);
   const cook::BuiltSkeleton& joints = built.skeletons.at(0);
   const Skeleton skeleton = cook::view(joints);

@@ -1,14 +1,14 @@
 // Text of an untrusted scene, on its way to a terminal or a file name.
 #include "common/printable.h"
 
-namespace marrow::cook::gltf {
+namespace marrow::tools {
 namespace {
 
 constexpr std::size_t kLongestText = 400;
 
 }  // namespace
 
-Character decode_character(std::string_view text, std::size_t at) {
+DecodedCharacter decode_character(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[at + i])); };
   const std::uint32_t lead = byte(0);
   if (lead < 0x80) return {lead, 1};
@@ -32,7 +32,7 @@ std::string printable(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     if (result.size() > kLongestText) return result + "...";
-    const Character character = decode_character(text, at);
+    const DecodedCharacter character = decode_character(text, at);
     if (is_deceptive(character.code)) {
       result += '?';
     } else {
@@ -43,4 +43,4 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-}  // namespace marrow::cook::gltf
+}  // namespace marrow::tools

@@ -1,146 +1,97 @@
+// The road from an artist's scene to a cooked file, stage by stage.
 #include "cook/cook.h"
 
-#include "common/section_names.h"
+#include <utility>
+
+#include "common/failure.h"
+#include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
+#include "cook/mesh/build_materials.h"
+#include "cook/mesh/build_meshes.h"
+#include "cook/mesh/derive_binds.h"
+#include "cook/prepare/match_skeletons.h"
+#include "cook/prepare/prepare_scene.h"
+#include "cook/skeleton/build_limits.h"
+#include "cook/skeleton/build_nodes.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "cook/write/report_scene.h"
 #include "cook/write/write_scene.h"
 
 namespace marrow::cook {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json report_sections(const WrittenFile& written) {
-  ordered_json out = ordered_json::array();
-  for (const WrittenFile::Part& part : written.sections)
-    out.push_back({{"type", tools::section_name(part.type)}, {"bytes", part.bytes}});
-  return out;
-}
-
-ordered_json report_lods(const BuiltScene& built, const BuiltMesh& mesh, const WrittenFile& written) {
-  ordered_json out = ordered_json::array();
-  for (const BuiltLod& lod : mesh.lods) {
-    const BuiltGeometry& geometry = built.geometries[lod.geometry];
-    out.push_back({{"vertices", geometry.header.vertex_count},
-                   {"triangles", geometry.header.index_count / 3},
-                   {"influences", geometry.influences},
-                   {"bytes", written.geometry_bytes[lod.geometry]},
-                   {"rms_error_m", lod.rms_error_m},
-                   {"max_error_m", lod.max_error_m}});
+// Skeletons that no clip moves are of no use.
+BuiltScene without_unmoved(BuiltScene scene) {
+  std::vector<std::uint32_t> number(scene.skeletons.size(), 0);
+  for (const BuiltClip& clip : scene.clips) number[clip.skeleton] = 1;
+  std::uint32_t count = 0;
+  for (std::size_t s = 0; s < number.size(); ++s) {
+    if (number[s] == 0) continue;
+    if (count != s) scene.skeletons[count] = std::move(scene.skeletons[s]);
+    number[s] = count++;
   }
-  return out;
+  scene.skeletons.resize(count);
+  for (BuiltClip& clip : scene.clips) clip.skeleton = number[clip.skeleton];
+  return scene;
 }
 
-ordered_json report_learnt(const LearnReport& learnt) {
-  return {{"kind", learnt.kind},
-          {"truth", learnt.truth},
-          {"poses", learnt.poses},
-          {"made_up_poses", learnt.made_up},
-          {"half_joints", learnt.half_joints},
-          {"held_out_share", learnt.held_out_share},
-          {"worse_share", learnt.worse_share}};
-}
-
-ordered_json report_deformer(const DeformerReport& learnt, double error_m) {
-  return {{"shipped", learnt.shipped},
-          {"truth", learnt.truth},
-          {"poses", learnt.poses},
-          {"made_up_poses", learnt.made_up},
-          {"held_out_share", learnt.held_out_share},
-          {"worse_share", learnt.worse_share},
-          {"max_error_m", error_m}};
-}
-
-// What was learnt for a mesh; of what was not asked for nothing.
-void report_learning(const LearnReport& learnt, const BuiltGeometry& geometry, ordered_json& mesh) {
-  mesh["animation_space"] = report_learnt(learnt);
-  if (*learnt.multi_weights.truth != '\0')
-    mesh["multi_weights"] = report_deformer(learnt.multi_weights, geometry.error.multi_weight_m);
-  if (*learnt.pose_space.truth == '\0') return;
-  mesh["pose_space"] = report_deformer(learnt.pose_space, geometry.error.pose_space_m);
-  mesh["pose_space"]["examples"] = learnt.pose_space.examples;
-}
-
-// A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
-ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) {
-  ordered_json out = ordered_json::array();
-  std::vector<bool> counted(built.geometries.size(), false);
-  for (std::size_t i = 0; i < built.meshes.size(); ++i) {
-    const BuiltMesh& mesh = built.meshes[i];
-    const BuiltGeometry& geometry = built.geometries[mesh.geometry];
-    const format::GeometryHeader& h = geometry.header;
-    std::size_t bytes = written.mesh_bytes[i];
-    if (!counted[mesh.geometry]) bytes += written.geometry_bytes[mesh.geometry];
-    counted[mesh.geometry] = true;
-    out.push_back({{"name", mesh.name},
-                   {"vertices", h.vertex_count},
-                   {"triangles", h.index_count / 3},
-                   {"influences", geometry.influences},
-                   {"joints", mesh.joints.size()},
-                   {"codec", tools::mesh_codec_name(geometry.codec)},
-                   {"bytes", bytes},
-                   {"max_position_error_m", geometry.error.position_m},
-                   {"max_normal_error_deg", geometry.error.normal_deg},
-                   {"max_uv_error", geometry.error.uv},
-                   {"max_weight_error", geometry.error.weight},
-                   {"max_target_error_m", geometry.error.target_m}});
-    if (mesh.source_triangles > 0) out.back()["source_triangles"] = mesh.source_triangles;
-    if (mesh.parts > 1)
-      out.back()["split"] = {{"part", mesh.part}, {"parts", mesh.parts}, {"doubled_vertices", mesh.doubled}};
-    if (!mesh.lods.empty()) out.back()["lods"] = report_lods(built, mesh, written);
-    if (mesh.learnt != kNone)
-      report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry, out.back());
+// A clip pack: clips and what they were made for, without the skeletons themselves and without meshes.
+BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) {
+  BuiltScene out;
+  if (options.onto) {
+    Matched matched = match_skeletons(*options.onto, std::move(scene), notes);
+    scene = std::move(matched.scene);
+    out = std::move(matched.built);
+  } else {
+    out = build_skeletons(scene);
   }
-  return out;
+  if (scene.clips.empty() || out.skeletons.empty())
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/animations", "no-clips",
+                         "no animation moves a node of the scene; cook without --clips-only");
+  out.is_pack = true;
+  out.clips = build_clips(scene, out, options, notes);
+  return without_unmoved(std::move(out));
 }
 
-ordered_json make_report(const RawScene& scene, const BuiltScene& built, const WrittenFile& written) {
-  ordered_json r;
-  r["source"] = {{"file", scene.source}, {"bytes", scene.source_bytes}};
-  r["output"] = {{"bytes", written.bytes.size()}, {"sections", report_sections(written)}};
-  r["clip_pack"] = built.is_pack;
-  r["skeletons"] = ordered_json::array();
-  for (const BuiltSkeleton& skeleton : built.skeletons)
-    r["skeletons"].push_back({{"name", skeleton.name}, {"joints", skeleton.parents.size()}});
-  r["meshes"] = report_meshes(built, written);
-  r["clips"] = ordered_json::array();
-  for (std::size_t i = 0; i < built.clips.size(); ++i) {
-    const BuiltClip& clip = built.clips[i];
-    const BuiltSkeleton& skeleton = built.skeletons[clip.skeleton];
-    const std::size_t joints = skeleton.parents.size();
-    const std::uint64_t raw_bytes = std::uint64_t{clip.most_keys} * joints * 40, bytes = written.clip_bytes[i];
-    r["clips"].push_back(
-        {{"name", clip.name},
-         {"skeleton", clip.skeleton},
-         {"duration_s", clip.duration_s},
-         {"codec", clip.coded.header.frame_count > 0 ? "segments" : "raw"},
-         {"raw_bytes", raw_bytes},
-         {"bytes", bytes},
-         {"ratio",
-          raw_bytes > 0 ? ordered_json(static_cast<double>(bytes) / static_cast<double>(raw_bytes)) : ordered_json()},
-         {"additive", clip.additive.empty() ? ordered_json() : ordered_json(clip.additive)},
-         {"channels", clip.channel_names},
-         {"max_error_m", clip.error.error_m},
-         {"max_error_joint", skeleton.joint_names[clip.error.joint]},
-         {"max_error_time_s", clip.error.time_s}});
-  }
-  report_looks(built, r);
-  report_nodes(built, r);
-  r["warnings"] = ordered_json::array();
-  for (const RawWarning& w : scene.warnings)
-    r["warnings"].push_back({{"pointer", w.pointer}, {"rule", w.rule}, {"text", w.text}});
-  return r;
+// Of a scene that is prepared.
+BuiltScene build_whole(const RawScene& scene, const CookOptions& options, Notes& notes) {
+  BuiltScene out = build_skeletons(scene);
+  std::vector<std::vector<JointLimit>> limits = build_limits(scene, out, notes);
+  for (std::size_t s = 0; s < limits.size(); ++s) out.skeletons[s].limits = std::move(limits[s]);
+  out.clips = build_clips(scene, out, options, notes);
+  BuiltMeshes meshes = build_meshes(scene, out, options, notes);
+  if (options.mesh_codec != MeshCodec::none) meshes = derive_inverse_binds(out.skeletons, std::move(meshes));
+  BuiltLooks looks = build_materials(scene, meshes.meshes, options.images, notes);
+  for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
+  BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
+  out.geometries = std::move(meshes.geometries);
+  out.learnt = std::move(meshes.learnt);
+  out.meshes = std::move(meshes.meshes);
+  out.materials = std::move(looks.materials);
+  out.images = std::move(looks.images);
+  out.nodes = std::move(nodes.nodes);
+  out.kept = std::move(nodes.kept);
+  return out;
 }
 
 }  // namespace
 
+BuiltScene build_scene(RawScene scene, const CookOptions& options, Notes& notes) {
+  if (options.clips_only) return build_pack(std::move(scene), options, notes);
+  return build_whole(prepare_scene(std::move(scene), options, notes), options, notes);
+}
+
 CookResult cook_scene(RawScene scene, const CookOptions& options) {
-  const BuiltScene built = build_scene(scene, options);
-  WrittenFile written = write_scene(built, scene.source);
+  Notes notes{std::move(scene.warnings), {}};
   CookResult result;
-  result.report = make_report(scene, built, written);
-  result.file = std::move(written.bytes);
   result.reads = std::move(scene.reads);
+  const SourceFile source{scene.source, scene.source_bytes};
+  const BuiltScene built = build_scene(std::move(scene), options, notes);
+  WrittenFile written = write_scene(built, source.file);
+  result.report = report_scene(source, built, written, notes.warnings);
+  result.file = std::move(written.bytes);
+  // A scene in memory has none.
+  if (!result.reads.empty()) result.reads.insert(result.reads.end(), notes.reads.begin(), notes.reads.end());
   return result;
 }
 

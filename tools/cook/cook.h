@@ -7,23 +7,24 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cook/build.h"
+#include "cook/scene/built.h"
+#include "cook/scene/cook_options.h"
+#include "cook/scene/raw.h"
 
 namespace marrow::cook {
 
 struct CookResult {
   std::vector<std::byte> file;
-  // {source {file, bytes}, output {bytes, sections [{type, bytes}]}, clip_pack, skeletons [{name, joints}], meshes
-  // [{name, vertices, triangles, influences, codec, bytes, max_position_error_m}], clips [{name, skeleton, duration_s,
-  // raw_bytes, bytes, additive, channels [name], max_error_m}], materials [{name, alpha, textures [{role, image}]}],
-  // images [{name, uri, format, bytes}], nodes [{name, skeleton, joint, properties}], keep [{glob, nodes [name]}],
-  // warnings [{pointer, rule, text}]}; docs/architecture.md says what each means.
-  nlohmann::ordered_json report;
-  std::vector<RawRead> reads;  // what the result depends on, besides the options
+  nlohmann::ordered_json report;  // see report_scene()
+  std::vector<RawRead> reads;     // what the result depends on, besides the options
 };
 
 // Throws tools::Failure, located.
 CookResult cook_file(const std::string& path, const CookOptions& options);
 CookResult cook_scene(RawScene scene, const CookOptions& options);
+
+// What is written of a scene: from the artist's to the runtime's. Notes what is mended or left out. Throws
+// tools::Failure (invalid: nothing to cook; unsupported: a limit of the format; usage: an option fits nothing).
+BuiltScene build_scene(RawScene scene, const CookOptions& options, Notes& notes);
 
 }  // namespace marrow::cook

@@ -17,7 +17,7 @@ namespace marrow::cook {
 namespace {
 
 [[noreturn]] void refuse(const Value& value, const std::string& rule, const std::string& advice) {
-  throw tools::Failure(tools::Exit::usage, value.origin.file, value.origin.where, gltf::printable(rule), advice);
+  throw tools::Failure(tools::Exit::usage, value.origin.file, value.origin.where, tools::printable(rule), advice);
 }
 
 // "0.1mm", "0.0001m", or a share as in "0.05%".

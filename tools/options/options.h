@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cook/build.h"
+#include "cook/scene/cook_options.h"
 
 namespace marrow::cook {
 

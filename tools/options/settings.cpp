@@ -75,7 +75,7 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path) {}
 
   [[noreturn]] void fail(const std::string& where, const std::string& rule, const std::string& advice) const {
-    throw tools::Failure(tools::Exit::usage, path_, where, gltf::printable(rule), gltf::printable(advice));
+    throw tools::Failure(tools::Exit::usage, path_, where, tools::printable(rule), tools::printable(advice));
   }
 
   // `match` is a list in rules; `file` the rules' own name at the top.

@@ -80,7 +80,7 @@ GLuint Textures::texture(std::uint32_t index) {
   if (!image.bytes.empty()) return upload(image.bytes, index, where);
   const auto bytes = read_referenced(image.uri, folder_, path_, where);
   if (bytes) return upload(*bytes, index, where);
-  const std::string uri = cook::gltf::printable(image.uri);
+  const std::string uri = printable(image.uri);
   const std::string advice = uri.empty()
                                  ? "it lies inside the source; cook with --images embed"
                                  : "there is no " + uri + " below \"" + folder_ + "\"; say where with --images-from";

@@ -11,6 +11,9 @@
 #include <glm/matrix.hpp>
 
 #include "cook/cook.h"
+#include "cook/prepare/bind_bones.h"
+#include "cook/prepare/paint_weights.h"
+#include "deform/weights/auto_weights.h"
 #include "options/options.h"
 #include "unit/cook/scene_document.h"
 
@@ -96,6 +99,13 @@ void expect_bound(const RawPrimitive& primitive) {
   }
 }
 
+// In the place of the scene, with what is noted as its warnings.
+void bind(RawScene& scene, const WeightOptions& options) {
+  Notes notes{scene.warnings, {}};
+  scene = bind_weights(scene, options, notes);
+  scene.warnings = std::move(notes.warnings);
+}
+
 TEST(BindWeights, AMeshWithASkinGetsItsWeights) {
   for (const WeightMethod method : {WeightMethod::geodesic, WeightMethod::gaussian}) {
     SceneDocument d;
@@ -104,7 +114,7 @@ TEST(BindWeights, AMeshWithASkinGetsItsWeights) {
     draw(d, at, bar(d.b), 0);
     RawScene scene = d.read();
     ASSERT_TRUE(warns(scene, "skin-without-weights"));
-    bind_weights(scene, make(method));
+    bind(scene, make(method));
     ASSERT_EQ(scene.instances.size(), 1U);
     EXPECT_EQ(scene.instances[0].skin, 0);
     EXPECT_FALSE(warns(scene, "skin-without-weights"));
@@ -119,7 +129,7 @@ TEST(BindWeights, NearestByHand) {
   bones(d);
   draw(d, d.node("body"), bar(d.b), 0);
   RawScene scene = d.read();
-  bind_weights(scene, make(WeightMethod::nearest));
+  bind(scene, make(WeightMethod::nearest));
   const double low = 1 / std::sqrt(2.0), high = 1 / std::sqrt(11.0), end = 1 / std::sqrt(51.0);
   const std::vector<RawInfluence>& vertex = scene.meshes[0].primitives[0].influences[4];
   EXPECT_NEAR(weight_of(vertex, 0), low / (low + high + end), 1e-6);
@@ -143,7 +153,7 @@ TEST(BindWeights, AMeshWithoutASkinGoesThroughItsNode) {
   d.b.root["skins"].erase(0);
   d.b.root["nodes"][static_cast<std::size_t>(body)]["skin"] = 0;
   RawScene scene = d.read();
-  bind_weights(scene, make());
+  bind(scene, make());
   expect_bound(scene.meshes[static_cast<std::size_t>(mesh)].primitives[0]);
   EXPECT_TRUE(warns(scene, "bound-at-rest"));  // that body's inverse binds are all the identity
   const RawInstance& bound = scene.instances.back();
@@ -167,7 +177,7 @@ TEST(BindWeights, WithoutASkinNodesThatClipsMoveAreJoints) {
   d.turn(low, {0, 1});
   d.turn(low + 1, {0, 1});
   RawScene scene = d.read();
-  bind_weights(scene, make());
+  bind(scene, make());
   ASSERT_EQ(scene.skins.size(), 1U);
   EXPECT_EQ(scene.skins[0].joints, (std::vector<int>{low, low + 1}));
   expect_near(glm::dvec3(scene.skins[0].inverse_bind[1][3]), {0, -4, 0});
@@ -186,7 +196,7 @@ TEST(BindWeights, AMeshDrawnTwiceIsBoundTwice) {
   draw(d, d.node("one"), mesh);
   draw(d, d.node("two", -1, {0, 4, 0}), mesh);
   RawScene scene = d.read();
-  bind_weights(scene, make());
+  bind(scene, make());
   ASSERT_EQ(scene.meshes.size(), 2U);
   EXPECT_NE(scene.instances[0].mesh, scene.instances[1].mesh);
   EXPECT_NE(scene.instances[0].skin, scene.instances[1].skin);
@@ -200,7 +210,7 @@ TEST(BindWeights, WhatFollowsAJointIsLeftAlone) {
   d.prop(low + 2);
   draw(d, d.node("body"), bar(d.b), 0);
   RawScene scene = d.read();
-  bind_weights(scene, make());
+  bind(scene, make());
   EXPECT_EQ(scene.instances[0].skin, kNone);
   EXPECT_EQ(scene.instances[1].skin, 0);
 }
@@ -209,26 +219,26 @@ TEST(BindWeights, NothingToBind) {
   SceneDocument weighted;
   weighted.character("hero", 0);
   RawScene scene = weighted.read();
-  expect_failure([&] { bind_weights(scene, make()); }, Exit::usage, "", "every mesh has weights already");
+  expect_failure([&] { bind(scene, make()); }, Exit::usage, "", "every mesh has weights already");
   WeightOptions of_many = make();
   of_many.make_origin.must_fit = false;
-  bind_weights(scene, of_many);
+  bind(scene, of_many);
   EXPECT_TRUE(warns(scene, "rule-fits-nothing"));
 
   SceneDocument still;
   still.prop(still.node("rock"));
   scene = still.read();
-  expect_failure([&] { bind_weights(scene, make()); }, Exit::invalid, "", "neither a skin nor nodes that clips move");
+  expect_failure([&] { bind(scene, make()); }, Exit::invalid, "", "neither a skin nor nodes that clips move");
   WeightOptions smooth;
   smooth.smooth_steps = 3;
-  expect_failure([&] { bind_weights(scene, smooth); }, Exit::usage, "", "no mesh has weights to smooth");
+  expect_failure([&] { bind(scene, smooth); }, Exit::usage, "", "no mesh has weights to smooth");
 
   SceneDocument two;
   two.character("one", 0);
   two.character("other", 2);
   two.prop(two.node("rock"));
   scene = two.read();
-  expect_failure([&] { bind_weights(scene, make()); }, Exit::usage, "", "several skins");
+  expect_failure([&] { bind(scene, make()); }, Exit::usage, "", "several skins");
 }
 
 // Inverse binds of zeros: no bone is anywhere.
@@ -238,7 +248,7 @@ TEST(BindWeights, InverseBindsThatCannotBeInverted) {
   draw(d, d.node("body"), bar(d.b), 0);
   RawScene scene = d.read();
   for (glm::dmat4& m : scene.skins[0].inverse_bind) m = glm::dmat4(0.0);
-  expect_failure([&] { bind_weights(scene, make()); }, Exit::invalid, "/skins/0", "no-bones");
+  expect_failure([&] { bind(scene, make()); }, Exit::invalid, "/skins/0", "no-bones");
 }
 
 // The quad 0 1 2, 1 3 2 of SceneDocument::skin(): vertex 0 has neighbours 1 and 2 and goes half of the way to their
@@ -248,13 +258,13 @@ TEST(BindWeights, SmoothingTakesTheFilesWeightsToo) {
   const int root = d.node("a");
   d.skin("rig", {root, d.node("b", root)});
   RawScene scene = d.read();
-  RawPrimitive& primitive = scene.meshes[0].primitives[0];
-  const double w1 = weight_of(primitive.influences[1], 0), w2 = weight_of(primitive.influences[2], 0);
-  const double expected = 0.5 * weight_of(primitive.influences[0], 0) + 0.25 * (w1 + w2);
+  const RawPrimitive before = scene.meshes[0].primitives[0];
+  const double w1 = weight_of(before.influences[1], 0), w2 = weight_of(before.influences[2], 0);
+  const double expected = 0.5 * weight_of(before.influences[0], 0) + 0.25 * (w1 + w2);
   WeightOptions options;
   options.smooth_steps = 1;
-  bind_weights(scene, options);
-  EXPECT_NEAR(weight_of(primitive.influences[0], 0), expected, 1e-6);
+  bind(scene, options);
+  EXPECT_NEAR(weight_of(scene.meshes[0].primitives[0].influences[0], 0), expected, 1e-6);
 }
 
 // A grey-scale PNG, its data stored and not compressed: four pixels at most a row keep the arithmetic in view.
@@ -322,8 +332,8 @@ class Paint : public ::testing::Test {
 // and 3 (1), 3/8 and 5/8 in the middle of rows 1 and 2, and 0 and 1 where the picture is repeated, between 3 and 0.
 TEST_F(Paint, AMaskIsReadAtTheUvs) {
   RawScene plain = d_.read(), scene = d_.read();
-  bind_weights(plain, make(WeightMethod::nearest));
-  bind_weights(scene, painting("end", mask()));
+  bind(plain, make(WeightMethod::nearest));
+  bind(scene, painting("end", mask()));
   const double expected[9] = {0.5, 0, 0, 0, 0.5, 1, 1, 1, 0.5};
   for (std::size_t y = 0; y <= 8; ++y) {
     const auto& vertex = scene.meshes[0].primitives[0].influences[y * 4];
@@ -338,7 +348,7 @@ TEST_F(Paint, TwoMasksOverOneAreScaledDown) {
   WeightOptions options = painting("end", write("a.png", png(1, 1, {255})));
   options.paint.push_back({"low", write("b.png", png(1, 1, {85}))});  // a third
   RawScene scene = d_.read();
-  bind_weights(scene, options);
+  bind(scene, options);
   for (const auto& vertex : scene.meshes[0].primitives[0].influences) {
     EXPECT_NEAR(weight_of(vertex, 2), 0.75, 1e-6);
     EXPECT_NEAR(weight_of(vertex, 0), 0.25, 1e-6);
@@ -351,29 +361,29 @@ TEST_F(Paint, AVertexWithoutAnotherJointKeepsThePainted) {
   options.make.reset();
   scene.instances[0].skin = 0;
   scene.meshes[0].primitives[0].influences.assign(36, {{0, 1}});
-  bind_weights(scene, options);
+  bind(scene, options);
   for (const auto& vertex : scene.meshes[0].primitives[0].influences) EXPECT_EQ(weight_of(vertex, 0), 1.0);
 }
 
 TEST_F(Paint, WhatCannotBePainted) {
   RawScene scene = d_.read();
-  expect_failure([&] { bind_weights(scene, painting("tail", mask())); }, Exit::usage, "", "is called \"tail\"");
+  expect_failure([&] { bind(scene, painting("tail", mask())); }, Exit::usage, "", "is called \"tail\"");
   scene = d_.read();
   const std::string text = write("text.png", "no picture"), huge = write("huge.png", png(8193, 1, {}));
-  expect_failure([&] { bind_weights(scene, painting("low", text)); }, Exit::invalid, "paint low", "no PNG");
+  expect_failure([&] { bind(scene, painting("low", text)); }, Exit::invalid, "paint low", "no PNG");
   scene = d_.read();
-  expect_failure([&] { bind_weights(scene, painting("low", huge)); }, Exit::invalid, "paint low", "no PNG");
+  expect_failure([&] { bind(scene, painting("low", huge)); }, Exit::invalid, "paint low", "no PNG");
   scene = d_.read();
-  EXPECT_THROW(bind_weights(scene, painting("low", folder_ / "missing.png")), Failure);
+  EXPECT_THROW(bind(scene, painting("low", folder_ / "missing.png")), Failure);
   SceneDocument bare;
   bones(bare);
   draw(bare, bare.node("body"), bar(bare.b, false), 0);
   scene = bare.read();
-  expect_failure([&] { bind_weights(scene, painting("low", mask())); }, Exit::usage, "", "has UVs");
+  expect_failure([&] { bind(scene, painting("low", mask())); }, Exit::usage, "", "has UVs");
   scene = bare.read();
   WeightOptions of_many = painting("tail", mask());
   of_many.paint[0].origin.must_fit = false;
-  bind_weights(scene, of_many);
+  bind(scene, of_many);
   EXPECT_TRUE(warns(scene, "rule-fits-nothing"));
 }
 

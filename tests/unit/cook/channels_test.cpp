@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/build.h"
+#include "cook/clip/build_channels.h"
+#include "cook/clip/build_tracks.h"
 #include "marrow/sample.h"
 #include "support/rig.h"
 
@@ -25,7 +26,7 @@ RawScalar scalar(RawInterpolation interpolation, std::vector<float> times, std::
 BuiltClip build(std::vector<RawScalar> scalars, bool all_keys = false) {
   RawClip raw;
   raw.scalars = std::move(scalars);
-  BuiltClip out = build_clip(raw, {});
+  BuiltClip out = build_tracks(raw, {});
   add_channels(raw, all_keys, out);
   return out;
 }
@@ -91,7 +92,7 @@ TEST(Channels, ShareTheListOfTheLastTrack) {
   RawClip raw;
   raw.scalars = {scalar(RawInterpolation::linear, {0, 2}, {0, 1}), scalar(RawInterpolation::linear, {0, 1}, {0, 1})};
   raw.channels.push_back({0, RawPath::translation, RawInterpolation::linear, {0, 1}, {{}, {}}});
-  BuiltClip clip = build_clip(raw, {0});
+  BuiltClip clip = build_tracks(raw, {0});
   add_channels(raw, true, clip);
   EXPECT_EQ(clip.times_s, (std::vector<float>{0, 1, 0, 2}));
   EXPECT_EQ(clip.channels[0].first_time, clip.tracks[0].first_time);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/build.h"
+#include "cook/geometry/build_geometry.h"
 #include "cook/write/write_scene.h"
 #include "deform/cylinder.h"
 #include "deform/deformers.h"

@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "common/failure.h"
+#include "cook/clip/build_clips.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "support/places.h"
 #include "unit/cook/gltf_document.h"
 
@@ -84,11 +86,12 @@ Json bulging_elbow() {
 // The elbow, ready for examples.
 struct Character {
   Character() : scene(read_gltf(kElbow)) {
-    build_skeletons(scene, built);
     CookOptions options;
     options.raw_clips = true;
-    build_clips(scene, options, built);
-    source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene, scene.meshes[0]), built);
+    Notes notes;
+    built = build_skeletons(scene);
+    built.clips = build_clips(scene, built, options, notes);
+    source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
   }
   std::vector<ShownPose> read(const Json& document) const {
     const ExampleFile file(document);

@@ -127,8 +127,10 @@ inline RawScene read(Builder& builder) {
   return read_text(builder.text());
 }
 
-inline bool warns(const RawScene& scene, const std::string& rule, const std::string& pointer = "") {
-  return std::ranges::any_of(scene.warnings, [&](const RawWarning& warning) {
+// said: a scene, or what stages have noted.
+template <class Said>
+bool warns(const Said& said, const std::string& rule, const std::string& pointer = "") {
+  return std::ranges::any_of(said.warnings, [&](const RawWarning& warning) {
     return warning.rule == rule && (pointer.empty() || warning.pointer == pointer);
   });
 }

@@ -8,8 +8,8 @@
 
 #include "asset/format.h"
 #include "common/aligned_bytes.h"
-#include "cook/build.h"
 #include "cook/cook.h"
+#include "cook/geometry/build_geometry.h"
 #include "cook/gltf/read.h"
 #include "support/double_math.h"
 #include "support/rig.h"
@@ -224,8 +224,8 @@ TEST(Morphs, WhatNoneMovesHasNone) {
   const int zeros = b.positions({0, 0, 0, 0, 0, 0, 0, 0, 0});
   b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", zeros}}, {{"POSITION", positions}}};
   b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", zeros}}, {{"POSITION", zeros}}};
-  RawScene scene = read(b);
-  const BuiltScene built = build_scene(scene, {});
+  Notes notes;
+  const BuiltScene built = build_scene(read(b), {}, notes);
   ASSERT_EQ(built.meshes.size(), 2U);
   EXPECT_EQ(built.geometries.at(built.meshes[0].geometry).target_count, 2U);
   EXPECT_EQ(built.meshes[0].targets.size(), 2U);

@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "cook/clip/build_clips.h"
+#include "cook/learn/learn.h"
+#include "cook/skeleton/build_skeletons.h"
+#include "cook/skin/bound_deformers.h"
 #include "deform/cylinder.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
@@ -83,12 +87,12 @@ CookOptions options_for(MeshCodec codec) {
 
 // The same fits without a file between.
 struct Offline {
-  explicit Offline(RawScene scene) {
+  explicit Offline(const RawScene& scene) {
     const CookOptions options = options_for(MeshCodec::none);
-    BuiltScene built;
-    build_skeletons(scene, built);
-    build_clips(scene, options, built);
-    source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene, scene.meshes[0]), built);
+    Notes notes;
+    BuiltScene built = build_skeletons(scene);
+    built.clips = build_clips(scene, built, options, notes);
+    source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
     truth = make_truth(source, options.learn);
     const std::vector<deform::TrainingPose> trained =
         trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained)).poses;

@@ -35,10 +35,11 @@ struct Errors {
 };
 
 Errors errors_against_dual_quaternions(const File& file, std::uint32_t clip) {
-  RawScene raw = read_gltf(kNewt);
+  const RawScene raw = read_gltf(kNewt);
   CookOptions plain;
   plain.raw_clips = true;
-  const BuiltScene built = build_scene(raw, plain);
+  Notes notes;
+  const BuiltScene built = build_scene(raw, plain, notes);
   Errors out;
   std::uint32_t number = 0;
   for (const RawInstance& instance : raw.instances) {
@@ -48,7 +49,7 @@ Errors errors_against_dual_quaternions(const File& file, std::uint32_t clip) {
       continue;
     }
     const RawSkin& skin = raw.skins[static_cast<std::size_t>(instance.skin)];
-    const DeformSource source = deform_source(mesh, skin, bind_to_skin(raw, mesh), built);
+    const DeformSource source = deform_source(mesh, skin, bind_to_skin(mesh, notes), built);
     const deform::Deformer truth = deform::dual_quaternions(source.mesh);
     for (const float part : {0.2f, 0.45f, 0.7f}) {
       const float time_s = part * file.clip(clip).duration_s;
@@ -204,8 +205,9 @@ TEST(Learn, ClipsAreFolds) {
     for (std::uint32_t c = 0; c < clips; ++c) raw.clips.push_back({"clip" + std::to_string(c), {turning(1)}, {}});
     CookOptions plain;
     plain.raw_clips = true;
-    const BuiltScene built = build_scene(raw, plain);
-    const DeformSource source = deform_source(raw.meshes[0], raw.skins[0], bind_to_skin(raw, raw.meshes[0]), built);
+    Notes notes;
+    const BuiltScene built = build_scene(raw, plain, notes);
+    const DeformSource source = deform_source(raw.meshes[0], raw.skins[0], bind_to_skin(raw.meshes[0], notes), built);
     const std::vector<SampledPose> shipped = clip_poses(built, source.skeleton, 8, 1000);
     ASSERT_EQ(shipped.size(), 9 * clips);
     const Trainees got = trainees(source, built, shipped);

@@ -1,8 +1,9 @@
 // Clip packs from glTF: for the file's own skeletons, and for a character's by the names of its joints.
 #include <memory>
 
-#include "cook/build.h"
+#include "cook/cook.h"
 #include "cook/prepare/match_skeletons.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "cook/write/write_scene.h"
 #include "unit/cook/scene_document.h"
 
@@ -15,8 +16,7 @@ using Names = std::vector<std::string>;
 Character ada() {
   SceneDocument d;
   d.character("Ada", 3);
-  RawScene scene = d.read();
-  return {"ada.mrw", build_scene(scene, {}).skeletons};
+  return {"ada.mrw", build_skeletons(d.read()).skeletons};
 }
 
 CookOptions pack_options(Character character) {
@@ -37,11 +37,12 @@ struct Apart {
     cup = d.node("cup", arm);
   }
   BuiltScene build(const CookOptions& options = pack_options(ada())) {
-    scene = d.read();
-    return build_scene(scene, options);
+    RawScene scene = d.read();
+    notes = {scene.warnings, {}};
+    return build_scene(std::move(scene), options, notes);
   }
   SceneDocument d;
-  RawScene scene;
+  Notes notes;
   int ground, root, hips, spine, arm, cup;
 };
 
@@ -52,18 +53,17 @@ TEST(Packs, HoldTheSkeletonsThatClipsMove) {
   d.prop(d.node("stone"));
   d.clip("nod");
   d.turn(b[2], {0, 1});
-  RawScene scene = d.read();
+  Notes notes;
   CookOptions options;
   options.clips_only = true;
-  const BuiltScene built = build_scene(scene, options);
+  const BuiltScene built = build_scene(d.read(), options, notes);
   EXPECT_TRUE(built.is_pack);
   EXPECT_TRUE(built.meshes.empty());
   ASSERT_EQ(built.skeletons.size(), 1u);
   EXPECT_EQ(built.skeletons[0].name, "Bob");
   EXPECT_EQ(built.clips.at(0).skeleton, 0u);
   d.b.root.erase("animations");
-  scene = d.read();
-  expect_failure([&] { build_scene(scene, options); }, Exit::invalid, "/animations", "no-clips");
+  expect_failure([&] { build_scene(d.read(), options, notes); }, Exit::invalid, "/animations", "no-clips");
 }
 
 TEST(Packs, NodesAreMatchedByName) {
@@ -77,7 +77,7 @@ TEST(Packs, NodesAreMatchedByName) {
   const std::vector<SoaTransform> rest = ada().skeletons[0].rest;
   EXPECT_EQ(std::memcmp(built.skeletons[0].rest.data(), rest.data(), sizeof(SoaTransform)), 0) << "the character's";
   ASSERT_EQ(built.clips.size(), 1u);
-  EXPECT_TRUE(a.scene.warnings.empty());
+  EXPECT_TRUE(a.notes.warnings.empty());
   CookOptions raw = pack_options(ada());
   raw.raw_clips = true;
   const BuiltScene kept = a.build(raw);
@@ -102,7 +102,7 @@ TEST(Packs, NodesThatAreNoJointsMustNotMove) {
   still.d.turn(still.arm, {0, 1});
   still.d.turn(still.cup, {0.5F});
   EXPECT_EQ(still.build().clips.size(), 1u);
-  EXPECT_TRUE(warns(still.scene, "no-such-joint", "/nodes/5"));
+  EXPECT_TRUE(warns(still.notes, "no-such-joint", "/nodes/5"));
 }
 
 TEST(Packs, ParentsMustBeTheSame) {
@@ -135,7 +135,7 @@ TEST(Packs, WhatStandsOtherwiseIsHeldThere) {
   CookOptions options = pack_options(ada());
   options.raw_clips = true;
   const BuiltScene built = a.build(options);
-  EXPECT_TRUE(warns(a.scene, "rest-pose-differs"));
+  EXPECT_TRUE(warns(a.notes, "rest-pose-differs"));
   ASSERT_EQ(built.clips.at(0).tracks.size(), 2u);
   const auto held = std::ranges::find(built.clips[0].tracks, 1, &Track::joint);
   ASSERT_NE(held, built.clips[0].tracks.end());

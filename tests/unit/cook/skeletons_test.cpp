@@ -1,7 +1,7 @@
 // Which nodes become which skeletons, and how a clip of several becomes one each.
 #include <algorithm>
 
-#include "cook/build.h"
+#include "cook/cook.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -10,8 +10,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 BuiltScene build(SceneDocument& document, const CookOptions& options = {}) {
-  RawScene scene = document.read();
-  return build_scene(scene, options);
+  Notes notes;
+  return build_scene(document.read(), options, notes);
 }
 
 Names skeleton_names(const BuiltScene& built) {
@@ -136,7 +136,8 @@ TEST(Skeletons, MorphWeightsGoWithTheirMeshAndOtherNumbersWithTheFirst) {
   clip.name = "walk";
   clip.channels.push_back({a[2], RawPath::translation, RawInterpolation::linear, {0, 1}, {{}, {1, 0, 0, 0}}});
   scene.clips.push_back(clip);
-  const BuiltScene built = build_scene(scene, {});
+  Notes notes;
+  const BuiltScene built = build_scene(scene, {}, notes);
   EXPECT_EQ(clip_names(built), (Names{"speak/1", "walk/0", "walk/1"}));
   EXPECT_EQ(built.clips[0].channel_names, (Names{"mood", "smile"}));
   EXPECT_EQ(built.clips[1].channel_names, (Names{"mood"}));
@@ -169,10 +170,10 @@ TEST(Skeletons, AreCookedWithoutMeshes) {
   const int hips = d.node("hips"), head = d.node("head", hips), other = d.node("other");
   d.clip("nod");
   d.turn(head, {0, 1});
-  RawScene scene = d.read();
-  const BuiltScene built = build_scene(scene, {});
+  Notes notes;
+  const BuiltScene built = build_scene(d.read(), {}, notes);
   EXPECT_EQ(skeleton_names(built), Names{"head"}) << "nothing moves above it";
-  EXPECT_TRUE(warns(scene, "no-meshes"));
+  EXPECT_TRUE(warns(notes, "no-meshes"));
   EXPECT_EQ(clip_names(built), Names{"nod/0"});
   d.b.root.erase("animations");
   d.b.root["skins"] = {{{"joints", {hips, head}}}};

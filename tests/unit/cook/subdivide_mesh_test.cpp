@@ -8,6 +8,7 @@
 
 #include "common/failure.h"
 #include "cook/mesh/subdivide_mesh.h"
+#include "cook/prepare/prepare_scene.h"
 #include "unit/cook/looped.h"
 
 namespace marrow::cook {
@@ -43,7 +44,9 @@ std::size_t border_edges(const RawPrimitive& p) {
 
 TEST(SubdivideMesh, AFlatGridStaysFlatWithinItsBorders) {
   RawMesh mesh{"", {}, {grid(4)}};
-  EXPECT_EQ(subdivide_mesh(mesh, {}, 2), 0u);
+  const FinerMesh finer = subdivide_mesh(mesh, {}, 2);
+  EXPECT_EQ(finer.cut, 0u);
+  mesh = finer.mesh;
   const RawPrimitive& p = mesh.primitives[0];
   ASSERT_EQ(p.positions.size(), 17u * 17);
   EXPECT_EQ(p.indices.size(), 16u * 32 * 3);
@@ -104,7 +107,7 @@ Key key(const glm::vec3& v) {
 TEST(SubdivideMesh, HardEdgesStayHardAndSmoothOnesSmooth) {
   for (const bool hard : {false, true}) {
     RawMesh mesh{"", {}, {cube(hard)}};
-    subdivide_mesh(mesh, {}, 2);
+    mesh = subdivide_mesh(mesh, {}, 2).mesh;
     const RawPrimitive& p = mesh.primitives[0];
     std::map<Key, std::set<Key>> normals;
     std::map<Key, std::size_t> vertices;
@@ -127,7 +130,7 @@ TEST(SubdivideMesh, HardEdgesStayHardAndSmoothOnesSmooth) {
 // Of the surface: area-weighted over the sides' own triangles.
 TEST(SubdivideMesh, NormalsAreTheFinerSurfaces) {
   RawMesh mesh{"", {}, {cube(true)}};
-  subdivide_mesh(mesh, {}, 1);
+  mesh = subdivide_mesh(mesh, {}, 1).mesh;
   const RawPrimitive& p = mesh.primitives[0];
   std::vector<glm::dvec3> sums(p.positions.size(), glm::dvec3(0));
   for (std::size_t i = 0; i < p.indices.size(); i += 3) {
@@ -142,7 +145,7 @@ TEST(SubdivideMesh, NormalsAreTheFinerSurfaces) {
 TEST(SubdivideMesh, NormalsOfTheArtistsOwnStay) {
   RawMesh mesh{"", {}, {grid(3)}};
   for (glm::vec3& n : mesh.primitives[0].normals) n = {0.6f, 0, 0.8f};
-  subdivide_mesh(mesh, {}, 2);
+  mesh = subdivide_mesh(mesh, {}, 2).mesh;
   for (std::size_t v = 0; v < mesh.primitives[0].normals.size(); ++v) {
     EXPECT_LT(glm::length(mesh.primitives[0].normals[v] - glm::vec3(0.6f, 0, 0.8f)), 1e-6f);
     EXPECT_LT(glm::length(mesh.primitives[0].tangents[v] - glm::vec4(0.8f, 0, -0.6f, -1)), 1e-6f) << "at right angles";
@@ -169,7 +172,7 @@ TEST(SubdivideMesh, MorphTargetsAreSmoothedToo) {
     bind.triangles.push_back({p.indices[i], p.indices[i + 1], p.indices[i + 2]});
   morphed.triangles = bind.triangles;
   RawMesh mesh{"", {{"t", "t", 0}}, {p}};
-  subdivide_mesh(mesh, {}, 1);
+  mesh = subdivide_mesh(mesh, {}, 1).mesh;
   const RawPrimitive& fine = mesh.primitives[0];
   const Places rest = looped(bind).at, moved = looped(morphed).at;
   Places got;
@@ -190,7 +193,7 @@ TEST(SubdivideMesh, PrimitivesStayClosedWhereTheyTouch) {
   right.targets.resize(1);
   for (const glm::vec3& v : left.positions) left.targets[0].positions.emplace_back(0, 0, v.x < 2 ? 1 : 0);
   RawMesh mesh{"", {{"t", "t", 0}}, {left, right}};
-  subdivide_mesh(mesh, {}, 1);
+  mesh = subdivide_mesh(mesh, {}, 1).mesh;
   ASSERT_EQ(mesh.primitives[0].positions.size(), 25u);
   ASSERT_EQ(mesh.primitives[1].targets[0].positions.size(), 25u);
   std::size_t touching = 0, moved = 0;
@@ -239,9 +242,10 @@ TEST(SubdivideMesh, VerticesKeepAsManyJointsAsTheyMayHave) {
   for (const double residual_step_m : {0.0, 1e-4}) {
     Wheel wheel;
     wheel.binding.residual_step_m = residual_step_m;
-    EXPECT_EQ(subdivide_mesh(wheel.mesh, {{&wheel.binding, Wheel::poses}}, 1), 1u) << "the hub alone";
-    const RawPrimitive& p = wheel.mesh.primitives[0];
-    const std::vector<BoundVertex>& vertices = wheel.binding.primitives[0];
+    const FinerMesh finer = subdivide_mesh(wheel.mesh, {{&wheel.binding, Wheel::poses}}, 1);
+    EXPECT_EQ(finer.cut, 1u) << "the hub alone";
+    const RawPrimitive& p = finer.mesh.primitives[0];
+    const std::vector<BoundVertex>& vertices = finer.bindings[0].primitives[0];
     ASSERT_EQ(vertices.size(), p.positions.size());
     ASSERT_EQ(p.influences.size(), p.positions.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -293,8 +297,8 @@ TEST(SubdivideMesh, WhatComesApartStaysApart) {
     p->influences.assign(9, {{joint, 1.0f}});
     binding.primitives.emplace_back(9, BoundVertex{{joint, 1.0}});
   }
-  RawMesh mesh{"", {}, {upper, lower}};
-  subdivide_mesh(mesh, {{&binding, {}}}, 1);
+  const RawMesh mesh{"", {}, {upper, lower}};
+  binding = subdivide_mesh(mesh, {{&binding, {}}}, 1).bindings[0];
   for (std::uint32_t p = 0; p < 2; ++p)
     for (const BoundVertex& vertex : binding.primitives[p]) {
       ASSERT_EQ(vertex.size(), 1u);
@@ -307,7 +311,7 @@ TEST(SubdivideMesh, TakesTrianglesThatAreNone) {
   mesh.primitives[0].positions[3] = mesh.primitives[0].positions[0];
   mesh.primitives[0].indices.insert(mesh.primitives[0].indices.end(), {0, 0, 1, 0, 3, 2, 1, 1, 1, 0, 1, 2, 0, 1, 2});
   const std::size_t corners = mesh.primitives[0].indices.size();
-  subdivide_mesh(mesh, {}, 3);
+  mesh = subdivide_mesh(mesh, {}, 3).mesh;
   const RawPrimitive& p = mesh.primitives[0];
   EXPECT_EQ(p.indices.size(), 64 * corners);
   for (const std::uint32_t i : p.indices) ASSERT_LT(i, p.positions.size());

@@ -6,8 +6,9 @@
 #include <random>
 
 #include "common/failure.h"
-#include "cook/build.h"
+#include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "deform/cylinder.h"
 #include "deform/surface.h"
 
@@ -105,12 +106,12 @@ void hold_made_up(const BuiltScene& built, Study& study) {
 Study study_file(const std::string& path, Holdout holdout, const LearnOptions& learn) {
   Study study;
   study.scene = read_gltf(path);
-  RawScene scene = study.scene;
-  BuiltScene built;
-  build_skeletons(scene, built);
+  const RawScene scene = study.scene;
+  BuiltScene built = build_skeletons(scene);
   CookOptions options;
   options.raw_clips = true;
-  build_clips(scene, options, built);
+  Notes notes;  // that only cooking says
+  built.clips = build_clips(scene, built, options, notes);
   const RawInstance* const instance = largest_skinned(scene);
   if (instance == nullptr)
     throw Failure(Exit::invalid, path, "/skins", "not-skinned",
@@ -118,12 +119,12 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(instance->mesh)];
   const RawSkin& skin = scene.skins[static_cast<std::size_t>(instance->skin)];
   study.scene.instances = {*instance};  // what is cooked and drawn is this mesh alone
-  study.source = deform_source(mesh, skin, bind_to_skin(scene, mesh), built);
+  study.source = deform_source(mesh, skin, bind_to_skin(mesh, notes), built);
   study.name = mesh.name;
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   study.rest = deform_pose(study.source, skeleton, skeleton.rest);
   if (learn.truth == Truth::examples) {
-    study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source}, scene.reads);
+    study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source}, notes.reads);
     hold_out(study.source.shown, holdout, built, study);
     return study;
   }

@@ -75,7 +75,7 @@ void print_warnings(const CookJob& job, const Outcome& outcome) {
   if (outcome.code != Exit::done) return;
   for (const auto& w : outcome.report.at("warnings"))
     fmt::print(stderr, "{}: {}: warning: {}: {}\n", job.in, w.at("pointer").get<std::string>(),
-               w.at("rule").get<std::string>(), cook::gltf::printable(w.at("text").get<std::string>()));
+               w.at("rule").get<std::string>(), printable(w.at("text").get<std::string>()));
 }
 
 void print_summary(const CookJob& job, const Outcome& outcome) {

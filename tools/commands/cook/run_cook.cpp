@@ -28,8 +28,8 @@
 #include "common/printable.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
-#include "cook/prepare/bind_weights.h"
 #include "cook/prepare/match_skeletons.h"
+#include "cook/prepare/paint_weights.h"
 #include "options/settings.h"
 
 namespace marrow::tools {
@@ -136,7 +136,7 @@ class SettingsOf {
       for (std::size_t i = 0; all && i < known.settings.rules.size(); ++i)
         if (i >= known.used.size() || !known.used[i])
           fmt::print(stderr, "{}: {}: warning: no input is called \"{}\"\n", path, known.settings.rules[i].where,
-                     cook::gltf::printable(fmt::format("{}", fmt::join(known.settings.rules[i].match, "\" or \""))));
+                     printable(fmt::format("{}", fmt::join(known.settings.rules[i].match, "\" or \""))));
     }
   }
 

@@ -1,11 +1,11 @@
-// Which clips become additive, and the poses that their changes are taken from.
+#include "cook/clip/additive_references.h"
+
 #include <algorithm>
 #include <cstring>
 
 #include "common/failure.h"
 #include "common/pattern.h"
-#include "cook/build.h"
-#include "cook/clip/compress/pack_tracks.h"
+#include "cook/scene/views.h"
 #include "marrow/sample.h"
 
 namespace marrow::cook {
@@ -16,8 +16,8 @@ namespace {
                        "give CLIP or CLIP=REFERENCE with names as `marrow info` lists them");
 }
 
-std::vector<SoaTransform> first_frame(const BuiltScene& scene, const BuiltClip& clip) {
-  const Skeleton skeleton = view(scene.skeletons[clip.skeleton]);
+std::vector<SoaTransform> first_frame(const BuiltSkeleton& of, const BuiltClip& clip) {
+  const Skeleton skeleton = view(of);
   std::vector<SoaTransform> pose(skeleton.soa_size());
   if (sample(skeleton, view(clip, skeleton), 0.0f, pose) != Status::ok)
     throw tools::Failure(tools::Exit::internal, "--additive", "", "no pose of \"" + clip.name + "\"",
@@ -25,35 +25,38 @@ std::vector<SoaTransform> first_frame(const BuiltScene& scene, const BuiltClip& 
   return pose;
 }
 
-std::vector<SoaTransform> reference_pose(const BuiltScene& scene, const BuiltClip& clip, const AdditiveRule& rule) {
+// skeleton: the clip's.
+std::vector<SoaTransform> reference_pose(const BuiltSkeleton& skeleton, const std::vector<BuiltClip>& clips,
+                                         const BuiltClip& clip, const AdditiveRule& rule) {
   const std::string& reference = rule.reference;
   if (reference == "rest") return {};
-  if (reference != "first" && std::ranges::find(scene.clips, reference, &BuiltClip::name) == scene.clips.end())
+  if (reference != "first" && std::ranges::find(clips, reference, &BuiltClip::name) == clips.end())
     no_such_clip(reference, rule.origin);
   const auto other = std::ranges::find_if(
-      scene.clips, [&](const BuiltClip& c) { return c.name == reference && c.skeleton == clip.skeleton; });
-  if (reference != "first" && other == scene.clips.end()) return {};  // it leaves this skeleton at rest
-  std::vector<SoaTransform> pose = first_frame(scene, reference == "first" ? clip : *other);
-  const std::vector<SoaTransform>& rest = scene.skeletons[clip.skeleton].rest;
-  if (std::memcmp(pose.data(), rest.data(), pose.size() * sizeof(SoaTransform)) == 0) pose.clear();
+      clips, [&](const BuiltClip& c) { return c.name == reference && c.skeleton == clip.skeleton; });
+  if (reference != "first" && other == clips.end()) return {};  // it leaves this skeleton at rest
+  std::vector<SoaTransform> pose = first_frame(skeleton, reference == "first" ? clip : *other);
+  if (std::memcmp(pose.data(), skeleton.rest.data(), pose.size() * sizeof(SoaTransform)) == 0) pose.clear();
   return pose;
 }
 
 }  // namespace
 
-std::vector<AdditiveReference> additive_references(const BuiltScene& scene, const std::vector<AdditiveRule>& rules,
-                                                   std::vector<RawWarning>& warnings) {
-  std::vector<AdditiveReference> out(scene.clips.size());
+std::vector<AdditiveReference> additive_references(const std::vector<BuiltSkeleton>& skeletons,
+                                                   const std::vector<BuiltClip>& clips,
+                                                   const std::vector<AdditiveRule>& rules, Notes& notes) {
+  std::vector<AdditiveReference> out(clips.size());
   for (const AdditiveRule& rule : rules) {
     std::size_t found = 0;
-    for (std::size_t i = 0; i < scene.clips.size(); ++i) {
-      if (rule.clips != scene.clips[i].name && !tools::fits(rule.clips, scene.clips[i].name)) continue;
-      out[i] = {rule.reference, reference_pose(scene, scene.clips[i], rule)};
+    for (std::size_t i = 0; i < clips.size(); ++i) {
+      if (rule.clips != clips[i].name && !tools::fits(rule.clips, clips[i].name)) continue;
+      out[i] = {rule.reference, reference_pose(skeletons[clips[i].skeleton], clips, clips[i], rule)};
       ++found;
     }
     if (found == 0 && rule.origin.must_fit) no_such_clip(rule.clips, rule.origin);
     if (found == 0)
-      warnings.push_back({"/animations", "rule-fits-nothing", "additive: no clip is called \"" + rule.clips + "\""});
+      notes.warnings.push_back(
+          {"/animations", "rule-fits-nothing", "additive: no clip is called \"" + rule.clips + "\""});
   }
   return out;
 }

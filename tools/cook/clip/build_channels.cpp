@@ -1,10 +1,9 @@
-// Numbers over time become channels: constants one key, lists of key times shared, superfluous keys left out.
+#include "cook/clip/build_channels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-
-#include "cook/build.h"
 
 namespace marrow::cook {
 namespace {

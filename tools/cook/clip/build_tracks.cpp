@@ -1,9 +1,8 @@
-// Keys become tracks, without loss: the source's values at the source's times. Lists of times are shared.
+#include "cook/clip/build_tracks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-
-#include "cook/build.h"
 
 namespace marrow::cook {
 namespace {
@@ -48,7 +47,7 @@ std::vector<ListedChannel> by_list(const RawClip& clip, const std::vector<int>& 
 
 }  // namespace
 
-BuiltClip build_clip(const RawClip& clip, const std::vector<int>& joint_of_node) {
+BuiltClip build_tracks(const RawClip& clip, const std::vector<int>& joint_of_node) {
   BuiltClip out;
   out.name = clip.name;
   const std::vector<ListedChannel> channels = by_list(clip, joint_of_node);

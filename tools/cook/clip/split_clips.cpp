@@ -1,8 +1,8 @@
-// A clip of the source becomes one a skeleton that it moves.
+#include "cook/clip/split_clips.h"
+
 #include <algorithm>
 #include <map>
 
-#include "cook/build.h"
 #include "cook/skeleton/group_trees.h"
 
 namespace marrow::cook {

@@ -1,9 +1,9 @@
-// A primitive's vertices on their way to the file: numbers, welded, ordered, encoded, and decoded as the runtime will.
+#include "cook/geometry/build_geometry.h"
+
 #include <algorithm>
 
 #include "common/failure.h"
 #include "common/parallel.h"
-#include "cook/build.h"
 #include "cook/geometry/encode_streams.h"
 #include "cook/geometry/part_of_streams.h"
 #include "cook/geometry/record.h"

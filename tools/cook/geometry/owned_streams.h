@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cook/scene/built.h"
+#include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"
 #include "unpack/streams.h"
 
@@ -65,24 +67,6 @@ struct MeshGrid {
   // Of residuals: metres, and of their w; 0: there are none.
   double residual_step = 0;
   double residual_weight_step = 0;
-};
-
-struct MeshPrecision {
-  double normal_error_deg = 0.2;  // no normal or tangent is turned further
-  double uv_error = 1.0 / 8192;   // in widths of the texture
-  double weight_error = 2.5e-4;
-};
-
-// What quantisation has done at worst.
-struct MeshError {
-  double position_m = 0;
-  double normal_deg = 0;
-  double uv = 0;
-  double weight = 0;
-  double target_m = 0;  // of a morph target's positions, at weight 1
-  // Of a vertex by multi-weight enveloping, in poses that take no joint's origin further from the root than the
-  // diagonal of the mesh's box, and scale nothing; and of one by pose-space deformation, before the blend.
-  double multi_weight_m = 0, pose_space_m = 0;
 };
 
 // Every vertex of the source as it is, bits of floats.

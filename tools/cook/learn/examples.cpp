@@ -8,9 +8,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "common/failure.h"
-#include "cook/build.h"
-#include "cook/clip/compress/pack_tracks.h"
+#include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
+#include "cook/scene/views.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "marrow/sample.h"
 
 namespace marrow::cook {
@@ -111,12 +112,13 @@ void add_targets(const RawMesh& mesh, const std::vector<double>& weights, deform
   }
 }
 
-void add_moments(Sheet& sheet, const RawInstance& instance, const Shown& shown, std::vector<ShownPose>& out) {
+void add_moments(const Sheet& sheet, const RawInstance& instance, const Shown& shown, std::vector<ShownPose>& out) {
   const RawMesh& mesh = sheet.mesh(instance);
   check_vertices(sheet, mesh, shown.mesh);
   const RawSkin& skin = sheet.scene.skins[static_cast<std::size_t>(instance.skin)];
   const std::vector<std::size_t> joint_of = match_joints(sheet, skin, shown);
-  const SkinBinding binding = bind_to_skin(sheet.scene, mesh);
+  Notes of_example;  // which nobody asks for
+  const SkinBinding binding = bind_to_skin(mesh, of_example);
   const DeformSource theirs = deform_source(mesh, skin, binding, sheet.built);
   const deform::SkinnedMesh rest = every_vertex(mesh, binding, skin.joints.size());
   deform::SkinnedMesh moved = rest;
@@ -207,10 +209,11 @@ std::vector<ShownPose> read_examples(const std::string& path, const Shown& shown
   std::vector<ShownPose> out;
   const RawInstance* const skinned = skinned_like(sheet, shown.mesh);
   if (skinned != nullptr) {
-    build_skeletons(sheet.scene, sheet.built);
     CookOptions options;
     options.raw_clips = true;
-    build_clips(sheet.scene, options, sheet.built);
+    Notes of_example;
+    sheet.built = build_skeletons(sheet.scene);
+    sheet.built.clips = build_clips(sheet.scene, sheet.built, options, of_example);
     add_moments(sheet, *skinned, shown, out);
   }
   for (const RawInstance& instance : sheet.scene.instances)

@@ -75,15 +75,14 @@ deform::Deformer make_truth(const DeformSource& source, const LearnOptions& opti
   return as_shown(source.mesh, source.shown);
 }
 
-Trainees find_trainees(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
-                       const LearnOptions& options, DeformSource& source) {
-  if (options.truth != Truth::examples)
-    return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
-  std::vector<RawRead> reads;
-  source.shown = read_examples(options.examples_file, {scene, mesh, skin, built, source}, reads);
-  // A scene in memory has none.
-  if (!scene.reads.empty()) scene.reads.insert(scene.reads.end(), reads.begin(), reads.end());
-  return trainees(source, source.shown);
+std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown, Notes& notes) {
+  if (options.truth != Truth::examples) return {};
+  return read_examples(options.examples_file, shown, notes.reads);
+}
+
+Trainees find_trainees(const DeformSource& source, const BuiltScene& built, const LearnOptions& options) {
+  if (options.truth == Truth::examples) return trainees(source, source.shown);
+  return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
 }
 
 Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
@@ -138,42 +137,51 @@ BoundVertex with_residual(const BoundVertex& old, const std::vector<deform::Coor
   return out;
 }
 
-}  // namespace
-
-LearnReport learn_binding(RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
-                          const LearnOptions& options, SkinBinding& binding) {
-  LearnReport report;
-  if (options.animation_space == AnimationSpace::lift) return report;
-  DeformSource source = deform_source(mesh, skin, binding, built);
-  const bool fits = options.animation_space == AnimationSpace::fit;
-  Trainees trained;
-  if (fits) trained = find_trainees(scene, mesh, skin, built, options, source);
-  report.poses = trained.poses.size();
-  report.made_up = trained.made_up;
-  const Learnt learnt = learn(source, std::move(trained.poses), options);
-  if (fits) report.truth = name_of(options.truth);
-  report.held_out_share = learnt.quality.share;
-  report.worse_share = learnt.quality.worse_share;
-  if (fits && !(learnt.quality.share < 1)) {
-    scene.warnings.push_back({mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer, "fit-not-better",
-                              "animation space fitted to " + std::string(report.truth) +
-                                  " is no better than linear blend skinning in poses left out; the lift is shipped"});
-    return report;
-  }
-  report.kind = fits ? "fit" : "smooth";
-  report.half_joints = learnt.half_joints.size();
+// step_m: how finely residuals are to be stored.
+SkinBinding with_learnt(SkinBinding binding, const DeformSource& source, const Learnt& learnt, double step_m) {
   binding.half_joints = learnt.half_joints;
-  const double size_m = deform::diagonal(source.mesh);
-  binding.residual_step_m = std::max(fits ? learnt.rms_m / 2 : 0, size_m / 16384);
+  binding.residual_step_m = step_m;
   // A weight moves a vertex by at most how far joints take it apart: about a tenth of the size.
-  binding.residual_weight_step = binding.residual_step_m / (0.1 * size_m);
+  binding.residual_weight_step = step_m / (0.1 * deform::diagonal(source.mesh));
   for (std::size_t p = 0; p < binding.primitives.size(); ++p)
     for (std::size_t v = 0; v < binding.primitives[p].size(); ++v) {
       const std::uint32_t welded = source.vertex_of[p][v];
       binding.primitives[p][v] =
           with_residual(binding.primitives[p][v], learnt.coordinates[welded], source.mesh.positions[welded]);
     }
-  return report;
+  return binding;
+}
+
+}  // namespace
+
+LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
+                            const LearnOptions& options, SkinBinding binding, Notes& notes) {
+  LearnReport report;
+  if (options.animation_space == AnimationSpace::lift) return {std::move(binding), report};
+  DeformSource source = deform_source(mesh, skin, binding, built);
+  const bool fits = options.animation_space == AnimationSpace::fit;
+  Trainees trained;
+  if (fits) {
+    source.shown = find_examples(options, {scene, mesh, skin, built, source}, notes);
+    trained = find_trainees(source, built, options);
+    report.truth = name_of(options.truth);
+  }
+  report.poses = trained.poses.size();
+  report.made_up = trained.made_up;
+  const Learnt learnt = learn(source, std::move(trained.poses), options);
+  report.held_out_share = learnt.quality.share;
+  report.worse_share = learnt.quality.worse_share;
+  if (fits && !(learnt.quality.share < 1)) {
+    notes.warnings.push_back({mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer, "fit-not-better",
+                              "animation space fitted to " + std::string(report.truth) +
+                                  " is no better than linear blend skinning in poses left out; the lift is shipped"});
+    return {std::move(binding), report};
+  }
+  report.kind = fits ? "fit" : "smooth";
+  report.half_joints = learnt.half_joints.size();
+  const double size_m = deform::diagonal(source.mesh);
+  return {with_learnt(std::move(binding), source, learnt, std::max(fits ? learnt.rms_m / 2 : 0, size_m / 16384)),
+          report};
 }
 
 }  // namespace marrow::cook

@@ -1,9 +1,7 @@
-// Materials that are drawn become records that meshes share, and so do their images. What a mesh says itself (name,
-// base colour, sides) needs no record.
+#include "cook/mesh/build_materials.h"
+
 #include <algorithm>
 #include <cstring>
-
-#include "cook/build.h"
 
 namespace marrow::cook {
 namespace {
@@ -26,7 +24,7 @@ bool same(const RawImage& a, const RawImage& b) {
 
 class Shared {
  public:
-  Shared(RawScene& scene, Images images, BuiltScene& out)
+  Shared(const RawScene& scene, Images images, BuiltLooks& out)
       : scene_(scene), images_(images), out_(out), image_of_(scene.images.size(), kNone) {}
 
   std::uint32_t section_of(int raw_index) {
@@ -49,32 +47,34 @@ class Shared {
   int image_of(std::size_t raw_index) {
     int& known = image_of_[raw_index];
     if (known != kNone) return known;
-    RawImage& image = scene_.images[raw_index];
+    const RawImage& image = scene_.images[raw_index];
     std::vector<RawImage>& all = out_.images;
     const auto twin = std::find_if(all.begin(), all.end(), [&](const auto& i) { return same(i, image); });
     known = static_cast<int>(twin - all.begin());
-    if (twin == all.end()) all.push_back(std::move(image));
+    if (twin == all.end()) all.push_back(image);
     return known;
   }
 
-  RawScene& scene_;
+  const RawScene& scene_;
   Images images_;
-  BuiltScene& out_;
+  BuiltLooks& out_;
   std::vector<int> image_of_;
 };
 
 }  // namespace
 
-void build_materials(RawScene& scene, Images images, BuiltScene& out) {
+BuiltLooks build_materials(const RawScene& scene, const std::vector<BuiltMesh>& meshes, Images images, Notes& notes) {
+  BuiltLooks out;
   Shared shared(scene, images, out);
-  for (BuiltMesh& mesh : out.meshes) mesh.material_section = shared.section_of(mesh.raw_material);
+  for (const BuiltMesh& mesh : meshes) out.sections.push_back(shared.section_of(mesh.raw_material));
   const auto nameless = std::count_if(out.images.begin(), out.images.end(),
                                       [](const RawImage& i) { return i.uri.empty() && i.bytes.empty(); });
   if (nameless > 0)
-    scene.warnings.push_back({"/images", "images-by-name",
+    notes.warnings.push_back({"/images", "images-by-name",
                               std::to_string(nameless) +
                                   " images lie inside the source and have no URI; they are referred to by name, and "
                                   "--images embed carries them"});
+  return out;
 }
 
 }  // namespace marrow::cook

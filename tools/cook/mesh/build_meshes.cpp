@@ -1,6 +1,6 @@
-// Which geometries there are, and which joints each mesh binds them to.
+#include "cook/mesh/build_meshes.h"
+
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <set>
@@ -8,12 +8,12 @@
 
 #include "common/failure.h"
 #include "common/parallel.h"
-#include "cook/build.h"
-#include "cook/learn/learn_deformers.h"
-#include "cook/mesh/subdivide_mesh.h"
-#include "cook/skin/deform_source.h"
+#include "cook/geometry/build_geometry.h"
+#include "cook/mesh/bind_meshes.h"
+#include "cook/mesh/lod.h"
+#include "cook/scene/matrices.h"
+#include "cook/skin/bound_deformers.h"
 #include "cook/skin/primitive_palette.h"
-#include "cook/skin/skin_binding.h"
 #include "cook/skin/split_primitives.h"
 
 namespace marrow::cook {
@@ -28,35 +28,11 @@ struct Bound {
   std::vector<BuiltLod> lods;  // their geometries are tasks
 };
 using BoundPrimitives = std::map<std::tuple<int, std::size_t, int>, Bound>;  // mesh, primitive, skin
-using SkinBindings = std::map<std::pair<int, int>, SkinBinding>;             // mesh, skin
 using Levels = std::map<std::pair<int, int>, std::vector<MeshLevel>>;        // mesh, skin; without one kNone
 
 // Hung rigidly: one joint, the nearest at or above the node.
 Palette bind_to_node(const NearestJoint& nearest) {
   return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}, {}};
-}
-
-// One grid for all primitives of a mesh, so that where they touch they still do.
-MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
-  if (options.mesh_codec == MeshCodec::none) return {};
-  constexpr double kSteps = (1 << 14) - 1;
-  glm::dvec3 low(0), high(0);
-  bool first = true;
-  for (const RawPrimitive& primitive : mesh.primitives) {
-    for (const glm::vec3& v : primitive.positions) {
-      low = first ? glm::dvec3(v) : glm::min(low, glm::dvec3(v));
-      high = first ? glm::dvec3(v) : glm::max(high, glm::dvec3(v));
-      first = false;
-    }
-  }
-  const glm::dvec3 size = high - low;
-  const double side = std::max({size.x, size.y, size.z});
-  // Half a step along each axis is the farthest.
-  double step = options.position_error * (options.position_error_is_share ? side : 1.0) * 2 / std::sqrt(3.0);
-  if (step <= 0) step = side / kSteps;
-  constexpr double kMostSteps = (1 << packed::kMaxValueBits) - 1;
-  step = std::max(step, side / kMostSteps);
-  return {low, step > 0 ? step : 1.0};
 }
 
 // What build_geometry() is to make, each once.
@@ -161,64 +137,14 @@ Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const Ra
   return bound;
 }
 
-// Bound, and learnt from its poses, once for all its primitives.
-void bind_mesh(RawScene& scene, int mesh, int skin, const CookOptions& options, SkinBindings& bindings,
-               BuiltScene& out) {
-  const auto [at, is_new] = bindings.try_emplace({mesh, skin});
-  if (is_new) {
-    const RawMesh& source = scene.meshes[static_cast<std::size_t>(mesh)];
-    const RawSkin& onto = scene.skins[static_cast<std::size_t>(skin)];
-    at->second = bind_to_skin(scene, source);
-    out.learnt.push_back(learn_binding(scene, source, onto, out, options.learn, at->second));
-    learn_deformers(scene, source, onto, out, options, mesh_grid(source, options), at->second, out.learnt.back());
-    at->second.report = static_cast<int>(out.learnt.size()) - 1;
-  }
-}
-
-bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive) {
-  return instance.skin != kNone && !primitive.influences.empty();
-}
-
-SkinBindings bind_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
-  SkinBindings bindings;
-  for (const RawInstance& instance : scene.instances)
-    for (const RawPrimitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-      if (is_skinned(instance, primitive)) bind_mesh(scene, instance.mesh, instance.skin, options, bindings, out);
-  return bindings;
-}
-
-// What is drawn, for all that follows.
-void subdivide_meshes(RawScene& scene, int steps, const BuiltScene& built, SkinBindings& bindings) {
-  std::set<int> drawn;
-  for (const RawInstance& instance : scene.instances) drawn.insert(instance.mesh);
-  for (const int number : drawn) {
-    RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
-    std::vector<MovedBy> skins;
-    for (auto& bound : bindings) {
-      if (bound.first.first != number) continue;
-      SkinBinding& binding = bound.second;
-      const RawSkin& skin = scene.skins[static_cast<std::size_t>(bound.first.second)];
-      skins.push_back({&binding, [&mesh, &skin, &binding, &built] {
-                         return poses_of_clips(deform_source(mesh, skin, binding, built), binding, built);
-                       }});
-    }
-    const std::size_t cut = subdivide_mesh(mesh, skins, steps);
-    if (cut > 0)
-      scene.warnings.push_back({mesh.primitives.front().pointer, "influences-dropped",
-                                std::to_string(cut) +
-                                    " points of the finer mesh would follow more than 8 joints; they get the closest "
-                                    "that 8 can do"});
-  }
-}
-
 // Once for all its primitives.
-const std::vector<MeshLevel>& levels_of(RawScene& scene, int mesh, int skin, const SkinBinding* binding,
-                                        const CookOptions& options, const BuiltScene& built, Levels& levels) {
-  const auto [at, is_new] = levels.try_emplace({mesh, skin});
+const std::vector<MeshLevel>& levels_of(const RawScene& scene, const RawMesh& mesh, int number, int skin,
+                                        const SkinBinding* binding, const CookOptions& options, const BuiltScene& built,
+                                        Levels& levels, Notes& notes) {
+  const auto [at, is_new] = levels.try_emplace({number, skin});
   if (is_new && !options.lod.empty())
-    at->second = make_levels(scene, scene.meshes[static_cast<std::size_t>(mesh)],
-                             skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)], binding, built,
-                             options.lod);
+    at->second = make_levels(mesh, skin == kNone ? nullptr : &scene.skins[static_cast<std::size_t>(skin)], binding,
+                             built, options.lod, notes);
   return at->second;
 }
 
@@ -226,34 +152,32 @@ bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
   return a.section.size() == b.section.size() && std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
 }
 
+// The parts of one task.
+std::vector<BuiltGeometry> build_task(const std::string& source, const Task& task, CookOptions options) {
+  options.keep_vertex_order = options.keep_vertex_order && !task.is_lod;
+  try {
+    if (!task.parts.empty())
+      return build_geometries(*task.primitive, task.bindings, task.joint_count, task.parts, task.grid, options,
+                              task.deformers);
+    return {build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, options, task.deformers)};
+  } catch (const tools::Failure& failure) {
+    throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
+  }
+}
+
 // On all cores; returns for each task which geometries its parts have become, of those that differ.
 std::vector<std::vector<std::uint32_t>> build_tasks(const std::string& source, const std::vector<Task>& tasks,
-                                                    const CookOptions& options, BuiltScene& out) {
+                                                    const CookOptions& options,
+                                                    std::vector<BuiltGeometry>& geometries) {
   std::vector<std::vector<BuiltGeometry>> built(tasks.size());
-  tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
-    const Task& task = tasks[i];
-    try {
-      CookOptions with = options;
-      with.keep_vertex_order = options.keep_vertex_order && !task.is_lod;
-      if (task.parts.empty()) {
-        built[i].push_back(
-            build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, with, task.deformers));
-      } else {
-        built[i] = build_geometries(*task.primitive, task.bindings, task.joint_count, task.parts, task.grid, with,
-                                    task.deformers);
-      }
-    } catch (const tools::Failure& failure) {
-      throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
-    }
-  });
+  tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) { built[i] = build_task(source, tasks[i], options); });
   std::vector<std::vector<std::uint32_t>> numbers;
   for (std::vector<BuiltGeometry>& parts : built) {
     std::vector<std::uint32_t>& number = numbers.emplace_back();
     for (BuiltGeometry& geometry : parts) {
-      const auto twin = std::find_if(out.geometries.begin(), out.geometries.end(),
-                                     [&](const BuiltGeometry& g) { return same(g, geometry); });
-      number.push_back(static_cast<std::uint32_t>(twin - out.geometries.begin()));
-      if (twin == out.geometries.end()) out.geometries.push_back(std::move(geometry));
+      const auto twin = std::ranges::find_if(geometries, [&](const BuiltGeometry& g) { return same(g, geometry); });
+      number.push_back(static_cast<std::uint32_t>(twin - geometries.begin()));
+      if (twin == geometries.end()) geometries.push_back(std::move(geometry));
     }
   }
   return numbers;
@@ -290,46 +214,58 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   return mesh;
 }
 
-}  // namespace
-
-void build_meshes(RawScene& scene, const CookOptions& options, BuiltScene& out) {
-  SkinBindings bindings = bind_meshes(scene, options, out);
-  if (options.subdivide > 0) subdivide_meshes(scene, options.subdivide, out, bindings);
-  for (auto& [of, binding] : bindings)
-    split_primitives(scene, scene.meshes[static_cast<std::size_t>(of.first)],
-                     scene.skins[static_cast<std::size_t>(of.second)].joints.size(), options.most_entries, binding);
-  BoundPrimitives bound;
+// Everything that is drawn, each primitive bound once.
+struct Drawn {
+  std::vector<BuiltMesh> meshes;  // their geometries are tasks
+  std::vector<Task> tasks;        // of primitives in BoundMeshes, the scene and `levels`
   Levels levels;
-  std::vector<Task> tasks;
+};
+
+Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMeshes& bound_meshes,
+                  const CookOptions& options, Notes& notes) {
+  Drawn out;
+  BoundPrimitives bound;
   for (const RawInstance& instance : scene.instances) {
-    RawMesh& source = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    const RawMesh& source = bound_meshes.mesh(scene, instance.mesh);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-      RawPrimitive& primitive = source.primitives[i];
+      const RawPrimitive& primitive = source.primitives[i];
       const int skin = is_skinned(instance, primitive) ? instance.skin : kNone;
-      const auto key = std::make_tuple(instance.mesh, i, skin);
-      auto found = bound.find(key);
-      if (found == bound.end()) {
+      const auto [found, is_new] = bound.try_emplace({instance.mesh, i, skin});
+      if (is_new) {
         Task task;
         task.grid = mesh_grid(source, options);
-        const SkinBinding* const binding = skin == kNone ? nullptr : &bindings.at({instance.mesh, skin});
-        const std::vector<MeshLevel>& lods = levels_of(scene, instance.mesh, skin, binding, options, out, levels);
-        Bound fresh = binding == nullptr ? hang_primitive(primitive, i, lods, std::move(task), tasks)
-                                         : bind_primitive(primitive, i, scene.skins[static_cast<std::size_t>(skin)],
-                                                          *binding, lods, out.joint_of_node, std::move(task), tasks);
-        fresh.learnt = binding == nullptr ? kNone : binding->report;
-        found = bound.emplace(key, std::move(fresh)).first;
+        const SkinBinding* const binding = skin == kNone ? nullptr : &bound_meshes.bindings.at({instance.mesh, skin});
+        const std::vector<MeshLevel>& lods =
+            levels_of(scene, source, instance.mesh, skin, binding, options, built, out.levels, notes);
+        found->second = binding == nullptr
+                            ? hang_primitive(primitive, i, lods, std::move(task), out.tasks)
+                            : bind_primitive(primitive, i, scene.skins[static_cast<std::size_t>(skin)], *binding, lods,
+                                             built.joint_of_node, std::move(task), out.tasks);
+        found->second.learnt = binding == nullptr ? kNone : binding->report;
       }
       const std::size_t parts = std::max<std::size_t>(1, found->second.palettes.size());
       for (std::uint32_t part = 0; part < parts; ++part)
-        out.meshes.push_back(build_mesh(scene, instance, primitive, found->second, part, skin, options.subdivide, out));
+        out.meshes.push_back(
+            build_mesh(scene, instance, primitive, found->second, part, skin, options.subdivide, built));
     }
   }
-  const std::vector<std::vector<std::uint32_t>> geometries = build_tasks(scene.source, tasks, options, out);
+  return out;
+}
+
+}  // namespace
+
+BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes) {
+  BoundMeshes bound = bind_meshes(scene, built, options, notes);
+  Drawn drawn = draw_meshes(scene, built, bound, options, notes);
+  BuiltMeshes out{{}, std::move(bound.learnt), std::move(drawn.meshes)};
+  const std::vector<std::vector<std::uint32_t>> geometries =
+      build_tasks(scene.source, drawn.tasks, options, out.geometries);
   for (BuiltMesh& mesh : out.meshes) {
     mesh.geometry = geometries[mesh.geometry][mesh.part];
     for (BuiltLod& lod : mesh.lods) lod.geometry = geometries[lod.geometry][mesh.part];
     mesh.targets.resize(out.geometries[mesh.geometry].target_count);
   }
+  return out;
 }
 
 }  // namespace marrow::cook

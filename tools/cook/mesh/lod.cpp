@@ -277,9 +277,9 @@ void measure(const Source& source, const std::vector<deform::Shape>& shapes, con
   level.max_error_m = error.worst;
 }
 
-void check_reached(RawScene& scene, const RawMesh& mesh, std::size_t level, double ratio, double reached) {
+void check_reached(const RawMesh& mesh, std::size_t level, double ratio, double reached, Notes& notes) {
   if (reached <= ratio * kEnough) return;
-  scene.warnings.push_back(
+  notes.warnings.push_back(
       {mesh.primitives.front().pointer, "lod-not-reached",
        fmt::format(
            "level {} keeps {:.0f} % of the triangles instead of {:.0f} %: seams, borders and folds hold the rest",
@@ -288,9 +288,8 @@ void check_reached(RawScene& scene, const RawMesh& mesh, std::size_t level, doub
 
 }  // namespace
 
-std::vector<MeshLevel> make_levels(RawScene& scene, const RawMesh& mesh, const RawSkin* skin,
-                                   const SkinBinding* binding, const BuiltScene& built,
-                                   const std::vector<LodRule>& rules) {
+std::vector<MeshLevel> make_levels(const RawMesh& mesh, const RawSkin* skin, const SkinBinding* binding,
+                                   const BuiltScene& built, const std::vector<LodRule>& rules, Notes& notes) {
   const Source source = skin == nullptr ? hung_source(mesh) : skinned_source(mesh, *skin, *binding, built);
   const std::size_t triangles = source.surface.indices.size() / 3;
   std::vector<std::size_t> targets;
@@ -316,8 +315,8 @@ std::vector<MeshLevel> make_levels(RawScene& scene, const RawMesh& mesh, const R
     if (metric && rules[i].influences < kMaxInfluences)
       reduce_joints(*metric, binding->residual_step_m > 0, rules[i].influences, out.back());
     measure(source, shapes, surfaces[i], out.back());
-    check_reached(scene, mesh, i, rules[i].ratio,
-                  static_cast<double>(surfaces[i].indices.size() / 3) / static_cast<double>(triangles));
+    check_reached(mesh, i, rules[i].ratio,
+                  static_cast<double>(surfaces[i].indices.size() / 3) / static_cast<double>(triangles), notes);
   }
   return out;
 }

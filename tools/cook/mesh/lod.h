@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "cook/scene/built.h"
+#include "cook/scene/cook_options.h"
 #include "cook/skin/skin_binding.h"
 
 namespace marrow::cook {
-
-inline constexpr std::size_t kMostLods = 15;
-
-struct LodRule {
-  double ratio = 1;                         // of the mesh's triangles
-  std::size_t influences = kMaxInfluences;  // a vertex, at most
-};
 
 // A mesh at one level, as if the source had it so.
 struct MeshLevel {
@@ -28,9 +22,8 @@ struct MeshLevel {
 // One a rule. Every vertex is one of the mesh's own, so that what moves it, how it looks and its morph targets are as
 // they were; joints are some of those that it had. Where a primitive is in parts, each part's triangles are its own at
 // every level; a part that has lost them all keeps one without area. skin, binding: null for a mesh that hangs on a
-// node. Adds a warning where there are more triangles than a rule asks for.
-std::vector<MeshLevel> make_levels(RawScene& scene, const RawMesh& mesh, const RawSkin* skin,
-                                   const SkinBinding* binding, const BuiltScene& built,
-                                   const std::vector<LodRule>& rules);
+// node. Notes where there are more triangles than a rule asks for.
+std::vector<MeshLevel> make_levels(const RawMesh& mesh, const RawSkin* skin, const SkinBinding* binding,
+                                   const BuiltScene& built, const std::vector<LodRule>& rules, Notes& notes);
 
 }  // namespace marrow::cook

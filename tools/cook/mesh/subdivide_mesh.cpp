@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/skin/fewer_joints.h"
 #include "deform/simplify/subdivide.h"
@@ -18,11 +15,9 @@
 namespace marrow::cook {
 namespace {
 
-constexpr std::uint64_t kMostFinerTriangles = 4'000'000;  // of all meshes
-constexpr std::uint64_t kMostFinerChanges = 32'000'000;   // of vertices by morph targets
-constexpr std::size_t kMostBetween = 16;                  // joints a point, before it gets what a vertex may have
-constexpr std::size_t kBatch = 4096;                      // points whose joints are chosen with one metric
-constexpr double kSameNormal = 0.99985;                   // cosine of a degree
+constexpr std::size_t kMostBetween = 16;  // joints a point, before it gets what a vertex may have
+constexpr std::size_t kBatch = 4096;      // points whose joints are chosen with one metric
+constexpr double kSameNormal = 0.99985;   // cosine of a degree
 
 struct Follower {
   std::uint32_t joint;  // as BoundInfluence's
@@ -381,37 +376,15 @@ void write_primitive(const Fine& fine, const std::vector<glm::dvec3>& normals, c
 
 }  // namespace
 
-void check_subdivision(const RawScene& scene, int steps) {
-  const int shift = 2 * steps;
-  std::set<int> drawn;
-  for (const RawInstance& instance : scene.instances) drawn.insert(instance.mesh);
-  std::uint64_t triangles = 0, changes = 0;
-  for (const int m : drawn) {
-    const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
-    for (const RawPrimitive& p : mesh.primitives) {
-      const std::uint64_t finer = std::uint64_t{p.indices.size() / 3} << shift;
-      triangles += finer;
-      // Each step adds at most three vertices a triangle, so all of them at most as many as there are triangles then.
-      changes += (p.positions.size() + finer) * p.targets.size();
-      if (triangles > kMostFinerTriangles)
-        throw tools::Failure(tools::Exit::unsupported, scene.source, p.pointer, "too-many-triangles",
-                             fmt::format("with --subdivide {} there would be more than {} in all; take fewer steps",
-                                         steps, kMostFinerTriangles));
-      if (changes > kMostFinerChanges)
-        throw tools::Failure(
-            tools::Exit::unsupported, scene.source, p.pointer, "too-many-targets",
-            fmt::format("with --subdivide {} they would move more than {} vertices in all; take fewer steps", steps,
-                        kMostFinerChanges));
-    }
-  }
-}
-
-std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<MovedBy>& skins, int steps) {
+FinerMesh subdivide_mesh(const RawMesh& mesh, const std::vector<MovedBy>& skins, int steps) {
   Fine fine = as_it_is(mesh, skins);
   for (int step = 0; step < steps; ++step) subdivide_once(fine);
-  std::size_t cut = 0;
+  FinerMesh out{mesh, {}, 0};
   std::vector<std::vector<BoundVertex>> bound;  // a skin: a point each
-  for (std::size_t s = 0; s < skins.size(); ++s) bound.push_back(finished_points(fine, s, skins[s], cut));
+  for (std::size_t s = 0; s < skins.size(); ++s) {
+    bound.push_back(finished_points(fine, s, skins[s], out.cut));
+    out.bindings.push_back(*skins[s].binding);
+  }
   std::vector<std::vector<std::uint32_t>> which(mesh.primitives.size());
   std::vector<std::uint32_t> number;  // a fine vertex: in its primitive
   for (std::size_t v = 0; v < fine.vertices.primitive_of.size(); ++v) {
@@ -422,18 +395,18 @@ std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<MovedBy>& skins, int
   const std::vector<glm::dvec3> normals = finished_normals(fine);
   std::size_t corner = 0;  // triangles stay in the primitives' order
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-    RawPrimitive& to = mesh.primitives[p];
+    RawPrimitive& to = out.mesh.primitives[p];
     write_primitive(fine, normals, which[p], to);
     if (!to.influences.empty()) to.influences.resize(which[p].size());
     for (std::size_t s = 0; s < skins.size(); ++s) {
       const auto of = [&](std::uint32_t v) -> const BoundVertex& { return bound[s][fine.vertices.point_of[v]]; };
-      refill(skins[s].binding->primitives[p], which[p], of);
+      refill(out.bindings[s].primitives[p], which[p], of);
       refill(to.influences, which[p], [&](std::uint32_t v) { return raw_influences(of(v)); });
     }
     to.indices.resize(to.indices.size() << (2 * steps));
     for (std::uint32_t& i : to.indices) i = number[fine.vertices.indices[corner++]];
   }
-  return cut;
+  return out;
 }
 
 }  // namespace marrow::cook

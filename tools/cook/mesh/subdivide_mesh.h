@@ -1,4 +1,4 @@
-// A mesh with four times the triangles, smoother, before anything else is made of it.
+// A mesh with four times the triangles, smoother.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,16 @@
 
 namespace marrow::cook {
 
-inline constexpr int kMostSubdivisions = 3;
-
-// Throws tools::Failure (unsupported) if what is drawn would be too much after so many steps.
-void check_subdivision(const RawScene& scene, int steps);
-
+// A skin that the mesh is bound to.
 struct MovedBy {
-  SkinBinding* binding;                              // without deformers beside animation space
+  const SkinBinding* binding;                        // without deformers beside animation space
   std::function<std::vector<deform::Pose>()> poses;  // where being close counts; half-joints among the joints
+};
+
+struct FinerMesh {
+  RawMesh mesh;
+  std::vector<SkinBinding> bindings;  // a skin, in their order
+  std::size_t cut = 0;                // points that follow fewer joints than they would, over all skins
 };
 
 // Loop's scheme over all primitives together, so that they stay closed where they touch; see deform::subdivide().
@@ -29,7 +31,7 @@ struct MovedBy {
 // - Normals: the surface's, area-weighted over the triangles of vertices that have one normal at a point, and what the
 //   source's normals had beside that, along edges.
 //
-// skins: all that the mesh is bound to. Returns how many points follow fewer joints than they would, over all of them.
-std::size_t subdivide_mesh(RawMesh& mesh, const std::vector<MovedBy>& skins, int steps);
+// skins: all that the mesh is bound to.
+FinerMesh subdivide_mesh(const RawMesh& mesh, const std::vector<MovedBy>& skins, int steps);
 
 }  // namespace marrow::cook

@@ -1,4 +1,5 @@
-// Where the bones of joints are.
+#include "cook/prepare/bind_bones.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "cook/prepare/bind_weights.h"
+#include "cook/scene/matrices.h"
 
 namespace marrow::cook {
 namespace {
@@ -24,15 +25,15 @@ std::vector<int> joint_above(const RawScene& scene, const std::vector<int>& join
   return out;
 }
 
-struct Skeleton {
+struct JointTree {
   std::vector<int> parent;        // of a joint: the joint above
   std::vector<glm::dvec3> place;  // in the space that bones are wanted in
   std::vector<char> usable, has_bone;
 };
 
-Skeleton skeleton_of(const RawScene& scene, const std::vector<int>& joints, const std::vector<int>& above,
-                     const std::vector<glm::dmat4>& space_from_joint) {
-  Skeleton out;
+JointTree tree_of(const RawScene& scene, const std::vector<int>& joints, const std::vector<int>& above,
+                  const std::vector<glm::dmat4>& space_from_joint) {
+  JointTree out;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const int up = scene.nodes[to_index(joints[j])].parent;
     out.parent.push_back(up == kNone ? kNone : above[to_index(up)]);
@@ -46,21 +47,21 @@ Skeleton skeleton_of(const RawScene& scene, const std::vector<int>& joints, cons
 // Bones to children that are no joints and draw nothing: where a hand ends, say. Those further away than any bone is
 // long are something else, a camera or a target.
 void add_ends(const RawScene& scene, const std::vector<int>& joints, const std::vector<int>& above,
-              const std::vector<glm::dmat4>& space_from_joint, double longest, Skeleton& skeleton,
+              const std::vector<glm::dmat4>& space_from_joint, double longest, JointTree& tree,
               std::vector<deform::Bone>& bones) {
   std::vector<char> draws(scene.nodes.size(), 0);
   for (const RawInstance& instance : scene.instances) draws[to_index(instance.node)] = 1;
-  const std::vector<char> has_bone = skeleton.has_bone;
+  const std::vector<char> has_bone = tree.has_bone;
   for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
     const int parent = scene.nodes[n].parent;
     if (parent == kNone || above[n] == kNone || draws[n] != 0) continue;
     const std::size_t j = to_index(above[n]);
-    if (joints[j] != parent || has_bone[j] != 0 || skeleton.usable[j] == 0) continue;
+    if (joints[j] != parent || has_bone[j] != 0 || tree.usable[j] == 0) continue;
     const glm::dvec3 end(space_from_joint[j] * glm::dvec4(scene.nodes[n].translation, 1));
-    const double length = glm::length(end - skeleton.place[j]);
+    const double length = glm::length(end - tree.place[j]);
     if (!(length > 0 && length <= longest)) continue;
-    bones.push_back({static_cast<std::uint32_t>(j), skeleton.place[j], end});
-    skeleton.has_bone[j] = 1;
+    bones.push_back({static_cast<std::uint32_t>(j), tree.place[j], end});
+    tree.has_bone[j] = 1;
   }
 }
 
@@ -111,22 +112,22 @@ std::vector<glm::dmat4> rest_of_nodes(const RawScene& scene) {
 std::vector<deform::Bone> bones_of(const RawScene& scene, const std::vector<int>& joints,
                                    const std::vector<glm::dmat4>& space_from_joint) {
   const std::vector<int> above = joint_above(scene, joints);
-  Skeleton skeleton = skeleton_of(scene, joints, above, space_from_joint);
+  JointTree tree = tree_of(scene, joints, above, space_from_joint);
   std::vector<deform::Bone> bones;
   double longest = 0;
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    const int parent = skeleton.parent[j];
-    if (parent == kNone || skeleton.usable[j] == 0 || skeleton.usable[to_index(parent)] == 0) continue;
-    bones.push_back({static_cast<std::uint32_t>(parent), skeleton.place[to_index(parent)], skeleton.place[j]});
-    skeleton.has_bone[to_index(parent)] = 1;
-    longest = std::max(longest, glm::length(skeleton.place[j] - skeleton.place[to_index(parent)]));
+    const int parent = tree.parent[j];
+    if (parent == kNone || tree.usable[j] == 0 || tree.usable[to_index(parent)] == 0) continue;
+    bones.push_back({static_cast<std::uint32_t>(parent), tree.place[to_index(parent)], tree.place[j]});
+    tree.has_bone[to_index(parent)] = 1;
+    longest = std::max(longest, glm::length(tree.place[j] - tree.place[to_index(parent)]));
   }
-  add_ends(scene, joints, above, space_from_joint, longest, skeleton, bones);
+  add_ends(scene, joints, above, space_from_joint, longest, tree, bones);
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    if (skeleton.has_bone[j] != 0 || skeleton.usable[j] == 0) continue;
-    const int parent = skeleton.parent[j];
-    const bool has_parent = parent != kNone && skeleton.usable[to_index(parent)] != 0;
-    const glm::dvec3 from = skeleton.place[j], before = has_parent ? skeleton.place[to_index(parent)] : from;
+    if (tree.has_bone[j] != 0 || tree.usable[j] == 0) continue;
+    const int parent = tree.parent[j];
+    const bool has_parent = parent != kNone && tree.usable[to_index(parent)] != 0;
+    const glm::dvec3 from = tree.place[j], before = has_parent ? tree.place[to_index(parent)] : from;
     bones.push_back({static_cast<std::uint32_t>(j), from, from + (from - before) * 0.5});
   }
   return bones;

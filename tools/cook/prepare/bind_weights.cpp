@@ -1,4 +1,4 @@
-// Which meshes get weights, from which joints.
+// Which meshes get weights, from which joints. The scene that is changed here is the new one.
 #include "cook/prepare/bind_weights.h"
 
 #include <algorithm>
@@ -10,6 +10,9 @@
 #include <glm/matrix.hpp>
 
 #include "common/failure.h"
+#include "cook/prepare/bind_bones.h"
+#include "cook/prepare/paint_weights.h"
+#include "deform/weights/auto_weights.h"
 #include "deform/weights/smooth_weights.h"
 
 namespace marrow::cook {
@@ -84,7 +87,7 @@ void add_skin_groups(RawScene& scene, std::vector<Group>& groups) {
 }
 
 // The joints for meshes that have no skin, as the file's only one or what clips move; none if it is not clear.
-std::vector<int> free_joints(RawScene& scene, const std::vector<glm::dmat4>& rest, Left& left) {
+std::vector<int> free_joints(const RawScene& scene, const std::vector<glm::dmat4>& rest, Left& left) {
   if (scene.skins.size() > 1) ++left.many_skins;
   if (scene.skins.size() > 1) return {};
   std::vector<int> joints;
@@ -115,7 +118,7 @@ bool rests_in_bind_pose(const RawSkin& skin, const std::vector<glm::dmat4>& rest
 }
 
 // Meshes that have none: in the scene's space, each with a skin of its own that leaves it where it is at rest.
-void add_free_group(RawScene& scene, std::vector<Group>& groups, Left& left) {
+void add_free_group(RawScene& scene, std::vector<Group>& groups, Left& left, Notes& notes) {
   const std::vector<char> moving = moving_nodes(scene);
   std::vector<std::size_t> instances;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -136,7 +139,7 @@ void add_free_group(RawScene& scene, std::vector<Group>& groups, Left& left) {
     throw tools::Failure(tools::Exit::unsupported, scene.source, "/nodes", "too-many-meshes",
                          fmt::format("--auto-weights would bind {}; the most is {}", instances.size(), kMostSkins));
   if (scene.skins.size() == 1 && !rests_in_bind_pose(scene.skins.front(), rest))
-    scene.warnings.push_back({"/skins/0", "bound-at-rest",
+    notes.warnings.push_back({"/skins/0", "bound-at-rest",
                               "the nodes do not rest in the skin's bind pose; meshes without a skin are bound as they "
                               "rest"});
   const std::string name = scene.skins.empty() ? "" : scene.skins.front().name;
@@ -183,12 +186,18 @@ void separate_meshes(RawScene& scene) {
   }
 }
 
-void say_bound(RawScene& scene, const RawMesh& mesh, const std::string& how, std::size_t vertices,
-               std::size_t unreached) {
+// "/meshes/2" of its primitives' pointers.
+std::string pointer_of(const RawMesh& mesh) {
+  if (mesh.primitives.empty()) return "/meshes";
+  const std::string& pointer = mesh.primitives.front().pointer;
+  return pointer.substr(0, pointer.find("/primitives"));
+}
+
+void say_bound(const RawMesh& mesh, const std::string& how, std::size_t vertices, std::size_t unreached, Notes& notes) {
   std::string text = fmt::format("{} vertices got weights, {}", vertices, how);
   if (unreached > 0)
     text += fmt::format("; no way through the mesh leads to {} of them, which go by plain distance", unreached);
-  scene.warnings.push_back({pointer_of(mesh), "weights-made", text});
+  notes.warnings.push_back({pointer_of(mesh), "weights-made", text});
 }
 
 // What is bound of a group: primitives without weights, each mesh once.
@@ -241,7 +250,7 @@ std::string how_of(deform::WeightMethod method, const deform::AutoWeights& made)
 
 using Made = std::set<std::pair<std::size_t, std::size_t>>;  // mesh, primitive
 
-void bind(RawScene& scene, const Group& group, deform::WeightMethod method, Made& done) {
+void bind(RawScene& scene, const Group& group, deform::WeightMethod method, Made& done, Notes& notes) {
   deform::Positions positions;
   std::vector<std::uint32_t> indices;
   const std::vector<Slot> slots = gather(scene, group, positions, indices);
@@ -258,17 +267,17 @@ void bind(RawScene& scene, const Group& group, deform::WeightMethod method, Made
       done.emplace(number, slots[s].primitive);
     }
     const auto unreached = std::ranges::count_if(made.unreached, [&](std::size_t v) { return v >= first && v < end; });
-    say_bound(scene, mesh, how_of(method, made), end - first, static_cast<std::size_t>(unreached));
+    say_bound(mesh, how_of(method, made), end - first, static_cast<std::size_t>(unreached), notes);
   }
   // It was read as one that is drawn rigidly.
   for (const std::size_t i : group.instances) {
     const std::string pointer = fmt::format("/nodes/{}/skin", scene.instances[i].node);
-    std::erase_if(scene.warnings,
+    std::erase_if(notes.warnings,
                   [&](const RawWarning& w) { return w.rule == "skin-without-weights" && w.pointer == pointer; });
   }
 }
 
-void say_nothing_bound(RawScene& scene, const Left& left, const RuleOrigin& origin) {
+void say_nothing_bound(const Left& left, const RuleOrigin& origin, Notes& notes) {
   std::string why = "every mesh has weights already", advice = "leave the option out";
   tools::Exit code = tools::Exit::usage;
   if (left.many_skins > 0) {
@@ -284,7 +293,7 @@ void say_nothing_bound(RawScene& scene, const Left& left, const RuleOrigin& orig
     why = "no mesh to bind";
   }
   if (origin.must_fit) throw tools::Failure(code, origin.file, origin.where, why, advice);
-  scene.warnings.push_back({"/meshes", "rule-fits-nothing", "auto-weights: " + why});
+  notes.warnings.push_back({"/meshes", "rule-fits-nothing", "auto-weights: " + why});
 }
 
 void smooth(RawMesh& mesh, std::size_t number, int steps, const Made& made) {
@@ -312,7 +321,7 @@ void smooth(RawMesh& mesh, std::size_t number, int steps, const Made& made) {
   }
 }
 
-void smooth_all(RawScene& scene, const WeightOptions& options, const Made& made) {
+void smooth_all(RawScene& scene, const WeightOptions& options, const Made& made, Notes& notes) {
   std::set<int> meshes;
   for (const RawInstance& instance : scene.instances)
     if (instance.skin != kNone && has_weights(scene.meshes[to_index(instance.mesh)])) meshes.insert(instance.mesh);
@@ -321,30 +330,24 @@ void smooth_all(RawScene& scene, const WeightOptions& options, const Made& made)
   if (options.smooth_origin.must_fit)
     throw tools::Failure(tools::Exit::usage, options.smooth_origin.file, options.smooth_origin.where,
                          "no mesh has weights to smooth", "leave the option out or give --auto-weights too");
-  scene.warnings.push_back({"/meshes", "rule-fits-nothing", "smooth-weights: no mesh has weights"});
+  notes.warnings.push_back({"/meshes", "rule-fits-nothing", "smooth-weights: no mesh has weights"});
 }
 
 }  // namespace
 
-std::string pointer_of(const RawMesh& mesh) {
-  if (mesh.primitives.empty()) return "/meshes";
-  const std::string& pointer = mesh.primitives.front().pointer;
-  return pointer.substr(0, pointer.find("/primitives"));
-}
-
-void bind_weights(RawScene& scene, const WeightOptions& options) {
+RawScene bind_weights(RawScene scene, const WeightOptions& options, Notes& notes) {
   std::vector<Group> groups;
   Made made;
   Left left;
   if (options.make) {
     add_skin_groups(scene, groups);
-    add_free_group(scene, groups, left);
-    if (groups.empty()) say_nothing_bound(scene, left, options.make_origin);
+    add_free_group(scene, groups, left, notes);
+    if (groups.empty()) say_nothing_bound(left, options.make_origin, notes);
   }
   separate_meshes(scene);
-  for (const Group& group : groups) bind(scene, group, *options.make, made);
-  if (options.smooth_steps > 0) smooth_all(scene, options, made);
-  if (!options.paint.empty()) paint_weights(scene, options.paint);
+  for (const Group& group : groups) bind(scene, group, *options.make, made, notes);
+  if (options.smooth_steps > 0) smooth_all(scene, options, made, notes);
+  return options.paint.empty() ? std::move(scene) : paint_weights(std::move(scene), options.paint, notes);
 }
 
 }  // namespace marrow::cook

@@ -6,18 +6,18 @@
 #include <set>
 
 #include "common/failure.h"
-#include "cook/build.h"
-#include "cook/clip/compress/source_curves.h"
 #include "cook/gltf/read.h"
+#include "cook/scene/views.h"
+#include "cook/skeleton/build_skeletons.h"
 
 namespace marrow::cook {
 namespace {
 
-constexpr float kSlack = 1e-5f;  // of 1 and of the value: exporters print few digits
+constexpr float kAlike = 1e-5f;  // of 1 and of the value: exporters print few digits
 
 bool alike(const glm::vec4& a, const glm::vec4& b) {
   for (int c = 0; c < 4; ++c)
-    if (!(std::fabs(a[c] - b[c]) <= kSlack * (1 + std::fabs(a[c])))) return false;
+    if (!(std::fabs(a[c] - b[c]) <= kAlike * (1 + std::fabs(a[c])))) return false;
   return true;
 }
 
@@ -43,13 +43,14 @@ bool same_rest(const Transform& a, const Transform& b, RawPath path) {
 
 class Matching {
  public:
-  Matching(const Character& character, RawScene& scene, BuiltScene& out)
-      : character_(character), scene_(scene), out_(out) {}
+  Matching(const Character& character, RawScene scene, Notes& notes)
+      : character_(character), notes_(notes), scene_(std::move(scene)) {}
 
   void match_names();
   void check_moved();
   void drop_strangers();
   void hold_others();
+  Matched take() { return {std::move(scene_), std::move(out_)}; }
 
  private:
   std::string name_of(int node) const {
@@ -64,8 +65,9 @@ class Matching {
   void hold_others(RawClip& clip, int skeleton);
 
   const Character& character_;
-  RawScene& scene_;
-  BuiltScene& out_;
+  Notes& notes_;
+  RawScene scene_;
+  BuiltScene out_;
   std::map<std::pair<int, int>, int> node_of_;  // a skeleton's joint
   std::set<int> others_;                        // nodes that stand otherwise
 };
@@ -137,12 +139,12 @@ void Matching::drop_strangers() {
       return stranger;
     });
   for (const int node : still)
-    scene_.warnings.push_back({"/nodes/" + std::to_string(node), "no-such-joint",
+    notes_.warnings.push_back({"/nodes/" + std::to_string(node), "no-such-joint",
                                name_of(node) + " is no joint of " + character_.file + "; it does not move, left out"});
   std::erase_if(scene_.clips, [&](const RawClip& clip) {
     const bool empty = clip.channels.empty() && clip.scalars.empty();
     if (empty)
-      scene_.warnings.push_back(
+      notes_.warnings.push_back(
           {"/animations", "clip-dropped", '"' + clip.name + "\" moves no joint of the character"});
     return empty;
   });
@@ -173,7 +175,7 @@ void Matching::hold_others() {
     for (const int skeleton : skeletons) hold_others(clip, skeleton);
   }
   if (!others_.empty())
-    scene_.warnings.push_back({"/nodes/" + std::to_string(*others_.begin()), "rest-pose-differs",
+    notes_.warnings.push_back({"/nodes/" + std::to_string(*others_.begin()), "rest-pose-differs",
                                std::to_string(others_.size()) + " joints that clips leave alone do not stand as in " +
                                    character_.file + "; the clips hold them where this file has them"});
 }
@@ -182,8 +184,7 @@ void Matching::hold_others() {
 
 Character read_character(const std::string& gltf_path) {
   const RawScene scene = read_gltf(gltf_path);
-  BuiltScene built;
-  build_skeletons(scene, built);
+  BuiltScene built = build_skeletons(scene);
   return {gltf_path, std::move(built.skeletons)};
 }
 
@@ -201,15 +202,16 @@ Character view_character(const std::string& path, const File& file) {
   return out;
 }
 
-void match_skeletons(const Character& character, RawScene& scene, BuiltScene& out) {
+Matched match_skeletons(const Character& character, RawScene scene, Notes& notes) {
   if (character.skeletons.empty())
     throw tools::Failure(tools::Exit::invalid, character.file, "", "no skeleton",
                          "name the character's file, not a clip pack");
-  Matching matching(character, scene, out);
+  Matching matching(character, std::move(scene), notes);
   matching.match_names();
   matching.check_moved();
   matching.drop_strangers();
   matching.hold_others();
+  return matching.take();
 }
 
 }  // namespace marrow::cook

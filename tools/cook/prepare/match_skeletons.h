@@ -9,21 +9,19 @@
 
 namespace marrow::cook {
 
-// A character that is cooked already, or will be.
-struct Character {
-  std::string file;
-  std::vector<BuiltSkeleton> skeletons;
-};
-
 // The skeletons of a glTF file as cooking it would make them, or of a cooked file's view. Both throw tools::Failure.
 Character read_character(const std::string& gltf_path);
 Character view_character(const std::string& path, const File& file);
 
-// Gives `out` the character's skeletons, and for each node the joint that it is: of the first skeleton that has one of
-// its name. What a clip moves must be such a joint, below the same parent or a root; what it holds still and is none is
-// left out, with a warning. Where a joint that a clip leaves alone stands otherwise than in the character, the clip
-// gets a key for it, so that it looks as in its own file. Throws tools::Failure (invalid) with the nodes that are no
-// joints.
-void match_skeletons(const Character& character, RawScene& scene, BuiltScene& out);
+struct Matched {
+  RawScene scene;    // its clips move joints alone
+  BuiltScene built;  // the character's skeletons, and for each node the joint that it is
+};
+
+// A node is the joint of the first skeleton that has one of its name. What a clip moves must be such a joint, below the
+// same parent or a root; what it holds still and is none is left out, with a warning. Where a joint that a clip leaves
+// alone stands otherwise than in the character, the clip gets a key for it, so that it looks as in its own file. Throws
+// tools::Failure (invalid) with the nodes that are no joints.
+Matched match_skeletons(const Character& character, RawScene scene, Notes& notes);
 
 }  // namespace marrow::cook

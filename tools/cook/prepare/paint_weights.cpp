@@ -1,4 +1,5 @@
-// Weights that an artist painted: grey-scale pictures in the place of a texture.
+#include "cook/prepare/paint_weights.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -12,7 +13,7 @@
 #include "common/files.h"
 #include "common/hash.h"
 #include "common/printable.h"
-#include "cook/prepare/bind_weights.h"
+#include "cook/prepare/bind_bones.h"
 
 namespace marrow::cook {
 namespace {
@@ -45,7 +46,7 @@ struct Mask {
 };
 
 std::string name_of(const PaintRule& rule) {
-  return gltf::printable("paint " + rule.joint);
+  return tools::printable("paint " + rule.joint);
 }
 
 tools::AlignedBytes bytes_of_mask(const std::string& path, RawRead& read) {
@@ -97,16 +98,16 @@ int joint_called(const RawScene& scene, const RawSkin& skin, const std::string& 
 }
 
 // A rule that fits nothing is a mistake, or, where it need not fit, a warning.
-void refuse_paint(RawScene& scene, const PaintRule& rule, const std::string& why, const std::string& advice) {
+void refuse_paint(const PaintRule& rule, const std::string& why, const std::string& advice, Notes& notes) {
   if (rule.origin.must_fit)
-    throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where, gltf::printable(why), advice);
-  scene.warnings.push_back({"/meshes", "rule-fits-nothing", "paint: " + gltf::printable(why)});
+    throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where, tools::printable(why), advice);
+  notes.warnings.push_back({"/meshes", "rule-fits-nothing", "paint: " + tools::printable(why)});
 }
 
-void apply(RawScene& scene, const PaintRule& rule, std::vector<Canvas>& canvases) {
+void apply(const RawScene& scene, const PaintRule& rule, std::vector<Canvas>& canvases, Notes& notes) {
   RawRead read;
   const Mask mask = read_mask(rule, read);
-  if (!scene.reads.empty()) scene.reads.push_back(read);
+  notes.reads.push_back(read);
   bool has_joint = false, has_uvs = false;
   std::vector<RawWarning> without;
   for (Canvas& canvas : canvases) {
@@ -115,7 +116,7 @@ void apply(RawScene& scene, const PaintRule& rule, std::vector<Canvas>& canvases
     has_joint = true;
     if (canvas.primitive->uvs.empty()) {
       without.push_back({canvas.primitive->pointer, "paint-without-uvs",
-                         "\"" + gltf::printable(rule.joint) + "\" cannot be painted on a mesh without UVs"});
+                         "\"" + tools::printable(rule.joint) + "\" cannot be painted on a mesh without UVs"});
       continue;
     }
     has_uvs = true;
@@ -124,12 +125,12 @@ void apply(RawScene& scene, const PaintRule& rule, std::vector<Canvas>& canvases
     for (const glm::vec2& uv : canvas.primitive->uvs) weights.push_back(mask.at(uv));
   }
   if (!has_joint)
-    return refuse_paint(scene, rule, "no joint that a mesh is bound to is called \"" + rule.joint + "\"",
-                        "give JOINT=MASK.png with names as `marrow info --json` lists them");
+    return refuse_paint(rule, "no joint that a mesh is bound to is called \"" + rule.joint + "\"",
+                        "give JOINT=MASK.png with names as `marrow info --json` lists them", notes);
   if (!has_uvs)
-    return refuse_paint(scene, rule, "no mesh that \"" + rule.joint + "\" could move has UVs",
-                        "export the meshes with UVs");
-  scene.warnings.insert(scene.warnings.end(), without.begin(), without.end());
+    return refuse_paint(rule, "no mesh that \"" + rule.joint + "\" could move has UVs", "export the meshes with UVs",
+                        notes);
+  notes.warnings.insert(notes.warnings.end(), without.begin(), without.end());
 }
 
 // Painted joints have what is painted, all scaled down where it is more than 1; the others share what is left as they
@@ -162,9 +163,9 @@ RawRead read_of_mask(const std::string& path) {
   return read;
 }
 
-void paint_weights(RawScene& scene, const std::vector<PaintRule>& rules) {
+RawScene paint_weights(RawScene scene, const std::vector<PaintRule>& rules, Notes& notes) {
   std::vector<Canvas> all = canvases(scene);
-  for (const PaintRule& rule : rules) apply(scene, rule, all);
+  for (const PaintRule& rule : rules) apply(scene, rule, all, notes);
   for (Canvas& canvas : all) {
     for (std::size_t v = 0; v < canvas.primitive->positions.size(); ++v) {
       std::vector<std::pair<std::uint32_t, double>> painted;
@@ -172,6 +173,7 @@ void paint_weights(RawScene& scene, const std::vector<PaintRule>& rules) {
       if (!painted.empty()) paint_vertex(painted, canvas.primitive->influences[v]);
     }
   }
+  return scene;
 }
 
 }  // namespace marrow::cook

@@ -9,7 +9,6 @@
 
 #include "asset/format.h"
 #include "common/aligned_bytes.h"
-#include "cook/geometry/owned_streams.h"
 #include "cook/scene/raw.h"
 #include "marrow/file.h"
 
@@ -67,6 +66,18 @@ struct BuiltClip {
   ClipError error;
   std::string additive;                 // over what, in --additive's words; empty: an ordinary clip
   std::vector<SoaTransform> reference;  // empty: the rest pose
+};
+
+// What quantisation has done at worst.
+struct MeshError {
+  double position_m = 0;
+  double normal_deg = 0;
+  double uv = 0;
+  double weight = 0;
+  double target_m = 0;  // of a morph target's positions, at weight 1
+  // Of a vertex by multi-weight enveloping, in poses that take no joint's origin further from the root than the
+  // diagonal of the mesh's box, and scale nothing; and of one by pose-space deformation, before the blend.
+  double multi_weight_m = 0, pose_space_m = 0;
 };
 
 struct BuiltGeometry {
@@ -146,6 +157,12 @@ struct BuiltNode {
 struct Kept {
   std::string glob;
   std::vector<std::string> nodes;
+};
+
+// A character that is cooked already, or will be, for clip packs.
+struct Character {
+  std::string file;
+  std::vector<BuiltSkeleton> skeletons;
 };
 
 struct BuiltScene {

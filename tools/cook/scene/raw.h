@@ -1,7 +1,8 @@
 // The scene as the artist's file has it: what reading glTF yields and what the build stage starts from.
 //
 // Units and axes are glTF's: metres, right-handed, +Y up, column vectors. Nothing here is compressed, reordered or
-// dropped, except what `RawScene::warnings` lists.
+// dropped, except what `RawScene::warnings` lists. Whoever cooks it reads it and changes nothing: preparation gives a
+// new scene.
 #pragma once
 
 #include <array>
@@ -164,6 +165,12 @@ struct RawRead {
   std::string hash;  // tools::hash_of those bytes
 };
 
+// What stages say beside their results, in the order in which they say it.
+struct Notes {
+  std::vector<RawWarning> warnings;
+  std::vector<RawRead> reads;  // files that options name
+};
+
 struct RawScene {
   std::string source;              // path as given
   std::uint64_t source_bytes = 0;  // the file and whatever else was read for it
@@ -174,8 +181,8 @@ struct RawScene {
   std::vector<RawSkin> skins;
   std::vector<RawInstance> instances;
   std::vector<RawClip> clips;
-  std::vector<RawWarning> warnings;
-  std::vector<RawRead> reads;  // the scene's own file first; empty for a scene in memory
+  std::vector<RawWarning> warnings;  // of whoever read it
+  std::vector<RawRead> reads;        // the scene's own file first; empty for a scene in memory
 };
 
 }  // namespace marrow::cook

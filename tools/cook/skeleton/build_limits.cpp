@@ -1,6 +1,6 @@
-// Joint limits: what artists wrote on nodes becomes what lies in the file.
+#include "cook/skeleton/build_limits.h"
+
 #include "common/failure.h"
-#include "cook/build.h"
 
 namespace marrow::cook {
 namespace {
@@ -21,15 +21,19 @@ JointLimit build_limit(const RawScene& scene, const BuiltSkeleton& skeleton, std
 
 }  // namespace
 
-void build_limits(RawScene& scene, BuiltScene& out) {
-  for (BuiltSkeleton& skeleton : out.skeletons)
+std::vector<std::vector<JointLimit>> build_limits(const RawScene& scene, const BuiltScene& built, Notes& notes) {
+  std::vector<std::vector<JointLimit>> out;
+  for (const BuiltSkeleton& skeleton : built.skeletons) {
+    std::vector<JointLimit>& limits = out.emplace_back();
     for (std::size_t j = 0; j < skeleton.node_of_joint.size(); ++j)
       if (scene.nodes[static_cast<std::size_t>(skeleton.node_of_joint[j])].limit)
-        skeleton.limits.push_back(build_limit(scene, skeleton, j));
+        limits.push_back(build_limit(scene, skeleton, j));
+  }
   for (std::size_t n = 0; n < scene.nodes.size(); ++n)
-    if (scene.nodes[n].limit && out.joint_of_node[n] == kNone)
-      scene.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras/marrow/limits", "limit-without-joint",
+    if (scene.nodes[n].limit && built.joint_of_node[n] == kNone)
+      notes.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras/marrow/limits", "limit-without-joint",
                                 "the node is no joint: no skin names it and no clip moves it"});
+  return out;
 }
 
 }  // namespace marrow::cook

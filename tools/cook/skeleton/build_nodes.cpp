@@ -1,6 +1,7 @@
-// Nodes that the game asks for by name: sockets, locators, what cameras hang on.
+#include "cook/skeleton/build_nodes.h"
+
 #include "common/pattern.h"
-#include "cook/build.h"
+#include "cook/scene/matrices.h"
 
 namespace marrow::cook {
 namespace {
@@ -15,22 +16,24 @@ Place place_of(std::size_t node, const BuiltScene& scene) {
   return {nearest.skeleton == kNone ? 0u : static_cast<std::uint32_t>(nearest.skeleton), nearest};
 }
 
-BuiltNode build_node(RawNode& raw, const Place& place) {
+BuiltNode build_node(const RawNode& raw, const Place& place) {
   BuiltNode node;
   node.name = raw.name;
   node.skeleton = place.skeleton;
   if (place.nearest.joint != kNone) node.joint = static_cast<std::uint16_t>(place.nearest.joint);
   node.joint_from_node = to_affine(place.nearest.joint_from_node);
-  node.properties = std::move(raw.extras);
+  node.properties = raw.extras;
   return node;
 }
 
 }  // namespace
 
-void build_nodes(RawScene& scene, const std::vector<std::string>& keep, BuiltScene& out) {
+BuiltNodes build_nodes(const RawScene& scene, const BuiltScene& built, const std::vector<std::string>& keep,
+                       Notes& notes) {
+  BuiltNodes out;
   for (const std::string& glob : keep) out.kept.push_back({glob, {}});
   for (std::size_t n = 0; n < scene.nodes.size() && !keep.empty(); ++n) {
-    RawNode& raw = scene.nodes[n];
+    const RawNode& raw = scene.nodes[n];
     if (raw.name.empty() || !raw.in_scene) continue;
     bool kept = false;
     for (Kept& rule : out.kept) {
@@ -40,14 +43,15 @@ void build_nodes(RawScene& scene, const std::vector<std::string>& keep, BuiltSce
     }
     if (!kept) continue;
     if (raw.dropped_extras > 0)
-      scene.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras", "extras-dropped",
+      notes.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras", "extras-dropped",
                                 std::to_string(raw.dropped_extras) +
                                     " values are left out: nulls, infinite numbers, or texts with a zero character"});
-    out.nodes.push_back(build_node(raw, place_of(n, out)));
+    out.nodes.push_back(build_node(raw, place_of(n, built)));
   }
   for (const Kept& rule : out.kept)
     if (rule.nodes.empty())
-      scene.warnings.push_back({"/nodes", "keep-fits-nothing", "no node of the scene is called \"" + rule.glob + "\""});
+      notes.warnings.push_back({"/nodes", "keep-fits-nothing", "no node of the scene is called \"" + rule.glob + "\""});
+  return out;
 }
 
 }  // namespace marrow::cook

@@ -1,10 +1,9 @@
-// Which nodes become joints of which skeleton. A joint is a node that a skin names, that a clip moves, that lies
-// between two such nodes, or that carries a mesh with nothing of the kind above it. Nodes above the joints never move:
-// their product is kept a root.
+#include "cook/skeleton/build_skeletons.h"
+
 #include <algorithm>
 
 #include "common/failure.h"
-#include "cook/build.h"
+#include "cook/scene/matrices.h"
 #include "cook/skeleton/group_trees.h"
 #include "cook/skeleton/round_rest.h"
 
@@ -140,7 +139,8 @@ BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, con
 
 }  // namespace
 
-void build_skeletons(const RawScene& scene, BuiltScene& out) {
+BuiltScene build_skeletons(const RawScene& scene) {
+  BuiltScene out;
   const std::vector<std::size_t> order = parents_first(scene);
   const std::vector<std::vector<int>> skeletons = breadth_first(scene, choose_joints(scene, order), order);
   number_joints(scene, skeletons, order, out);
@@ -152,6 +152,7 @@ void build_skeletons(const RawScene& scene, BuiltScene& out) {
     out.skeletons[s].name = skin->name;
     named[s] = 1;
   }
+  return out;
 }
 
 }  // namespace marrow::cook

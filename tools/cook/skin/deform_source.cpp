@@ -5,6 +5,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "cook/scene/matrices.h"
+
 namespace marrow::cook {
 namespace {
 
@@ -71,13 +73,8 @@ deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skelet
                          const std::vector<SoaTransform>& local) {
   const std::vector<Affine> scene_from_joint = model_pose(skeleton, local);
   deform::Pose out;
-  for (std::size_t j = 0; j < source.joints.size(); ++j) {
-    const Affine& a = scene_from_joint[source.joints[j]];
-    glm::dmat4 m(1.0);
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) m[c][r] = static_cast<double>(a.rows[r][c]);
-    out.emplace_back(m * source.inverse_bind[j]);
-  }
+  for (std::size_t j = 0; j < source.joints.size(); ++j)
+    out.emplace_back(to_matrix(scene_from_joint[source.joints[j]]) * source.inverse_bind[j]);
   return out;
 }
 

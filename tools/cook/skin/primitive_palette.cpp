@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/failure.h"
-#include "cook/build.h"
-#include "cook/learn/learn_deformers.h"
+#include "cook/scene/matrices.h"
+#include "cook/skin/bound_deformers.h"
 
 namespace marrow::cook {
 

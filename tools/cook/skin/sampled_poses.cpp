@@ -5,7 +5,7 @@
 #include <random>
 
 #include "common/failure.h"
-#include "cook/clip/compress/pack_tracks.h"
+#include "cook/scene/views.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 

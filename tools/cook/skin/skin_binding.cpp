@@ -30,7 +30,7 @@ BoundVertex largest_influences(const std::vector<RawInfluence>& raw, std::size_t
 
 }  // namespace
 
-SkinBinding bind_to_skin(RawScene& scene, const RawMesh& mesh) {
+SkinBinding bind_to_skin(const RawMesh& mesh, Notes& notes) {
   SkinBinding out;
   for (const RawPrimitive& primitive : mesh.primitives) {
     std::vector<BoundVertex>& vertices = out.primitives.emplace_back();
@@ -40,11 +40,11 @@ SkinBinding bind_to_skin(RawScene& scene, const RawMesh& mesh) {
       vertices.push_back(largest_influences(raw, dropped));
     }
     if (dropped > 0)
-      scene.warnings.push_back(
+      notes.warnings.push_back(
           {primitive.pointer, "influences-dropped",
            std::to_string(dropped) + " vertices had more than 8 influences; the 8 largest are kept and renormalised"});
     if (unbound > 0)
-      scene.warnings.push_back(
+      notes.warnings.push_back(
           {primitive.pointer, "weights-zero",
            std::to_string(unbound) + " vertices had no weight above 0; they follow the skin's first joint"});
   }

@@ -41,7 +41,7 @@ struct SkinBinding {
 };
 
 // Weights as the file has them: joints named twice merged, zeros dropped, the largest kept, normalised in double
-// precision. Adds to scene.warnings what it mends.
-SkinBinding bind_to_skin(RawScene& scene, const RawMesh& mesh);
+// precision. Notes what it mends.
+SkinBinding bind_to_skin(const RawMesh& mesh, Notes& notes);
 
 }  // namespace marrow::cook

@@ -130,17 +130,18 @@ std::vector<std::uint32_t> split_triangles(const std::vector<std::uint32_t>& ind
 
 namespace {
 
-[[noreturn]] void refuse_split(const RawScene& scene, const RawPrimitive& primitive, const std::string& rule,
+[[noreturn]] void refuse_split(const std::string& source, const RawPrimitive& primitive, const std::string& rule,
                                std::size_t enough) {
-  throw tools::Failure(tools::Exit::unsupported, scene.source, primitive.pointer, rule,
+  throw tools::Failure(tools::Exit::unsupported, source, primitive.pointer, rule,
                        "give --palette " + std::to_string(enough) + " or more");
 }
 
 }  // namespace
 
-void split_primitives(const RawScene& scene, const RawMesh& mesh, std::size_t joint_count, std::size_t most,
-                      SkinBinding& binding) {
-  binding.part_of.assign(mesh.primitives.size(), {});
+std::vector<std::vector<std::uint32_t>> split_primitives(const std::string& source, const RawMesh& mesh,
+                                                         std::size_t joint_count, std::size_t most,
+                                                         const SkinBinding& binding) {
+  std::vector<std::vector<std::uint32_t>> out(mesh.primitives.size());
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
     const RawPrimitive& primitive = mesh.primitives[p];
     std::vector<Set> needs;
@@ -153,13 +154,14 @@ void split_primitives(const RawScene& scene, const RawMesh& mesh, std::size_t jo
     std::size_t largest = 0;
     for (const Set& set : group_triangles(primitive.indices, needs).needs) largest = std::max(largest, set.size());
     if (largest > most)
-      refuse_split(scene, primitive, "a triangle follows " + std::to_string(largest) + " joints and half-joints",
+      refuse_split(source, primitive, "a triangle follows " + std::to_string(largest) + " joints and half-joints",
                    largest);
-    std::vector<std::uint32_t>& part_of = binding.part_of[p] = split_triangles(primitive.indices, needs, most);
-    const std::size_t parts = std::size_t{1} + std::ranges::max(part_of);
+    out[p] = split_triangles(primitive.indices, needs, most);
+    const std::size_t parts = std::size_t{1} + std::ranges::max(out[p]);
     if (parts > kMostParts)
-      refuse_split(scene, primitive, "more than " + std::to_string(kMostParts) + " parts", most * 2);
+      refuse_split(source, primitive, "more than " + std::to_string(kMostParts) + " parts", most * 2);
   }
+  return out;
 }
 
 std::vector<PrimitivePart> parts_of(const RawPrimitive& primitive, const std::vector<std::uint32_t>& part_of) {

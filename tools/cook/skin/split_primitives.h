@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cook/scene/raw.h"
@@ -17,11 +18,13 @@ namespace marrow::cook {
 std::vector<std::uint32_t> split_triangles(const std::vector<std::uint32_t>& indices,
                                            const std::vector<std::vector<std::uint32_t>>& needs, std::size_t most);
 
-// Writes binding.part_of for the primitives that need more than `most` palette entries. Throws tools::Failure
-// (unsupported) if a triangle alone does, or if there would be more than kMostParts of one primitive.
+// As SkinBinding::part_of: parts of the primitives that need more than `most` palette entries. source: of failures.
+// Throws tools::Failure (unsupported) if a triangle alone does, or if there would be more than kMostParts of one
+// primitive.
 inline constexpr std::size_t kMostParts = 4096;
-void split_primitives(const RawScene& scene, const RawMesh& mesh, std::size_t joint_count, std::size_t most,
-                      SkinBinding& binding);
+std::vector<std::vector<std::uint32_t>> split_primitives(const std::string& source, const RawMesh& mesh,
+                                                         std::size_t joint_count, std::size_t most,
+                                                         const SkinBinding& binding);
 
 // The vertices of a part, ascending, and its triangles, three vertices of the primitive each.
 struct PrimitivePart {

@@ -2,125 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstring>
 #include <span>
 
-#include <glm/gtc/type_ptr.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
-
-#include "cook/build.h"
-#include "cook/clip/compress/pack_tracks.h"
 #include "cook/geometry/record.h"
-#include "marrow/local_to_model.h"
+#include "cook/scene/matrices.h"
 #include "unpack/structure.h"
 
 namespace marrow::cook {
 namespace {
 
-constexpr Affine kIdentityMap = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-constexpr std::size_t kTries = 4;  // joints whose bind pose may say where the mesh stands
-
 bool is_identity(const Affine& a) {
   return std::memcmp(&a, &kIdentityMap, sizeof a) == 0;
-}
-
-glm::dmat4 to_matrix(const Affine& a) {
-  glm::dmat4 m(1.0);
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) m[column][row] = static_cast<double>(a.rows[row][column]);
-  return m;
-}
-
-std::vector<Affine> rest_in_model_space(const BuiltSkeleton& s) {
-  std::vector<Affine> model(s.parents.size());
-  (void)local_to_model(view(s), {s.rest.data(), s.rest.size()}, {model.data(), model.size()});
-  return model;
-}
-
-// How far a corner of the box goes if one inverse bind takes the place of another, in the mesh's space. Infinite for
-// what cannot be inverted.
-double displacement(const Affine& given, const Affine& derived, const format::GeometryHeader& box) {
-  const glm::dmat4 change = glm::inverse(to_matrix(given)) * to_matrix(derived);
-  double most = 0;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    glm::dvec4 v(0, 0, 0, 1);
-    for (int axis = 0; axis < 3; ++axis)
-      v[axis] = static_cast<double>((corner >> axis & 1) != 0 ? box.box_max[axis] : box.box_min[axis]);
-    const double distance = glm::length(glm::dvec3(change * v - v));
-    if (!std::isfinite(distance)) return HUGE_VAL;
-    most = std::max(most, distance);
-  }
-  return most;
-}
-
-// The bind poses of a mesh, or of all parts of one, each joint once.
-struct Binds {
-  std::vector<std::uint16_t> joints;
-  std::vector<Affine> inverse_bind;
-};
-
-// Where the mesh would stand for most of its inverse binds to follow from the rest pose, and which of them do not.
-struct Derived {
-  Affine place = kIdentityMap;
-  std::vector<Affine> inverse_bind;
-  std::vector<char> is_given;
-  double moved_m = 0;
-};
-
-Derived derive(const std::vector<Affine>& model, double allowed_m, const format::GeometryHeader& box,
-               const Binds& mesh) {
-  std::vector<Affine> places = {kIdentityMap};
-  for (std::size_t i = 0; i < std::min(mesh.joints.size(), kTries); ++i)
-    places.push_back(to_affine(to_matrix(model[mesh.joints[i]]) * to_matrix(mesh.inverse_bind[i])));
-  std::size_t fewest = mesh.joints.size() + 1;
-  Derived best;
-  for (const Affine& place : places) {
-    Derived out;
-    out.place = place;
-    for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
-      out.inverse_bind.push_back(derived_inverse_bind(model[mesh.joints[i]], place));
-      const double moved = displacement(mesh.inverse_bind[i], out.inverse_bind.back(), box);
-      out.is_given.push_back(moved > allowed_m);
-      if (out.is_given.back() == 0) out.moved_m = std::max(out.moved_m, moved);
-    }
-    const auto count = static_cast<std::size_t>(std::count(out.is_given.begin(), out.is_given.end(), 1));
-    if (count >= fewest) continue;
-    fewest = count;
-    best = std::move(out);
-  }
-  return best;
-}
-
-// Parts in a row, decided together, so that a joint is where it is in all of them.
-void derive_parts(const std::vector<Affine>& model, std::span<BuiltMesh> parts, BuiltScene& scene,
-                  std::vector<double>& moved_m) {
-  Binds binds;
-  std::map<std::uint16_t, std::size_t> at;
-  format::GeometryHeader box = scene.geometries[parts.front().geometry].header;
-  for (const BuiltMesh& part : parts) {
-    const format::GeometryHeader& h = scene.geometries[part.geometry].header;
-    for (int axis = 0; axis < 3; ++axis) {
-      box.box_min[axis] = std::min(box.box_min[axis], h.box_min[axis]);
-      box.box_max[axis] = std::max(box.box_max[axis], h.box_max[axis]);
-    }
-    for (std::size_t i = 0; i < part.joints.size(); ++i) {
-      if (!at.try_emplace(part.joints[i], binds.joints.size()).second) continue;
-      binds.joints.push_back(part.joints[i]);
-      binds.inverse_bind.push_back(part.inverse_bind[i]);
-    }
-  }
-  const Derived derived = derive(model, scene.geometries[parts.front().geometry].position_step_m / 8, box, binds);
-  for (BuiltMesh& part : parts) {
-    part.scene_from_mesh = derived.place;
-    part.bind_is_given.clear();
-    for (std::size_t i = 0; i < part.joints.size(); ++i) {
-      const std::size_t joint = at.at(part.joints[i]);
-      part.bind_is_given.push_back(derived.is_given[joint]);
-      if (derived.is_given[joint] == 0) part.inverse_bind[i] = derived.inverse_bind[joint];
-    }
-    moved_m[part.geometry] = std::max(moved_m[part.geometry], derived.moved_m);
-  }
 }
 
 void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
@@ -134,16 +27,6 @@ std::uint32_t shared_start(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
-
-void derive_inverse_binds(BuiltScene& scene) {
-  std::vector<std::vector<Affine>> models;
-  for (const BuiltSkeleton& skeleton : scene.skeletons) models.push_back(rest_in_model_space(skeleton));
-  std::vector<double> moved_m(scene.geometries.size(), 0);
-  for (std::size_t m = 0; m < scene.meshes.size(); m += scene.meshes[m].parts)
-    derive_parts(models[scene.meshes[m].skeleton], std::span(scene.meshes).subspan(m, scene.meshes[m].parts), scene,
-                 moved_m);
-  for (std::size_t i = 0; i < scene.geometries.size(); ++i) scene.geometries[i].error.position_m += moved_m[i];
-}
 
 std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t name,
                                         const std::vector<std::uint32_t>& joint_names) {

@@ -9,10 +9,6 @@
 
 namespace marrow::cook {
 
-// Replaces inverse binds by what the runtime derives from the rest pose, if that moves no corner of the mesh's box by
-// more than an eighth of a step of its positions; the geometries' errors grow by as much.
-void derive_inverse_binds(BuiltScene& scene);
-
 // `name`: of the skeleton, an offset plus one, or 0 if it is the next new one; of joints likewise.
 std::vector<std::byte> compact_skeleton(const BuiltSkeleton& skeleton, std::uint32_t name,
                                         const std::vector<std::uint32_t>& joint_names);

@@ -1,11 +1,120 @@
-// What the cooker reports about looks and nodes.
 #include "cook/write/report_scene.h"
 
+#include "common/section_names.h"
 #include "common/words.h"
 
 namespace marrow::cook {
+namespace {
 
 using nlohmann::ordered_json;
+
+ordered_json report_sections(const WrittenFile& written) {
+  ordered_json out = ordered_json::array();
+  for (const WrittenFile::Part& part : written.sections)
+    out.push_back({{"type", tools::section_name(part.type)}, {"bytes", part.bytes}});
+  return out;
+}
+
+ordered_json report_lods(const BuiltScene& built, const BuiltMesh& mesh, const WrittenFile& written) {
+  ordered_json out = ordered_json::array();
+  for (const BuiltLod& lod : mesh.lods) {
+    const BuiltGeometry& geometry = built.geometries[lod.geometry];
+    out.push_back({{"vertices", geometry.header.vertex_count},
+                   {"triangles", geometry.header.index_count / 3},
+                   {"influences", geometry.influences},
+                   {"bytes", written.geometry_bytes[lod.geometry]},
+                   {"rms_error_m", lod.rms_error_m},
+                   {"max_error_m", lod.max_error_m}});
+  }
+  return out;
+}
+
+ordered_json report_learnt(const LearnReport& learnt) {
+  return {{"kind", learnt.kind},
+          {"truth", learnt.truth},
+          {"poses", learnt.poses},
+          {"made_up_poses", learnt.made_up},
+          {"half_joints", learnt.half_joints},
+          {"held_out_share", learnt.held_out_share},
+          {"worse_share", learnt.worse_share}};
+}
+
+ordered_json report_deformer(const DeformerReport& learnt, double error_m) {
+  return {{"shipped", learnt.shipped},
+          {"truth", learnt.truth},
+          {"poses", learnt.poses},
+          {"made_up_poses", learnt.made_up},
+          {"held_out_share", learnt.held_out_share},
+          {"worse_share", learnt.worse_share},
+          {"max_error_m", error_m}};
+}
+
+// What was learnt for a mesh; of what was not asked for nothing.
+void report_learning(const LearnReport& learnt, const BuiltGeometry& geometry, ordered_json& mesh) {
+  mesh["animation_space"] = report_learnt(learnt);
+  if (*learnt.multi_weights.truth != '\0')
+    mesh["multi_weights"] = report_deformer(learnt.multi_weights, geometry.error.multi_weight_m);
+  if (*learnt.pose_space.truth == '\0') return;
+  mesh["pose_space"] = report_deformer(learnt.pose_space, geometry.error.pose_space_m);
+  mesh["pose_space"]["examples"] = learnt.pose_space.examples;
+}
+
+// A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
+ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) {
+  ordered_json out = ordered_json::array();
+  std::vector<bool> counted(built.geometries.size(), false);
+  for (std::size_t i = 0; i < built.meshes.size(); ++i) {
+    const BuiltMesh& mesh = built.meshes[i];
+    const BuiltGeometry& geometry = built.geometries[mesh.geometry];
+    const format::GeometryHeader& h = geometry.header;
+    std::size_t bytes = written.mesh_bytes[i];
+    if (!counted[mesh.geometry]) bytes += written.geometry_bytes[mesh.geometry];
+    counted[mesh.geometry] = true;
+    out.push_back({{"name", mesh.name},
+                   {"vertices", h.vertex_count},
+                   {"triangles", h.index_count / 3},
+                   {"influences", geometry.influences},
+                   {"joints", mesh.joints.size()},
+                   {"codec", tools::mesh_codec_name(geometry.codec)},
+                   {"bytes", bytes},
+                   {"max_position_error_m", geometry.error.position_m},
+                   {"max_normal_error_deg", geometry.error.normal_deg},
+                   {"max_uv_error", geometry.error.uv},
+                   {"max_weight_error", geometry.error.weight},
+                   {"max_target_error_m", geometry.error.target_m}});
+    if (mesh.source_triangles > 0) out.back()["source_triangles"] = mesh.source_triangles;
+    if (mesh.parts > 1)
+      out.back()["split"] = {{"part", mesh.part}, {"parts", mesh.parts}, {"doubled_vertices", mesh.doubled}};
+    if (!mesh.lods.empty()) out.back()["lods"] = report_lods(built, mesh, written);
+    if (mesh.learnt != kNone)
+      report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry, out.back());
+  }
+  return out;
+}
+
+ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
+  ordered_json out = ordered_json::array();
+  for (std::size_t i = 0; i < built.clips.size(); ++i) {
+    const BuiltClip& clip = built.clips[i];
+    const BuiltSkeleton& skeleton = built.skeletons[clip.skeleton];
+    const std::size_t joints = skeleton.parents.size();
+    const std::uint64_t raw_bytes = std::uint64_t{clip.most_keys} * joints * 40, bytes = written.clip_bytes[i];
+    out.push_back({{"name", clip.name},
+                   {"skeleton", clip.skeleton},
+                   {"duration_s", clip.duration_s},
+                   {"codec", clip.coded.header.frame_count > 0 ? "segments" : "raw"},
+                   {"raw_bytes", raw_bytes},
+                   {"bytes", bytes},
+                   {"ratio", raw_bytes > 0 ? ordered_json(static_cast<double>(bytes) / static_cast<double>(raw_bytes))
+                                           : ordered_json()},
+                   {"additive", clip.additive.empty() ? ordered_json() : ordered_json(clip.additive)},
+                   {"channels", clip.channel_names},
+                   {"max_error_m", clip.error.error_m},
+                   {"max_error_joint", skeleton.joint_names[clip.error.joint]},
+                   {"max_error_time_s", clip.error.time_s}});
+  }
+  return out;
+}
 
 void report_looks(const BuiltScene& built, ordered_json& report) {
   report["materials"] = ordered_json::array();
@@ -29,6 +138,27 @@ void report_nodes(const BuiltScene& built, ordered_json& report) {
                                {"properties", n.properties.size()}});
   report["keep"] = ordered_json::array();
   for (const Kept& rule : built.kept) report["keep"].push_back({{"glob", rule.glob}, {"nodes", rule.nodes}});
+}
+
+}  // namespace
+
+ordered_json report_scene(const SourceFile& source, const BuiltScene& built, const WrittenFile& written,
+                          const std::vector<RawWarning>& warnings) {
+  ordered_json r;
+  r["source"] = {{"file", source.file}, {"bytes", source.bytes}};
+  r["output"] = {{"bytes", written.bytes.size()}, {"sections", report_sections(written)}};
+  r["clip_pack"] = built.is_pack;
+  r["skeletons"] = ordered_json::array();
+  for (const BuiltSkeleton& skeleton : built.skeletons)
+    r["skeletons"].push_back({{"name", skeleton.name}, {"joints", skeleton.parents.size()}});
+  r["meshes"] = report_meshes(built, written);
+  r["clips"] = report_clips(built, written);
+  report_looks(built, r);
+  report_nodes(built, r);
+  r["warnings"] = ordered_json::array();
+  for (const RawWarning& w : warnings)
+    r["warnings"].push_back({{"pointer", w.pointer}, {"rule", w.rule}, {"text", w.text}});
+  return r;
 }
 
 }  // namespace marrow::cook

@@ -1,15 +1,30 @@
-// What the cooker reports about looks and nodes.
+// What the cooker reports about a file that it has written.
 #pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "cook/scene/built.h"
+#include "cook/scene/raw.h"
+#include "cook/write/write_scene.h"
 
 namespace marrow::cook {
 
-// Adds "materials" and "images".
-void report_looks(const BuiltScene& built, nlohmann::ordered_json& report);
-// Adds "nodes" and "keep".
-void report_nodes(const BuiltScene& built, nlohmann::ordered_json& report);
+// What was cooked.
+struct SourceFile {
+  std::string file;         // as given
+  std::uint64_t bytes = 0;  // of it and whatever else was read for it
+};
+
+// {source {file, bytes}, output {bytes, sections [{type, bytes}]}, clip_pack, skeletons [{name, joints}], meshes
+// [{name, vertices, triangles, influences, codec, bytes, max_position_error_m}], clips [{name, skeleton, duration_s,
+// raw_bytes, bytes, additive, channels [name], max_error_m}], materials [{name, alpha, textures [{role, image}]}],
+// images [{name, uri, format, bytes}], nodes [{name, skeleton, joint, properties}], keep [{glob, nodes [name]}],
+// warnings [{pointer, rule, text}]}; docs/architecture.md says what each means.
+nlohmann::ordered_json report_scene(const SourceFile& source, const BuiltScene& built, const WrittenFile& written,
+                                    const std::vector<RawWarning>& warnings);
 
 }  // namespace marrow::cook

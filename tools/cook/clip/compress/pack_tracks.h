@@ -1,10 +1,10 @@
-// Coded tracks → the bytes of docs/format.md, and views of what has been built, as the runtime takes them.
+// Coded tracks → the bytes of docs/format.md.
 #pragma once
 
 #include "cook/clip/compress/choose_steps.h"
 #include "cook/clip/compress/constant.h"
 #include "cook/clip/compress/grid.h"
-#include "marrow/file.h"
+#include "cook/scene/built.h"
 
 namespace marrow::cook {
 
@@ -19,8 +19,5 @@ class Packer {
  private:
   BuiltCoded out_;
 };
-
-Skeleton view(const BuiltSkeleton& skeleton);
-Clip view(const BuiltClip& clip, const Skeleton& skeleton);
 
 }  // namespace marrow::cook

@@ -23,22 +23,6 @@ glm::dvec4 unit(glm::dvec4 q) {
 
 }  // namespace
 
-std::vector<Transform> rest_transforms(const BuiltSkeleton& skeleton) {
-  std::vector<Transform> out(skeleton.parents.size());
-  for (std::size_t j = 0; j < out.size(); ++j) {
-    const SoaTransform& four = skeleton.rest[j / 4];
-    const std::size_t lane = j % 4;
-    for (int c = 0; c < 3; ++c) {
-      out[j].translation[c] = static_cast<double>(four.translation[c][lane]);
-      out[j].scale[c] = static_cast<double>(four.scale[c][lane]);
-    }
-    const auto& r = four.rotation;
-    out[j].rotation = glm::dquat(static_cast<double>(r[3][lane]), static_cast<double>(r[0][lane]),
-                                 static_cast<double>(r[1][lane]), static_cast<double>(r[2][lane]));
-  }
-  return out;
-}
-
 SourceCurves::SourceCurves(const BuiltClip& clip, const BuiltSkeleton& skeleton)
     : clip_(&clip), rest_(rest_transforms(skeleton)), tracks_(skeleton.parents.size()) {
   for (const Track& track : clip.tracks) tracks_[track.joint][static_cast<std::size_t>(track.path)] = &track;

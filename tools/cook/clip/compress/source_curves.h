@@ -4,18 +4,12 @@
 #include <array>
 #include <vector>
 
-#include <glm/gtc/quaternion.hpp>
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "cook/scene/built.h"
+#include "cook/scene/views.h"
 
 namespace marrow::cook {
-
-struct Transform {
-  glm::dvec3 translation{0};
-  glm::dquat rotation{1, 0, 0, 0};
-  glm::dvec3 scale{1};
-};
 
 // A clip's joints as functions of time.
 class SourceCurves {
@@ -33,8 +27,5 @@ class SourceCurves {
   std::vector<Transform> rest_;
   std::vector<std::array<const Track*, 3>> tracks_;  // a joint: translation, rotation, scale; null: rest
 };
-
-// The rest pose of a skeleton, joint by joint.
-std::vector<Transform> rest_transforms(const BuiltSkeleton& skeleton);
 
 }  // namespace marrow::cook

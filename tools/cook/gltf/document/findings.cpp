@@ -10,7 +10,7 @@ constexpr std::size_t kListedPerRule = 8;
 
 void Report::warn(const std::string& where, const std::string& rule, const std::string& text) {
   if (++count_of_rule_[rule] > kListedPerRule) return;
-  warnings_.push_back({printable(where), rule, printable(text)});
+  warnings_.push_back({tools::printable(where), rule, tools::printable(text)});
 }
 
 void Report::mend(const std::string& where, const std::string& rule, const std::string& text) {

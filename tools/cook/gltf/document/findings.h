@@ -58,7 +58,7 @@ class Report {
 
   [[noreturn]] void fail(tools::Exit code, const std::string& where, const std::string& rule,
                          const std::string& advice) const {
-    throw tools::Failure(code, file_, printable(where), printable(rule), printable(advice));
+    throw tools::Failure(code, file_, tools::printable(where), tools::printable(rule), tools::printable(advice));
   }
   [[noreturn]] void invalid(const std::string& where, const std::string& rule, const std::string& advice) const {
     fail(tools::Exit::invalid, where, rule, advice);

@@ -1,49 +1,14 @@
-// What surfaces look like: materials, and where on their images the texture coordinates point.
+// What surfaces look like.
 #pragma once
 
-#include <cstddef>
 #include <vector>
-
-#include <glm/vec2.hpp>
 
 #include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
+#include "cook/gltf/document/material_textures.h"
 #include "cook/scene/raw.h"
 
 namespace marrow::cook::gltf {
-
-// Which coordinates a texture is read at: a set of the primitive's, through KHR_texture_transform.
-struct UvMapping {
-  std::size_t set = 0;
-  double offset[2] = {0, 0};
-  double rotation = 0;  // radians
-  double scale[2] = {1, 1};
-
-  bool operator==(const UvMapping&) const = default;
-  // Offset · rotation · scale. Its example (the lower left quadrant, turned clockwise) settles the sign of the
-  // rotation, on which the extension's text and its GLSL differ.
-  glm::vec2 apply(glm::vec2 uv) const;
-};
-
-// Of a textureInfo object.
-UvMapping read_uv_mapping(const Json& info);
-
-// Calls visit(role, textureInfo, its JSON pointer below the material's) for every texture of a material in the order of
-// TextureRole.
-template <class Visit>
-void for_each_texture(const Json& material, const Visit& visit) {
-  static const Json kNoPbr = Json::object();
-  const auto pbr = material.find("pbrMetallicRoughness");
-  const auto look = [&](TextureRole role, const Json& object, const char* name, const std::string& where) {
-    if (const auto info = object.find(name); info != object.end()) visit(role, *info, under(where, name));
-  };
-  const Json& metallic_roughness = pbr == material.end() ? kNoPbr : *pbr;
-  look(TextureRole::base_colour, metallic_roughness, "baseColorTexture", "/pbrMetallicRoughness");
-  look(TextureRole::metallic_roughness, metallic_roughness, "metallicRoughnessTexture", "/pbrMetallicRoughness");
-  look(TextureRole::normal, material, "normalTexture", "");
-  look(TextureRole::occlusion, material, "occlusionTexture", "");
-  look(TextureRole::emissive, material, "emissiveTexture", "");
-}
 
 // The document's materials, by its numbering; textures name images by theirs. `looks` has the root's materials,
 // textures, samplers and images, which have been through check_schema().

@@ -41,10 +41,10 @@ std::string clean_name(const std::string& name, const std::string& where, Report
   std::string clean;
   clean.reserve(name.size());
   for (std::size_t at = 0; at < name.size();) {
-    const auto [code, length] = decode_character(name, at);
+    const auto [code, length] = tools::decode_character(name, at);
     if (clean.size() + length > kLongestName) break;
     const bool separator = path && (code == '/' || code == '\\');
-    if (is_deceptive(code) || separator) {
+    if (tools::is_deceptive(code) || separator) {
       clean += '_';
     } else {
       clean.append(name, at, length);

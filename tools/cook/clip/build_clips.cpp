@@ -1,0 +1,93 @@
+#include "cook/clip/build_clips.h"
+
+#include <algorithm>
+#include <map>
+
+#include "common/failure.h"
+#include "common/parallel.h"
+#include "common/pattern.h"
+#include "cook/clip/additive_references.h"
+#include "cook/clip/build_channels.h"
+#include "cook/clip/build_tracks.h"
+#include "cook/clip/compress/compress_clip.h"
+#include "cook/clip/split_clips.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr double kPerson = 2.0;  // metres
+
+// What a person of 2 m would get, scaled where the unit is clearly not the metre: `largest` skeleton of the file is
+// over 20 or under 0.2 across.
+Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double largest, const CookOptions& options) {
+  const double scale = largest < 0.2 || largest > 20 ? largest / kPerson : 1.0;
+  const double size = rig.diagonal_m > 0 ? rig.diagonal_m : largest;  // one joint has no extent
+  Promise promise;
+  promise.shell *= scale;
+  promise.error.resize(rig.size());
+  for (const ClipErrorRule& rule : options.clip_error)
+    for (std::size_t j = 0; j < rig.size(); ++j)
+      if (rule.joints.empty() || tools::fits(rule.joints, skeleton.joint_names[j]))
+        promise.error[j] = rule.error * (rule.is_share ? size : scale);
+  return promise;
+}
+
+void check_clip_error_rules(const std::vector<BuiltSkeleton>& skeletons, const CookOptions& options, Notes& notes) {
+  for (const ClipErrorRule& rule : options.clip_error) {
+    const auto fits = [&](const std::string& joint) { return tools::fits(rule.joints, joint); };
+    const bool found = rule.joints.empty() || std::ranges::any_of(skeletons, [&](const BuiltSkeleton& skeleton) {
+                         return std::ranges::any_of(skeleton.joint_names, fits);
+                       });
+    if (!found && !rule.origin.must_fit)
+      notes.warnings.push_back(
+          {"/nodes", "rule-fits-nothing", "clip-error: no joint is called \"" + rule.joints + "\""});
+    if (!found && rule.origin.must_fit)
+      throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where,
+                           "no joint is called \"" + rule.joints + "\"",
+                           "give JOINT=E with names as `marrow info --json` lists them");
+  }
+}
+
+std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vector<BuiltSkeleton>& skeletons,
+                                  const CookOptions& options) {
+  std::map<std::uint32_t, Rig> rigs;
+  for (const BuiltClip& clip : clips) rigs.try_emplace(clip.skeleton, skeletons[clip.skeleton]);
+  double largest = 0;
+  for (const auto& [skeleton, rig] : rigs) largest = std::max(largest, rig.diagonal_m);
+  if (!(largest > 0)) largest = kPerson;
+  std::map<std::uint32_t, Promise> promises;
+  for (const auto& [skeleton, rig] : rigs)
+    promises.emplace(skeleton, make_promise(skeletons[skeleton], rig, largest, options));
+  tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
+    const std::uint32_t skeleton = clips[i].skeleton;
+    compress_clip(clips[i], skeletons[skeleton], rigs.at(skeleton), promises.at(skeleton));
+  });
+  return clips;
+}
+
+}  // namespace
+
+std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const CookOptions& options,
+                                   Notes& notes) {
+  const std::vector<ClipPart> parts = split_clips(scene, built);
+  std::vector<BuiltClip> clips;
+  for (const ClipPart& part : parts) {
+    clips.push_back(build_tracks(part.clip, built.joint_of_node));
+    clips.back().skeleton = part.skeleton;
+    clips.back().duration_s = part.duration_s;
+  }
+  const std::vector<AdditiveReference> references =
+      additive_references(built.skeletons, clips, options.additive, notes);
+  if (!options.raw_clips) {
+    check_clip_error_rules(built.skeletons, options, notes);
+    clips = compressed(std::move(clips), built.skeletons, options);
+  }
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    add_channels(parts[i].clip, options.raw_clips, clips[i]);
+    clips[i].additive = references[i].name;
+    clips[i].reference = references[i].pose;
+  }
+  return clips;
+}
+
+}  // namespace marrow::cook

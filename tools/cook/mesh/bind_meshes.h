@@ -1,0 +1,33 @@
+// Meshes as they are drawn: bound to skins, learnt from their poses, subdivided and split.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "cook/geometry/owned_streams.h"
+#include "cook/scene/built.h"
+#include "cook/scene/cook_options.h"
+#include "cook/scene/raw.h"
+#include "cook/skin/skin_binding.h"
+
+namespace marrow::cook {
+
+struct BoundMeshes {
+  std::map<std::pair<int, int>, SkinBinding> bindings;  // mesh, skin
+  std::vector<LearnReport> learnt;                      // see SkinBinding::report
+  std::map<int, RawMesh> finer;                         // in the place of the scene's
+  const RawMesh& mesh(const RawScene& scene, int number) const;
+};
+
+// Whether the primitive moves with the instance's skin.
+bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive);
+
+// One grid for all primitives of a mesh, so that where they touch they still do.
+MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options);
+
+// built: its skeletons and clips. Throws tools::Failure: unsupported for what needs too large a palette, invalid for
+// examples that do not fit.
+BoundMeshes bind_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes);
+
+}  // namespace marrow::cook

@@ -1,0 +1,94 @@
+#include "cook/prepare/prepare_scene.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "common/failure.h"
+#include "cook/prepare/bind_weights.h"
+#include "cook/skeleton/group_trees.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr std::uint64_t kMostFinerTriangles = 4'000'000;  // of all meshes
+constexpr std::uint64_t kMostFinerChanges = 32'000'000;   // of vertices by morph targets
+
+// A file may be a library: meshes that no node draws. Each is hung on a node of its own then.
+RawScene place_unplaced_meshes(RawScene scene, Notes& notes) {
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    RawNode node;
+    node.name = scene.meshes[i].name;
+    scene.instances.push_back(
+        {static_cast<int>(scene.nodes.size()), static_cast<int>(i), kNone, scene.meshes[i].weights, kNone});
+    scene.nodes.push_back(node);
+  }
+  if (!scene.meshes.empty())
+    notes.warnings.push_back({"/nodes", "meshes-without-nodes", "no node draws a mesh; each is placed at the origin"});
+  return scene;
+}
+
+// Nodes that would be joints in a file without meshes.
+bool has_joints(const RawScene& scene) {
+  return !skins_in_use(scene).empty() || std::ranges::any_of(scene.clips, [&](const RawClip& clip) {
+    return std::ranges::any_of(clip.channels, [&](const RawChannel& channel) {
+      return scene.nodes[static_cast<std::size_t>(channel.node)].in_scene;
+    });
+  });
+}
+
+bool has_triangles(const RawScene& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const RawInstance& instance) {
+    return !scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives.empty();
+  });
+}
+
+void check_something_to_cook(const RawScene& scene, Notes& notes) {
+  if (scene.instances.empty() && !has_joints(scene))
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes",
+                         "the file has no mesh, no skin and no node that moves");
+  if (!scene.instances.empty() && !has_triangles(scene))
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
+                         "no mesh in the scene has triangles to cook");
+  if (scene.instances.empty())
+    notes.warnings.push_back(
+        {"/meshes", "no-meshes", "only skeletons and clips are cooked; --clips-only makes a clip pack of them"});
+}
+
+}  // namespace
+
+void check_subdivision(const RawScene& scene, int steps) {
+  const int shift = 2 * steps;
+  std::set<int> drawn;
+  for (const RawInstance& instance : scene.instances) drawn.insert(instance.mesh);
+  std::uint64_t triangles = 0, changes = 0;
+  for (const int m : drawn) {
+    const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
+    for (const RawPrimitive& p : mesh.primitives) {
+      const std::uint64_t finer = std::uint64_t{p.indices.size() / 3} << shift;
+      triangles += finer;
+      // Each step adds at most three vertices a triangle, so all of them at most as many as there are triangles then.
+      changes += (p.positions.size() + finer) * p.targets.size();
+      if (triangles > kMostFinerTriangles)
+        throw tools::Failure(tools::Exit::unsupported, scene.source, p.pointer, "too-many-triangles",
+                             fmt::format("with --subdivide {} there would be more than {} in all; take fewer steps",
+                                         steps, kMostFinerTriangles));
+      if (changes > kMostFinerChanges)
+        throw tools::Failure(
+            tools::Exit::unsupported, scene.source, p.pointer, "too-many-targets",
+            fmt::format("with --subdivide {} they would move more than {} vertices in all; take fewer steps", steps,
+                        kMostFinerChanges));
+    }
+  }
+}
+
+RawScene prepare_scene(RawScene scene, const CookOptions& options, Notes& notes) {
+  if (scene.instances.empty()) scene = place_unplaced_meshes(std::move(scene), notes);
+  if (options.weights.any()) scene = bind_weights(std::move(scene), options.weights, notes);
+  check_something_to_cook(scene, notes);
+  if (options.subdivide > 0) check_subdivision(scene, options.subdivide);
+  return scene;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,119 @@
+// What can be asked of the cooker.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deform/deformers.h"
+#include "deform/fit/progress.h"
+#include "marrow/file.h"
+
+namespace marrow::deform {
+enum class WeightMethod;
+}
+
+namespace marrow::cook {
+
+struct Character;
+
+inline constexpr int kMostSubdivisions = 3;
+inline constexpr std::size_t kMostLods = 15;
+
+// Where a rule was given, as failures say it, and whether it is a mistake if it fits nothing: a rule for many files
+// need not fit each.
+struct RuleOrigin {
+  std::string file, where;  // "--additive", ""; "marrow.toml", "12:7"
+  bool must_fit = true;
+};
+
+// Which clips become additive, and over what.
+struct AdditiveRule {
+  std::string clips;                // a name; * stands for any characters, ? for one
+  std::string reference = "first";  // their own first frame; "rest": the rest pose; else a clip whose first frame it is
+  RuleOrigin origin = {"--additive", ""};
+};
+
+// How far clips may stray at some joints.
+struct ClipErrorRule {
+  std::string joints;   // a name with wildcards as above; empty: all
+  double error = 1e-4;  // metres on the shell; or, if is_share, of the skeleton's diagonal
+  bool is_share = false;
+  RuleOrigin origin = {"--clip-error", ""};
+};
+
+// A joint's weight, painted.
+struct PaintRule {
+  std::string joint;  // its name
+  std::string file;   // a grey-scale PNG
+  RuleOrigin origin = {"--paint", ""};
+};
+
+// Weights for meshes that come without, and changes to weights.
+struct WeightOptions {
+  std::optional<deform::WeightMethod> make;
+  RuleOrigin make_origin = {"--auto-weights", ""};
+  int smooth_steps = 0;
+  RuleOrigin smooth_origin = {"--smooth-weights", ""};
+  std::vector<PaintRule> paint;  // the last of a joint counts
+  bool any() const { return make.has_value() || smooth_steps > 0 || !paint.empty(); }
+};
+
+enum class AnimationSpace { lift, smooth, fit };
+enum class Truth { dual_quaternions, centres_of_rotation, delta_mush, examples };
+
+// Of animation space, and of what else is learnt.
+struct LearnOptions {
+  AnimationSpace animation_space = AnimationSpace::lift;
+  Truth truth = Truth::centres_of_rotation;
+  deform::DeltaMushOptions delta_mush;
+  std::string examples_file;
+  int half_joints = 0;  // between a joint and its parent, 0 … 2
+  int influences = 0;   // that a vertex may have, the weights' own aside; 0: 4, with half-joints 5
+  bool keep_bind_pose = false;
+  bool multi_weights = false;
+  int pose_examples = 0;      // of pose space, at most; 0: none
+  deform::Progress progress;  // of each fit
+};
+
+// A level of detail.
+struct LodRule {
+  double ratio = 1;                         // of the mesh's triangles
+  std::size_t influences = kMaxInfluences;  // a vertex, at most
+};
+
+struct MeshPrecision {
+  double normal_error_deg = 0.2;  // no normal or tangent is turned further
+  double uv_error = 1.0 / 8192;   // in widths of the texture
+  double weight_error = 2.5e-4;
+};
+
+enum class MeshCodec { draco, meshopt, none };
+// What becomes of the source's images.
+enum class Images { reference, embed, none };
+
+struct CookOptions {
+  MeshCodec mesh_codec = MeshCodec::draco;
+  int subdivide = 0;  // steps of Loop's scheme, 0 … kMostSubdivisions
+  // How far quantisation may move vertices, in metres or, if is_share, of the mesh's longest side.
+  double position_error = 0;  // 0: as 14 bits on the longest side
+  bool position_error_is_share = false;
+  MeshPrecision precision;
+  LearnOptions learn;
+  std::vector<LodRule> lod;                      // ever coarser, at most kMostLods
+  std::size_t most_entries = 341;                // palette entries of a mesh; primitives with more are split
+  std::vector<AdditiveRule> additive;            // the last that fits a clip counts
+  bool raw_clips = false;                        // keep clips' keys as they are
+  std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
+  bool clips_only = false;                       // a clip pack
+  std::string skeleton_file;                     // the file of `onto`, for whoever reads it
+  std::shared_ptr<const Character> onto;         // that the pack is for; null: the file's own skeletons
+  bool keep_vertex_order = false;                // remember where every vertex of the source went
+  Images images = Images::reference;
+  std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
+  WeightOptions weights;
+};
+
+}  // namespace marrow::cook

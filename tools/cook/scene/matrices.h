@@ -1,0 +1,20 @@
+// Matrices of the scene's nodes.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "cook/scene/raw.h"
+#include "marrow/pose.h"
+
+namespace marrow::cook {
+
+inline constexpr Affine kIdentityMap = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+// parent_from_node.
+glm::dmat4 local_matrix(const RawNode& node);
+
+// The rows of an affine matrix, in single precision, and back.
+Affine to_affine(const glm::dmat4& m);
+glm::dmat4 to_matrix(const Affine& a);
+
+}  // namespace marrow::cook
