@@ -134,6 +134,76 @@ TEST(Includes, LibrariesOfTheToolsPointOneWayAndToNoCommand) {
   }
 }
 
+// Folders of the cooker and of the offline deformers, each of which may include those above it that its line names.
+struct Room {
+  std::string folder;
+  std::set<std::string> may;
+};
+
+const std::vector<Room> kRooms = {
+    {"deform", {}},
+    {"deform/fit", {"deform"}},
+    {"deform/simplify", {"deform"}},
+    {"deform/weights", {"deform"}},
+    {"cook/scene", {}},
+    {"cook/gltf/document", {"cook/scene"}},
+    {"cook/gltf/rules", {"cook/gltf/document"}},
+    {"cook/gltf/import", {"cook/gltf/rules", "cook/gltf/document", "cook/scene"}},
+    {"cook/gltf", {"cook/gltf/import", "cook/gltf/rules", "cook/gltf/document", "cook/scene"}},
+    {"cook/skeleton", {"cook/scene"}},
+    {"cook/clip/compress", {"cook/scene"}},
+    {"cook/clip", {"cook/clip/compress", "cook/skeleton", "cook/scene"}},
+    {"cook/prepare", {"cook/gltf", "cook/skeleton", "cook/scene"}},
+    {"cook/geometry", {"cook/scene"}},
+    {"cook/skin", {"cook/geometry", "cook/scene"}},
+    {"cook/learn", {"cook/skin", "cook/geometry", "cook/clip", "cook/skeleton", "cook/gltf", "cook/scene"}},
+    {"cook/mesh", {"cook/learn", "cook/skin", "cook/geometry", "cook/scene"}},
+    {"cook/write", {"cook/geometry", "cook/scene"}},
+    {"cook", {"cook/write", "cook/mesh", "cook/prepare", "cook/clip", "cook/skeleton", "cook/gltf", "cook/scene"}}};
+
+TEST(Includes, RoomsOfTheCookerPointOneWay) {
+  std::set<std::string> above;
+  int checked = 0;
+  for (const Room& room : kRooms) {
+    for (const std::string& may : room.may) EXPECT_TRUE(above.count(may)) << room.folder << " and " << may;
+    above.insert(room.folder);
+    const std::string library = room.folder.substr(0, room.folder.find('/'));
+    for (const Include& include : includes_under(kTools / room.folder)) {
+      const std::string target = fs::path(include.name).parent_path().string();
+      if (include.file.parent_path() != kTools / room.folder || tool_of(include.name) != library) continue;
+      EXPECT_TRUE(target == room.folder || room.may.count(target)) << include.file << " includes " << include.name;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 300);
+}
+
+TEST(Includes, EveryRoomIsKnownAndNoneIsAHall) {
+  constexpr std::ptrdiff_t kMostFiles = 25;
+  std::set<fs::path> known;
+  for (const Room& room : kRooms) known.insert(kTools / room.folder);
+  for (const char* const library : {"cook", "deform"}) {
+    std::map<fs::path, int> files;
+    for (const auto& entry : fs::recursive_directory_iterator(kTools / library))
+      if (!entry.is_directory()) ++files[entry.path().parent_path()];
+    for (const auto& [folder, count] : files) {
+      EXPECT_LE(count, kMostFiles) << folder;
+      EXPECT_TRUE(known.count(folder)) << folder;
+    }
+  }
+}
+
+// A name that is said or searched for means one file.
+TEST(Includes, HardlyTwoFilesAreCalledTheSame) {
+  std::map<std::string, int> times;
+  for (const fs::path& folder : {kRuntime, kTools})
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (is_source(entry.path())) ++times[entry.path().filename().string()];
+  int twice = 0;
+  for (const auto& [name, count] : times) twice += count > 1;
+  EXPECT_LE(twice, 12);
+}
+
 // A command's files are its own; what lies beside the folders in tools/commands is for all of them.
 TEST(Includes, CommandsDoNotKnowOneAnother) {
   const fs::path commands = kTools / "commands";
