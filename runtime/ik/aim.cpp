@@ -19,7 +19,7 @@ struct View {
 };
 
 struct Seen {
-  Turn<One> turn;
+  Quaternion<One> turn;
   bool reached;
 };
 
@@ -53,7 +53,7 @@ inline bool look(const View& view, Seen& out) {
   if (!directed) {
     if constexpr (plain) return false;
     const One sum = way_squared + dot(view.forward, view.forward) + dot(view.offset, view.offset);
-    out.turn = turn_of(vector_of(zero, zero, zero), one);
+    out.turn = quaternion(vector_of(zero, zero, zero), one);
     return sum < all_lanes<One>(kHugeSquare);
   }
   About<One> about = view.about;
@@ -68,7 +68,7 @@ inline bool look(const View& view, Seen& out) {
     if (plain && along) return false;
     normal = normal * (one / sqrt(squared));
   }
-  Turn<One> turn;
+  Quaternion<One> turn;
   if (!turn_onto<plain>(from, normal, view.way * (one / sqrt(way_squared)), about, turn)) return false;
   const One turn_squared = squared_length(turn);
   if (!(turn_squared < all_lanes<One>(kHugeSquare))) return false;
@@ -83,15 +83,15 @@ inline Vector<One> to_local(const Axes<One>& axes, const Vector<One>& v) {
 
 template <bool plain>
 inline View view_from(const Affine& joint, const Aim& goal) {
-  const Axes<One> axes = axes_of<plain>(linear(joint));
-  const Vector<One> lengths = without_w(axes.lengths), forward = by_component(vector(goal.forward), lengths);
-  View view = {to_local(axes, vector(goal.target) - origin_of(joint)),
+  const Axes<One> axes = axes_of<plain>(wide_rows(joint));
+  const Vector<One> lengths = without_w(axes.lengths), forward = by_component(wide(goal.forward), lengths);
+  View view = {to_local(axes, wide(goal.target) - wide_origin(joint)),
                forward,
-               by_component(vector(goal.up), lengths),
+               by_component(wide(goal.up), lengths),
                forward,
                is_some(goal.offset),
-               {to_local(axes, vector(goal.pole)), is_some(goal.twist_rad), {}, {}}};
-  if (view.apart) view.offset = by_component(vector(goal.offset), lengths);
+               {to_local(axes, wide(goal.pole)), is_some(goal.twist_rad), {}, {}}};
+  if (view.apart) view.offset = by_component(wide(goal.offset), lengths);
   return view;
 }
 
@@ -103,7 +103,7 @@ inline void add_twist(const Aim& goal, About<One>& about) {
 }
 
 inline void store_turn(const Seen& seen, float weight, AimTurn& out) {
-  const Turn<One> turn = !is_partial(weight) ? seen.turn : part_of(seen.turn, all_lanes<One>(weight));
+  const Quaternion<One> turn = !is_partial(weight) ? seen.turn : part_of(seen.turn, all_lanes<One>(weight));
   store(out.turn, turn.v);
   out.reached = seen.reached;
 }
@@ -118,24 +118,16 @@ inline void store_turn(const Seen& seen, float weight, AimTurn& out) {
   return Status::ok;
 }
 
-inline Vector3 linear_times(const Affine& a, const float (&v)[3]) {
-  return turn(a, vector3(v));
-}
-inline Vector<One> wide(const Vector3& v) {
-  const float four[4] = {v.x, v.y, v.z, 0};
-  return {load(four)};
-}
-
 // How a joint of a chain must turn so that the last one looks at the target.
 bool look_by(const Affine& joint, const Affine& last, const Aim& goal, float weight, AimTurn& out) {
-  const Axes<One> axes = axes_of<false>(linear(joint));
+  const Axes<One> axes = axes_of<false>(wide_rows(joint));
   const Vector3 eye = transform(last, vector3(goal.offset)) - origin(joint);
-  View view = {to_local(axes, vector(goal.target) - origin_of(joint)),
-               to_local(axes, wide(linear_times(last, goal.forward))),
-               to_local(axes, wide(linear_times(last, goal.up))),
+  View view = {to_local(axes, wide(goal.target) - wide_origin(joint)),
+               to_local(axes, wide(turn(last, vector3(goal.forward)))),
+               to_local(axes, wide(turn(last, vector3(goal.up)))),
                to_local(axes, wide(eye)),
                true,
-               {to_local(axes, vector(goal.pole)), is_some(goal.twist_rad), {}, {}}};
+               {to_local(axes, wide(goal.pole)), is_some(goal.twist_rad), {}, {}}};
   add_twist(goal, view.about);
   Seen seen;
   if (!look<false>(view, seen)) return false;
@@ -145,13 +137,12 @@ bool look_by(const Affine& joint, const Affine& last, const Aim& goal, float wei
 
 // The rotation about the joint's place that a turn in its local space is in the scene.
 Affine as_moved(const Affine& joint, const float (&local_turn)[4]) {
-  const Axes<One> axes = axes_of<false>(linear(joint));
+  const Axes<One> axes = axes_of<false>(wide_rows(joint));
   float v[4];
-  store(v, axis_to_scene(axes, vector(local_turn)).v);
-  const Rotation q = {v[0], v[1], v[2], local_turn[3]};
-  const Vector3 x = rotate(q, {1, 0, 0}), y = rotate(q, {0, 1, 0}), z = rotate(q, {0, 0, 1}), at = origin(joint);
-  const Vector3 moved = at - rotate(q, at);
-  return {{{x.x, y.x, z.x, moved.x}, {x.y, y.y, z.y, moved.y}, {x.z, y.z, z.z, moved.z}}};
+  store(v, axis_to_scene(axes, wide(local_turn)).v);
+  const Rotation q = quaternion(vector3(v), local_turn[3]);
+  const Vector3 at = origin(joint);
+  return affine({rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1})}, at - rotate(q, at));
 }
 
 // What part of what is left joint i of `count` does: falloff^m / (1 + falloff + … + falloff^m), m joints being after
@@ -177,8 +168,6 @@ bool turn_of_chain(Span<const std::uint32_t> joints, std::size_t i, const Aim& g
   moved = all;
   return true;
 }
-
-constexpr Affine kUnmoved = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
 }  // namespace
 
@@ -209,12 +198,12 @@ Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints,
     MARROW_REQUIRE(hangs_below(skeleton, joints[i], joints[i - 1]));
   }
   AimTurn turn;
-  Affine moved = kUnmoved;  // once without writing: the last may fail
+  Affine moved = kIdentity;  // once without writing: the last may fail
   for (std::size_t i = 0; i < joints.size; ++i)
     MARROW_REQUIRE(turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn));
   if (reached != nullptr) *reached = turn.reached;
   if (goal.weight == 0) return Status::ok;
-  moved = kUnmoved;
+  moved = kIdentity;
   for (std::size_t i = 0; i < joints.size; ++i) {
     MARROW_REQUIRE(turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn));
     turn_joint(local, joints[i], turn.turn);

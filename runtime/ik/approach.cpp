@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ik/heuristic.h"
+#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -14,16 +15,11 @@ float smooth_step(float x) {
   return u * u * (3.0f - 2.0f * u);
 }
 
-Vector3 across(const Vector3& v, const Vector3& unit_line) {
-  return v - unit_line * dot(v, unit_line);
-}
-
 // The shortest turn from one direction to another; if they are opposite, about `axis`.
 Rotation arc(const Vector3& from, const Vector3& to, const Vector3& axis) {
   const Vector3 a = normalised_or(from, {}), b = normalised_or(to, a), sum = a + b;
   if (dot(sum, sum) > 3e-8f || dot(a, a) == 0) return shortest_arc(a, b);
-  const Vector3 about = normalised_or(across(axis, a), any_across(a));
-  return {about.x, about.y, about.z, 0.0f};
+  return quaternion(normalised_or(across(axis, a), any_across(a)), 0.0f);
 }
 
 // Turns the first node, and the chain with it, by `share` of that.
@@ -105,7 +101,7 @@ void bow(IkHeuristic& h) {
   if (!(straight > 0 && slack > 0)) return;
   const float share = straight * straight;
   // A parabola that is as long as the chain, nearly; and a little more where it would be flat.
-  const float sag = std::sqrt(0.375f * slack * (1.0f - slack)) + 0.02f * slack;
+  const float sag = sqrt(0.375f * slack * (1.0f - slack)) + 0.02f * slack;
   const Vector3 side = normalised_or(across(sides, line), any_across(line)) * (4.0f * sag * h.size_m * share);
   float so_far = 0;
   for (std::size_t i = 1; i < h.tree->nodes.size; ++i) {

@@ -19,7 +19,7 @@ Rotation above_turned(const IkTree& tree, const IkNode& node) {
 }
 
 // What turns node i, whose axes before they turn are `above`, to where its parts are wanted.
-Rotation forward_turn(const IkHeuristic& h, std::size_t i, const IkFrame& above) {
+Rotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& above) {
   const IkTree& tree = *h.tree;
   const IkNode& node = tree.nodes[i];
   const InverseAxes inverse(above.axis);
@@ -64,8 +64,8 @@ void turn_to_points(IkHeuristic& h) {
     turned = turned * by;
     const InverseAxes inverse(node.frame.axis);
     const Vector3 axis = axis_part(in_scene);
-    const Vector3 in_frame = along(inverse.direction(axis), inverse.sign * std::sqrt(dot(axis, axis)));
-    set_turned(node, node.rotation * Rotation{in_frame.x, in_frame.y, in_frame.z, in_scene.w});
+    const Vector3 in_frame = along(inverse.direction(axis), inverse.sign * sqrt(dot(axis, axis)));
+    set_turned(node, node.rotation * quaternion(in_frame, in_scene.w));
   }
   update_frames(tree);
   update_parts(h);
@@ -92,7 +92,7 @@ void pull(IkHeuristic& h) {
   const f32x4 axes[3] = {lanes(xx * s, xy * s, xz * s, 0.0f), lanes(xy * s, yy * s, yz * s, 0.0f),
                          lanes(xz * s, yz * s, zz * s, 0.0f)};
   Vector3 v = InverseAxes(axes) * ((h.aims[0].goal - h.parts[end].at) * s);
-  v = v * (1.0f / std::sqrt(1.0f + dot(v, v) * 1.2f));  // shorter than d, which never turns round
+  v = v * (1.0f / sqrt(1.0f + dot(v, v) * 1.2f));  // shorter than d, which never turns round
   Vector3 from = h.parts[0].at, before = from;
   for (std::size_t i = 1; i <= end; ++i) {
     IkPart& part = h.parts[i];
@@ -122,9 +122,9 @@ void reach_forward(IkHeuristic& h) {
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     IkNode& node = tree.nodes[i];
     const bool top = node.parent == kNoParent;
-    IkFrame above = node.above;
+    Columns above = node.above;
     if (!top) {
-      const IkFrame& parent = tree.nodes[node.parent].frame;
+      const Columns& parent = tree.nodes[node.parent].frame;
       for (f32x4& axis : above.axis) axis = turn(parent, axis);
       above.origin = transform(parent, above.origin);
     }

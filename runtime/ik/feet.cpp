@@ -4,9 +4,9 @@
 #include "ik/turn_joint.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
-#include "math/axes.h"
 #include "math/elementary.h"
 #include "math/finite.h"
+#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -28,7 +28,7 @@ struct FeetCall {
 };
 
 bool near(const Vector3& v) {
-  return within(v.x, -kFarthest, kFarthest) && within(v.y, -kFarthest, kFarthest) && within(v.z, -kFarthest, kFarthest);
+  return within(v, -kFarthest, kFarthest);
 }
 bool near(const Affine& a) {
   return near(vector3(a.rows[0])) && near(vector3(a.rows[1])) && near(vector3(a.rows[2])) && near(origin(a));
@@ -92,7 +92,7 @@ void die_away(const FeetCall& call, float (&x)[3], float (&speed)[3]) {
 }
 
 Vector3 level(const FeetCall& call, const Vector3& v) {
-  return normalised_or(v - call.up * dot(v, call.up), {});
+  return normalised_or(across(v, call.up), {});
 }
 
 // About up, from one level direction to another.
@@ -101,13 +101,9 @@ Rotation level_turn(const FeetCall& call, const Vector3& from, const Vector3& to
   const float w = 1.0f + c;
   if (w < 1e-6f && s * s < 1e-6f) {  // half a turn, or no direction
     if (c == 0) return {};
-    return {call.up.x, call.up.y, call.up.z, 0};
+    return quaternion(call.up, 0.0f);
   }
-  return normalised(Rotation{call.up.x * s, call.up.y * s, call.up.z * s, w});
-}
-
-Rotation share_of(const Rotation& q, float share) {
-  return normalised(Rotation{q.x * share, q.y * share, q.z * share, q.w * share + (1.0f - share)});
+  return normalised(quaternion(call.up * s, w));
 }
 
 // The ground's normal, not steeper than the foot leans.
@@ -143,18 +139,18 @@ void change_ground(const FeetCall& call, const Ground& now, const Vector3& sole,
 }
 
 // The heading of a planted foot: captured, held, or on its way back.
-void follow_heading(const FeetCall& call, const RightAxes& ankle, bool planted, FootMotion& m) {
+void follow_heading(const FeetCall& call, const Linear<float>& ankle, bool planted, FootMotion& m) {
   if (m.planted != 0) {
-    store(m.turn, level_turn(call, level(call, ankle.axis[m.axis]), vector3(m.heading)));
+    store(m.turn, level_turn(call, level(call, column(ankle, m.axis)), vector3(m.heading)));
     m.turn_share = 1;
     m.turn_share_speed = 0;
     if (planted) return;
   }
   die_away(call.rate, call.frame.dt_s, call.decay, m.turn_share, m.turn_share_speed);
   if (!planted) return;
-  const auto rise = [&](int i) { return std::fabs(dot(ankle.axis[i], call.up)); };
+  const auto rise = [&](std::uint32_t i) { return absolute(dot(column(ankle, i), call.up)); };
   m.axis = rise(0) <= rise(1) && rise(0) <= rise(2) ? 0 : rise(1) <= rise(2) ? 1 : 2;
-  store(m.heading, level(call, rotate(share_of(rotation(m.turn), m.turn_share), ankle.axis[m.axis])));
+  store(m.heading, level(call, rotate(share_of(rotation(m.turn), m.turn_share), column(ankle, m.axis))));
 }
 
 Vector3 sole_of(const FeetCall& call, const Foot& foot) {
@@ -215,7 +211,7 @@ float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, floa
   const float most = call.feet.reach * (length(knee - hip) + length(ankle - knee));
   const float own = length(animated) - length(leg - animated), longest = most > own ? most : own;
   const float down = dot(leg, call.up), square = longest * longest - (dot(leg, leg) - down * down);
-  const float highest = square > 0 ? std::sqrt(square) : 0.0f;
+  const float highest = square > 0 ? sqrt(square) : 0.0f;
   return down > highest ? down - highest : 0.0f;
 }
 
@@ -242,10 +238,10 @@ float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
 
 // `way` in the space of a matrix's columns; none if they have no volume.
 Vector3 into(const Affine& m, const Vector3& way) {
-  const Vector3 r0 = vector3(m.rows[0]), r1 = vector3(m.rows[1]), r2 = vector3(m.rows[2]);
-  const float volume = determinant(m);
-  if (!(std::fabs(volume) > 1e-30f)) return {};
-  return (cross(r1, r2) * way.x + cross(r2, r0) * way.y + cross(r0, r1) * way.z) * (1.0f / volume);
+  const Linear<float> rows = linear_rows(m);
+  const float volume = determinant(rows);
+  if (!(absolute(volume) > 1e-30f)) return {};
+  return cofactors(rows) * way * (1.0f / volume);
 }
 
 Status move_pelvis(const FeetCall& call, float lift) {
@@ -261,7 +257,7 @@ Status move_pelvis(const FeetCall& call, float lift) {
 }
 
 // Leg to `goal`, ankle to the axes `want`.
-Status turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const RightAxes& want, bool& reached) {
+Status turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const Linear<float>& want, bool& reached) {
   const Affine& ankle = call.scene_from_joint[foot.ankle];
   const Status limb = solve_two_bone(call.skeleton, {foot.hip, foot.knee, foot.ankle}, goal, call.local,
                                      call.scene_from_joint, &reached);
@@ -280,8 +276,8 @@ Status place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   if (goal.weight == 0) return Status::ok;
   store(goal.bend_axis, vector3(foot.bend_axis));
   const Rotation whole = turn_of(call, m), turned = share_of(whole, goal.weight);
-  RightAxes want = right_axes(world, call.scene_from_joint[foot.ankle]);
-  for (Vector3& axis : want.axis) axis = rotate(turned, axis);
+  const Linear<float> animated = right_axes(world, call.scene_from_joint[foot.ankle]);
+  const Linear<float> want = {rotate(turned, animated.x), rotate(turned, animated.y), rotate(turned, animated.z)};
   Vector3 target = ankle_of(call, foot, m, whole);
   // Once, but where joints are scaled unevenly and the foot is not the shape that it was before the leg turned.
   for (int i = 0; i < 3; ++i) {

@@ -34,7 +34,7 @@ class Chance {
     v.x = unit() * 2.0f - 1.0f;
     v.y = unit() * 2.0f - 1.0f;
     v.z = unit() * 2.0f - 1.0f;
-    return normalised(Rotation{v.x * size, v.y * size, v.z * size, 1.0f});
+    return normalised(quaternion(v * size, 1.0f));
   }
 
  private:

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "marrow/pose.h"
-#include "math/lanes.h"
+#include "math/affine.h"
 
 namespace marrow {
 
@@ -38,15 +38,20 @@ inline bool is_partial(float x) {
   return std::bit_cast<std::uint32_t>(x) != std::bit_cast<std::uint32_t>(1.0f);
 }
 
-inline Vector<One> origin_of(const Affine& a) {
+// In one register each. Of a matrix the rows, and what stands behind them.
+inline Vector<One> wide_origin(const Affine& a) {
   return {fourths(load_aligned(a.rows[0]), load_aligned(a.rows[1]), load_aligned(a.rows[2]))};
 }
-inline Linear<One> linear(const Affine& a) {
-  return {{{load_aligned(a.rows[0])}, {load_aligned(a.rows[1])}, {load_aligned(a.rows[2])}}};
+inline Linear<One> wide_rows(const Affine& a) {
+  return {{load_aligned(a.rows[0])}, {load_aligned(a.rows[1])}, {load_aligned(a.rows[2])}};
 }
 // Three numbers with something behind them in memory.
-inline Vector<One> vector(const float* p) {
+inline Vector<One> wide(const float* p) {
   return {without_w(load(p))};
+}
+inline Vector<One> wide(const Vector3& v) {
+  const float four[4] = {v.x, v.y, v.z, 0};
+  return {load(four)};
 }
 
 }  // namespace marrow

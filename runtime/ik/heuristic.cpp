@@ -59,7 +59,7 @@ float error_of(const IkHeuristic& h) {
     const Vector3 r = rotation_error(*h.tree, end) * end.goal->rotation_weight;
     sum += dot(r, r);
   }
-  return std::sqrt(sum);
+  return sqrt(sum);
 }
 
 void keep_pose(IkHeuristic& h) {
@@ -192,7 +192,7 @@ IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem
 
 void TurnSum::add(const Rotation& q, float w) {
   const float s = dot(sum, q) < 0 ? -w : w;
-  sum = {sum.x + q.x * s, sum.y + q.y * s, sum.z + q.z * s, sum.w + q.w * s};
+  sum = sum + q * s;
   weight += w;
 }
 
@@ -200,26 +200,24 @@ void TurnSum::add_arc(const Vector3& from, const Vector3& to, float w) {
   const Vector3 a = along(from, 1.0f), b = along(to, 1.0f);
   if (dot(a, a) == 0 || dot(b, b) == 0) return;
   const Vector3 v = cross(a, b), sum_ab = a + b;
-  add({v.x, v.y, v.z, 0.5f * dot(sum_ab, sum_ab)}, w);
+  add(quaternion(v, 0.5f * dot(sum_ab, sum_ab)), w);
   if (dot(across, across) == 0) across = any_across(a);
 }
 
 void TurnSum::add_arc_about(const Vector3& hinge, const Vector3& from, const Vector3& to, float w) {
-  add_arc(from - hinge * dot(from, hinge), to - hinge * dot(to, hinge), w);
+  add_arc(marrow::across(from, hinge), marrow::across(to, hinge), w);
   if (dot(hinge, hinge) > 0) across = hinge;
 }
 
 Rotation TurnSum::turn() const {
   if (dot(sum, sum) > 1e-8f * weight * weight) return sum;
-  return weight > 0 ? Rotation{across.x, across.y, across.z, 0.0f} : Rotation{};
+  return weight > 0 ? quaternion(across, 0.0f) : Rotation{};
 }
 
 InverseAxes::InverseAxes(const f32x4 (&axis)[3]) {
-  const Vector3 x = to_vector3(axis[0]), y = to_vector3(axis[1]), z = to_vector3(axis[2]);
-  rows[0] = cross(y, z);
-  rows[1] = cross(z, x);
-  rows[2] = cross(x, y);
-  const float volume = dot(x, rows[0]), size = std::fabs(volume);
+  const Linear<float> m = {to_vector3(axis[0]), to_vector3(axis[1]), to_vector3(axis[2])};
+  cofactor = cofactors(m);
+  const float volume = dot(m.x, cofactor.x), size = absolute(volume);
   exists = size > 1e-30f && size < 1e30f;
   sign = volume < 0 ? -1.0f : 1.0f;
   scale = exists ? 1.0f / size : 0.0f;
@@ -228,15 +226,14 @@ InverseAxes::InverseAxes(const f32x4 (&axis)[3]) {
 Rotation part_of(const Rotation& any, float share) {
   if (share == 1.0f) return any;
   const Rotation q = normalised(any);
-  const float s = q.w < 0 ? -share : share;
-  return normalised(Rotation{q.x * s, q.y * s, q.z * s, q.w * s + (1.0f - share)});
+  return share_of(q.w < 0 ? q * -1.0f : q, share);
 }
 
 void set_turned(IkNode& node, const Rotation& rotation) {
   if (!(node.ease_root > 0)) return;
-  const float squared = dot(rotation, rotation), k = std::sqrt(squared) * (1.0f / squared);
+  const float squared = dot(rotation, rotation), k = sqrt(squared) * (1.0f / squared);
   if (!has_direction(squared)) return;
-  node.rotation = {rotation.x * k, rotation.y * k, rotation.z * k, rotation.w * k};
+  node.rotation = rotation * k;
   if (node.limit != nullptr) node.rotation = clamped(*node.limit, node.rotation);
 }
 

@@ -43,7 +43,7 @@ struct IkHeuristic {
 // The direction of v, so long; 0 if it has none. Root and quotient do not wait for each other.
 inline Vector3 along(const Vector3& v, float length) {
   const float squared = dot(v, v);
-  return v * (has_direction(squared) ? length * (std::sqrt(squared) * (1.0f / squared)) : 0.0f);
+  return v * (has_direction(squared) ? length * (sqrt(squared) * (1.0f / squared)) : 0.0f);
 }
 
 // Takes its memory, in which the tree's positions, lengths and weights are then.
@@ -67,11 +67,9 @@ struct TurnSum {
 struct InverseAxes {
   explicit InverseAxes(const f32x4 (&axis)[3]);
   // Of the length that it has, but for a factor above 0: not to wait for a division.
-  Vector3 direction(const Vector3& v) const {
-    return Vector3{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)} * sign;
-  }
+  Vector3 direction(const Vector3& v) const { return transposed_times(cofactor, v) * sign; }
   Vector3 operator*(const Vector3& v) const { return direction(v) * scale; }
-  Vector3 rows[3];
+  Linear<float> cofactor;
   float sign, scale;
   bool exists;
 };

@@ -11,7 +11,6 @@
 #include "ik/dense.h"
 #include "ik/system.h"
 #include "limits/joint_limit.h"
-#include "math/rotation_vector.h"
 
 namespace marrow {
 namespace {
@@ -76,13 +75,13 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
     }
     const float squared = dot3(e, e);
     if (task.turn || !(felt < all * squared)) continue;
-    const float l = std::sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
-    const float bend = kBend_rad * stuck * std::sqrt(l / (l + task.longest));
+    const float l = sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
+    const float bend = kBend_rad * stuck * sqrt(l / (l + task.longest));
     const f32x4 end = transform(tree.nodes[task.end->node].frame, task.end->point);
     for (std::uint16_t n = task.end->node; n != kNoParent; n = tree.nodes[n].parent) {
       const IkNode& node = tree.nodes[n];
       const f32x4 arm = end - node.frame.origin, about = across(node.frame.axis, axis);
-      const float inward = -dot3(arm, e), size = l * std::sqrt(dot3(arm, arm) * dot3(about, about));
+      const float inward = -dot3(arm, e), size = l * sqrt(dot3(arm, arm) * dot3(about, about));
       if (!(inward > 0 && size > 0)) continue;
       s.moves[n].answer = s.moves[n].answer + about * splat(bend * node.ease_root * (inward / size));
     }
@@ -97,7 +96,7 @@ float longest_turn(const IkSystem& s) {
     const float squared = dot3(v, v);
     if (!(squared <= most)) most = squared;
   }
-  return std::sqrt(most);
+  return sqrt(most);
 }
 
 // Where `factor` of the step leads. Joints that it would take beyond their limits go as far as they may. Returns
@@ -109,7 +108,7 @@ bool set_next(IkSystem& s, float factor) {
     const IkNode& node = tree.nodes[i];
     IkMove& move = s.moves[i];
     const f32x4 step = move.fixed + move.answer;
-    const Rotation next = normalised(node.rotation * exp_rotation(step * splat(factor * node.ease_root)));
+    const Rotation next = normalised(node.rotation * exp_rotation(to_vector3(step * splat(factor * node.ease_root))));
     move.next = next;
     move.stopped = false;
     if (node.limit == nullptr || !(node.ease_root > 0)) continue;
@@ -118,7 +117,7 @@ bool set_next(IkSystem& s, float factor) {
     if (in.x == next.x && in.y == next.y && in.z == next.z && in.w == next.w) continue;
     const f32x4 turn = turn_of(conjugate(node.rotation) * in) * splat(1.0f / node.ease_root), over = step - turn;
     const float squared = dot3(over, over);
-    move.beyond = over * splat(squared > 1e-30f ? 1.0f / std::sqrt(squared) : 0.0f);
+    move.beyond = over * splat(squared > 1e-30f ? 1.0f / sqrt(squared) : 0.0f);
     move.most = dot3(move.beyond, turn - move.fixed);
     move.fixed = move.fixed + move.beyond * splat(move.most);
     move.answer = turn - move.fixed;

@@ -20,7 +20,7 @@ void add_task(const IkEnd& end, bool turn, float weight, IkEntry*& entries, IkSy
   f32x4 from = transform(tree.nodes[end.node].frame, end.point);
   for (std::uint16_t n = end.node; n != kNoParent; n = tree.nodes[n].parent) {
     const f32x4 to = tree.nodes[n].frame.origin;
-    reach += std::sqrt(dot3(from - to, from - to));
+    reach += sqrt(dot3(from - to, from - to));
     from = to;
     length += n == 0 && travels ? 2 : 1;
   }
@@ -36,7 +36,7 @@ float travel_ease(const IkTree& tree, float root_travel_m) {
   if (!(root_travel_m > 0) || tree.nodes[0].place != 0) return 0;
   const f32x4(&axis)[3] = tree.nodes[0].above.axis;
   const f32x4 squares = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
-  const float scale = std::sqrt(dot3(squares, splat(1.0f / 3)));
+  const float scale = sqrt(dot3(squares, splat(1.0f / 3)));
   return scale > 1e-15f ? root_travel_m / scale : 0;
 }
 
@@ -140,7 +140,7 @@ float set_errors(IkSystem& s) {
   for (IkTask& task : s.tasks) {
     Vector3 e = task.turn ? rotation_error(*s.tree, *task.end) : position_error(*s.tree, *task.end);
     e = e * task.weight;
-    const float squared = dot(e, e), l = std::sqrt(squared);
+    const float squared = dot(e, e), l = sqrt(squared);
     total += squared;
     task.cut = l > task.longest && task.longest > 0 ? l / task.longest : 1.0f;
     if (l > task.longest) e = e * (task.longest / l);
@@ -148,7 +148,7 @@ float set_errors(IkSystem& s) {
     store(to, e);
     to += 3;
   }
-  return std::sqrt(total);
+  return sqrt(total);
 }
 
 void set_entries(IkSystem& s) {

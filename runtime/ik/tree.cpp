@@ -3,26 +3,16 @@
 #include "core/check.h"
 #include "limits/joint_limit.h"
 #include "marrow/local_to_model.h"
-#include "math/rotation_vector.h"
+#include "math/joint.h"
+#include "math/rotation.h"
 
 namespace marrow {
 namespace {
 
-IkFrame multiply(const IkFrame& a, const IkFrame& b) {
-  return {{turn(a, b.axis[0]), turn(a, b.axis[1]), turn(a, b.axis[2])}, transform(a, b.origin)};
-}
-
-IkFrame to_frame(const Affine& a) {
-  IkFrame f;
-  for (int i = 0; i < 3; ++i) f.axis[i] = to_f32x4({a.rows[0][i], a.rows[1][i], a.rows[2][i]});
-  f.origin = to_f32x4(origin(a));
-  return f;
-}
-
 // parent_from_joint of a joint that does not turn.
-IkFrame local_frame(Span<const SoaTransform> local, std::size_t joint) {
+Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   const Vector3 s = scale_of(local, joint);
-  IkFrame f;
+  Columns f;
   set_axes(rotation_of(local, joint), f.axis);
   f.axis[0] = f.axis[0] * splat(s.x);
   f.axis[1] = f.axis[1] * splat(s.y);
@@ -37,17 +27,17 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
   std::uint16_t on = skeleton.parents[node.joint];
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
   node.parent = on == kNoParent ? kNoParent : node_of[on];
-  IkFrame above = {{}, to_f32x4(translation_of(local, node.joint))};
+  Columns above = {{}, to_f32x4(translation_of(local, node.joint))};
   set_axes({}, above.axis);
   Rotation turned;
   std::uint16_t joint = node.joint, next = skeleton.parents[joint];
   if (on == kNoParent) {
-    above = multiply(to_frame(next == kNoParent ? skeleton.scene_from_root[joint] : scene_from_joint[next]), above);
+    above = columns(next == kNoParent ? skeleton.scene_from_root[joint] : scene_from_joint[next]) * above;
     for (; next != kNoParent; joint = next, next = skeleton.parents[joint]) turned = rotation_of(local, next) * turned;
     turned = rotation_of(skeleton.scene_from_root[joint]) * turned;
   } else {
     for (; next != on; next = skeleton.parents[next]) {
-      above = multiply(local_frame(local, next), above);
+      above = local_frame(local, next) * above;
       turned = rotation_of(local, next) * turned;
     }
     const f32x4 scale = to_f32x4(scale_of(local, on));
@@ -63,7 +53,7 @@ void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std
   f32x4 point = to_f32x4(vector3(end.goal->offset)), bone{};
   Rotation rotation;
   for (; node_of[joint] == kNoParent; joint = skeleton.parents[joint]) {
-    const IkFrame frame = local_frame(local, joint);
+    const Columns frame = local_frame(local, joint);
     point = transform(frame, point);
     bone = transform(frame, bone);
     rotation = rotation_of(local, joint) * rotation;
@@ -82,16 +72,6 @@ void stretch_bones(const Skeleton& skeleton, const IkTree& tree, float factor, S
 }
 
 }  // namespace
-
-// The axes of a rotation: as in local_to_model, so the same where q is not quite a unit.
-void set_axes(const Rotation& q, f32x4 (&axis)[3]) {
-  const float x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
-  const float xx = q.x * x2, yy = q.y * y2, zz = q.z * z2, xy = q.x * y2, xz = q.x * z2, yz = q.y * z2;
-  const float wx = q.w * x2, wy = q.w * y2, wz = q.w * z2;
-  axis[0] = to_f32x4({1.0f - (yy + zz), xy + wz, xz - wy});
-  axis[1] = to_f32x4({xy - wz, 1.0f - (xx + zz), yz + wx});
-  axis[2] = to_f32x4({xz + wy, yz - wx, 1.0f - (xx + yy)});
-}
 
 IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch) {
   IkTreeMemory m;
@@ -127,7 +107,7 @@ Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span
     IkNode& node = memory.nodes[count];
     node.joint = joint;
     node.place = static_cast<std::uint16_t>(i);
-    node.ease_root = problem.stiffness.empty() ? 1.0f : std::sqrt(1.0f - problem.stiffness[i]);
+    node.ease_root = problem.stiffness.empty() ? 1.0f : sqrt(1.0f - problem.stiffness[i]);
     node.rotation = node.start = rotation_of(local, joint);
     node.limit = find_limit(problem.limits, joint);
     node.hinge = {};
@@ -161,12 +141,12 @@ void update_frames(IkTree& tree, std::size_t first) {
     IkNode& node = tree.nodes[i];
     f32x4 axes[3];
     set_axes(node.rotation, axes);
-    IkFrame& local = node.parent_from_frame;
+    Columns& local = node.parent_from_frame;
     for (int a = 0; a < 3; ++a) local.axis[a] = turn(node.above, axes[a]);
     local.origin = node.above.origin;
     if (i == 0) local.origin = local.origin + turn(node.above, to_f32x4(tree.travel));
     const bool top = node.parent == kNoParent;
-    node.frame = top ? local : multiply(tree.nodes[node.parent].frame, local);
+    node.frame = top ? local : tree.nodes[node.parent].frame * local;
     if (!tree.turns) continue;
     const Rotation above = top ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
     node.turned = above * node.rotation;
@@ -189,17 +169,11 @@ float total_error(const IkTree& tree) {
     const Vector3 turn = rotation_error(tree, end) * r;
     sum += dot(turn, turn);
   }
-  return std::sqrt(sum);
-}
-
-float dot3(f32x4 a, f32x4 b) {
-  float f[4];
-  store(f, a * b);
-  return f[0] + f[1] + f[2];
+  return sqrt(sum);
 }
 
 f32x4 turn_of(const Rotation& rotation) {
-  return log_rotation(normalised(rotation));
+  return to_f32x4(log_of_shorter(normalised(rotation)));
 }
 
 Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,

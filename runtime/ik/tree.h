@@ -6,39 +6,14 @@
 #pragma once
 
 #include "marrow/ik_solve.h"
-#include "math/f32x4.h"
-#include "math/rotation.h"
+#include "math/columns.h"
 
 namespace marrow {
 
-// An affine map by its columns: axes and origin. Lane 3 of each is 0.
-struct IkFrame {
-  f32x4 axis[3];
-  f32x4 origin;
-};
-
-inline f32x4 turn(const IkFrame& f, const Vector3& v) {
-  return f.axis[0] * splat(v.x) + f.axis[1] * splat(v.y) + f.axis[2] * splat(v.z);
-}
-inline f32x4 turn(const IkFrame& f, f32x4 v) {
-  return f.axis[0] * splat_lane<0>(v) + f.axis[1] * splat_lane<1>(v) + f.axis[2] * splat_lane<2>(v);
-}
-inline f32x4 transform(const IkFrame& f, f32x4 point) {
-  return turn(f, point) + f.origin;
-}
-inline Vector3 to_vector3(f32x4 v) {
-  float f[4];
-  store(f, v);
-  return {f[0], f[1], f[2]};
-}
-inline f32x4 to_f32x4(const Vector3& v) {
-  return lanes(v.x, v.y, v.z, 0.0f);
-}
-
 struct IkNode {
-  IkFrame above;  // constant: from this joint's axes before they turn to the parent node's frame, or the scene
-  IkFrame parent_from_frame;  // above · rotation
-  IkFrame frame;              // scene_from_frame
+  Columns above;  // constant: from this joint's axes before they turn to the parent node's frame, or the scene
+  Columns parent_from_frame;  // above · rotation
+  Columns frame;              // scene_from_frame
   Rotation rotation;          // the joint's local rotation
   Rotation start;             // the same, as it was in the pose
   Rotation above_turned;      // the rotation in `above`, or of what is above it in the scene
@@ -96,12 +71,6 @@ Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span
 
 // Frames of the nodes from `first` on, after rotations changed; nodes before it are up to date.
 void update_frames(IkTree& tree, std::size_t first = 0);
-
-// The axes of a rotation, as columns of its matrix.
-void set_axes(const Rotation& q, f32x4 (&axis)[3]);
-
-// Of the first three lanes.
-float dot3(f32x4 a, f32x4 b);
 
 // From where an end is to where it shall be: scene space, metres.
 inline Vector3 position_error(const IkTree& tree, const IkEnd& end) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "marrow/file.h"
-#include "math/rotation.h"
+#include "math/joint.h"
 
 namespace marrow {
 

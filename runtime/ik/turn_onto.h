@@ -2,45 +2,32 @@
 // turn in the scene brought into a joint's local space.
 #pragma once
 
-#include "math/lanes.h"
+#include "math/affine.h"
+#include "math/quaternion.h"
 
 namespace marrow {
 
-// Of few bits, which some processors need not load.
-inline constexpr float kTinySquare = 0x1p-100f;  // of a vector without direction
-inline constexpr float kHugeSquare = 0x1p+100f;  // of what is as good as infinite
+// Of what is as good as infinite. Of few bits, as kTinySquare.
+inline constexpr float kHugeSquare = 0x1p+100f;
 
 // Sine of the angle between target and pole below which the pole loses its say.
 inline constexpr float kPoleCone = 0.1f;
 
-// A unit vector across v, however short or long v is: v × the axis that it is least along.
-template <class F>
-inline Vector<F> any_across(const Vector<F>& v) {
-  const F zero = all_lanes<F>(0), one = all_lanes<F>(1);
-  const F x = x_of(v), y = y_of(v), z = z_of(v), xx = x * x, yy = y * y, zz = z * z;
-  const Vector<F> by_x = vector_of(zero, z, zero - y), by_y = vector_of(zero - z, zero, x),
-                  by_z = vector_of(y, zero - x, zero);
-  const Vector<F> across = select(lesser(yy, zz) < xx, select(zz < yy, by_z, by_y), by_x);
-  const F squared = dot(across, across);
-  const auto none = squared < all_lanes<F>(kTinySquare);
-  return select(none, vector_of(one, zero, zero), across * (one / sqrt(select(none, one, squared))));
-}
-
 // A turn of any length, given squared, to one of length 1 with w ≥ 0, or the identity if it has no length. If `plain`,
 // it has, and w ≥ 0 already.
 template <bool plain, class F>
-inline Turn<F> unit_turn(const Turn<F>& q, F squared) {
+inline Quaternion<F> unit_turn(const Quaternion<F>& q, F squared) {
   const F zero = all_lanes<F>(0), one = all_lanes<F>(1), factor = one / sqrt(squared);
   if constexpr (plain) return q * factor;
   const auto none = squared < all_lanes<F>(kTinySquare);
-  const Turn<F> unit = q * flip(factor, w_of(q));
-  return any(none) ? select(none, turn_of(vector_of(zero, zero, zero), one), unit) : unit;
+  const Quaternion<F> unit = q * flip(factor, w_of(q));
+  return any(none) ? select(none, quaternion(vector_of(zero, zero, zero), one), unit) : unit;
 }
 
-// A share of a unit turn: interpolated straight, and made a unit again.
+// As share_of().
 template <class F>
-inline Turn<F> part_of(const Turn<F>& q, F weight) {
-  const Turn<F> part = turn_of(axis_of(q) * weight, w_of(q) * weight + (all_lanes<F>(1) - weight));
+inline Quaternion<F> part_of(const Quaternion<F>& q, F weight) {
+  const Quaternion<F> part = straight_share(q, weight);
   return unit_turn<true>(part, squared_length(part));
 }
 
@@ -105,7 +92,7 @@ inline bool half_angle_to_pole(const Vector<F>& carried, F d, const Vector<F>& t
 // and what is left is short; without a pole, opposites are half a turn about the normal apart.
 template <bool plain, class F>
 inline bool turn_onto(const Vector<F>& from, const Vector<F>& normal, const Vector<F>& to, const About<F>& about,
-                      Turn<F>& out) {
+                      Quaternion<F>& out) {
   const F zero = all_lanes<F>(0), one = all_lanes<F>(1), far = all_lanes<F>(-0.5f);
   const F along = dot(from, to);
   const auto behind = along < far;
@@ -122,7 +109,7 @@ inline bool turn_onto(const Vector<F>& from, const Vector<F>& normal, const Vect
   const Vector<F> carried = normal * d - sum * dot(to, normal);
   HalfAngle<F> half = {one + one, zero};
   if (plain && all(dot(about.pole, about.pole) < all_lanes<F>(kTinySquare))) {
-    out = turn_of(arc * half.cos, d * half.cos);
+    out = quaternion(arc * half.cos, d * half.cos);
     return true;
   }
   Vector<F> by_arc = carried;
@@ -130,10 +117,10 @@ inline bool turn_onto(const Vector<F>& from, const Vector<F>& normal, const Vect
   if (!half_angle_to_pole<plain>(carried, d, to, by_arc, about, half)) return false;
   const Vector<F> axis = arc * half.cos - sum * half.sin;
   const F w = d * half.cos;
-  out = turn_of(axis, w);
+  out = quaternion(axis, w);
   if (!plain && any(behind)) {
-    const Turn<F> whole = turn_of(normal * w + cross(axis, normal), zero - dot(axis, normal));
-    out = select(d < all_lanes<F>(1e-14f), turn_of(normal, zero), select(back, whole, out));
+    const Quaternion<F> whole = quaternion(normal * w + cross(axis, normal), zero - dot(axis, normal));
+    out = select(d < all_lanes<F>(1e-14f), quaternion(normal, zero), select(back, whole, out));
   }
   return true;
 }
@@ -141,24 +128,23 @@ inline bool turn_onto(const Vector<F>& from, const Vector<F>& normal, const Vect
 // A joint's axes in the scene: the columns of a matrix, which are to be made unit vectors.
 template <class F>
 struct Axes {
-  Linear<F> m;
+  Linear<F> rows;
   Vector<F> lengths, inverse_lengths;  // their w may be anything
   F handed;                            // its sign: whether they are a right-handed triple
 };
 
 // Axes of no length become 0, or infinite if `plain`.
 template <bool plain, class F>
-inline Axes<F> axes_of(const Linear<F>& m) {
-  const Vector<F>&x = m.rows[0], &y = m.rows[1], &z = m.rows[2];
+inline Axes<F> axes_of(const Linear<F>& rows) {
+  const Vector<F>&x = rows.x, &y = rows.y, &z = rows.z;
   const Vector<F> squared = by_component(x, x) + by_component(y, y) + by_component(z, z);
-  return {m, roots(squared), inverse_roots<plain>(squared), dot(cross(x, y), z)};
+  return {rows, roots(squared), inverse_roots<plain>(squared), dot(cross(x, y), z)};
 }
 
 // A direction, from the scene to the joint's local space, but for its scale; its w may be anything.
 template <class F>
 inline Vector<F> direction_to_local(const Axes<F>& axes, const Vector<F>& v) {
-  const Linear<F>& m = axes.m;
-  return by_component(m.rows[0] * x_of(v) + m.rows[1] * y_of(v) + m.rows[2] * z_of(v), axes.inverse_lengths);
+  return by_component(axes.rows * v, axes.inverse_lengths);
 }
 // The axis of a turn.
 template <class F>
@@ -168,9 +154,8 @@ inline Vector<F> axis_to_local(const Axes<F>& axes, const Vector<F>& v) {
 // And back.
 template <class F>
 inline Vector<F> axis_to_scene(const Axes<F>& axes, const Vector<F>& v) {
-  const Vector<F>* const rows = axes.m.rows;
   const Vector<F> t = by_component(v, without_w(axes.inverse_lengths));
-  return flip(vector_of(dot(rows[0], t), dot(rows[1], t), dot(rows[2], t)), axes.handed);
+  return flip(transposed_times(axes.rows, t), axes.handed);
 }
 
 }  // namespace marrow

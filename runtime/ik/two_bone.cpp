@@ -13,14 +13,14 @@ namespace {
 
 template <bool plain>
 inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
-  const Vector<One> start = origin_of(*joints.start), mid = origin_of(*joints.mid), end = origin_of(*joints.end);
+  const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
   LimbProblem<One> in = {mid - start,
                          end - mid,
-                         vector(goal.target) - start,
-                         linear(*joints.start),
-                         linear(*joints.mid),
-                         vector(goal.bend_axis),
-                         {vector(goal.pole), is_some(goal.twist_rad), {}, {}},
+                         wide(goal.target) - start,
+                         wide_rows(*joints.start),
+                         wide_rows(*joints.mid),
+                         wide(goal.bend_axis),
+                         {wide(goal.pole), is_some(goal.twist_rad), {}, {}},
                          all_lanes<One>(goal.soft),
                          is_partial(goal.max_stretch),
                          all_lanes<One>(goal.max_stretch),

@@ -7,8 +7,8 @@ namespace marrow {
 
 template <class F>
 struct LimbProblem {
-  Vector<F> upper, lower, way;  // scene: start to middle joint, middle to end joint, start to target
-  Linear<F> scene_from_start, scene_from_mid;
+  Vector<F> upper, lower, way;                 // scene: start to middle joint, middle to end joint, start to target
+  Linear<F> scene_from_start, scene_from_mid;  // rows
   Vector<F> bend_axis;
   About<F> about;
   F soft;
@@ -20,7 +20,7 @@ struct LimbProblem {
 
 template <class F>
 struct LimbSolution {
-  Turn<F> start, mid;
+  Quaternion<F> start, mid;
   F stretch;
   F miss;  // metres
   F limb;  // length, metres
@@ -65,7 +65,7 @@ inline void shape_triangle(const LimbProblem<F>& in, F inverse_upper, Triangle<F
 template <class F>
 struct Bend {
   Vector<F> normal, to_end;  // unit; to_end: from start to end, once bent
-  Turn<F> mid;               // axis in the middle joint's local space
+  Quaternion<F> mid;         // axis in the middle joint's local space
   F agreed;                  // how far the bend is as preferred: not finite if the preference is not
 };
 
@@ -96,12 +96,13 @@ inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes,
   normal = select(flat, axis, normal * (one / sqrt(select(flat, one, normal_squared))));
   // Straightened about `now`, then bent about the normal; if folded, folded more, and opened about the normal.
   const F c = triangle.half_cos, s = triangle.half_sin;
-  const Turn<F> opened = turn_of(normal * (s * w) - now * c - cross(normal, now) * s, c * w + s * dot(normal, now));
-  const Turn<F> folded =
-      turn_of(normal * (c * u) - now * s + cross(normal, now) * c, zero - s * u - c * dot(normal, now));
-  const Turn<F> turn = select(cosine < zero, folded, opened);
+  const Quaternion<F> opened =
+      quaternion(normal * (s * w) - now * c - cross(normal, now) * s, c * w + s * dot(normal, now));
+  const Quaternion<F> folded =
+      quaternion(normal * (c * u) - now * s + cross(normal, now) * c, zero - s * u - c * dot(normal, now));
+  const Quaternion<F> turn = select(cosine < zero, folded, opened);
   return {normal, upper * triangle.along + cross(normal, upper) * triangle.across,
-          turn_of(axis_to_local(mid_axes, axis_of(turn)), w_of(turn)), agreed};
+          quaternion(axis_to_local(mid_axes, axis_part(turn)), w_of(turn)), agreed};
 }
 
 template <bool plain, class F>
@@ -114,7 +115,7 @@ inline bool bend_limb(const LimbProblem<F>& in, const Vector<F>& upper, const Ve
   const F sine = sqrt(dot(normal, normal)), inverse = one / sine;
   const F w = one + cosine, c = triangle.half_cos, s = triangle.half_sin, side = triangle.across * inverse;
   bend = {normal * inverse, upper * (triangle.along - side * cosine) + lower * side,
-          turn_of(local * (s * w * inverse - c), c * w + s * sine), one};
+          quaternion(local * (s * w * inverse - c), c * w + s * sine), one};
   F agreed = dot(local, in.bend_axis);
   bend.agreed = agreed;
   if (!all(straight < agreed)) {
@@ -153,9 +154,10 @@ inline bool solve_with(const LimbProblem<F>& in, Triangle<F>& t, F inverse_upper
   shape_triangle(in, inverse_upper, t);
   Bend<F> bend;
   if (!bend_limb<plain>(in, in.upper * inverse_upper, in.lower * inverse_lower, t, bend)) return false;
-  Turn<F> whole;
+  Quaternion<F> whole;
   if (!turn_onto<plain>(bend.to_end, bend.normal, in.way * inverse_way, in.about, whole)) return false;
-  const Turn<F> start = turn_of(axis_to_local(axes_of<plain>(in.scene_from_start), axis_of(whole)), w_of(whole));
+  const Quaternion<F> start =
+      quaternion(axis_to_local(axes_of<plain>(in.scene_from_start), axis_part(whole)), w_of(whole));
   const F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
   const F most = start_squared + mid_squared + (t.miss + bend.agreed);
   if (!all(most < all_lanes<F>(kHugeSquare))) return false;

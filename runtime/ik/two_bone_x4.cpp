@@ -8,36 +8,14 @@
 namespace marrow {
 namespace {
 
-// Four rows of four as a vector a limb, and what stands behind each.
-struct Row {
-  Vector<f32x4> xyz;
-  f32x4 w;
-};
-inline Row transposed(const float* a, const float* b, const float* c, const float* d) {
-  f32x4 x = load_aligned(a), y = load_aligned(b), z = load_aligned(c), w = load_aligned(d);
-  transpose(x, y, z, w);
-  return {{x, y, z}, w};
-}
-
-struct Four {
-  Linear<f32x4> linear;
-  Vector<f32x4> origin;
-};
-inline Four four(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
-  const Row x = transposed(a.rows[0], b.rows[0], c.rows[0], d.rows[0]),
-            y = transposed(a.rows[1], b.rows[1], c.rows[1], d.rows[1]),
-            z = transposed(a.rows[2], b.rows[2], c.rows[2], d.rows[2]);
-  return {{{x.xyz, y.xyz, z.xyz}}, {x.w, y.w, z.w}};
-}
-
 template <class Get>
 inline f32x4 load_each(const TwoBone (&goals)[4], Get get) {
   const float each[4] = {get(goals[0]), get(goals[1]), get(goals[2]), get(goals[3])};
   return load(each);
 }
 
-inline void store_turns(const Turn<f32x4>& q, float (TwoBoneTurns::*member)[4], TwoBoneTurns (&out)[4]) {
-  f32x4 a = q.axis.x, b = q.axis.y, c = q.axis.z, d = q.w;
+inline void store_turns(const Quaternion<f32x4>& q, float (TwoBoneTurns::*member)[4], TwoBoneTurns (&out)[4]) {
+  f32x4 a = q.x, b = q.y, c = q.z, d = q.w;
   transpose(a, b, c, d);
   store(out[0].*member, a);
   store(out[1].*member, b);
@@ -47,26 +25,27 @@ inline void store_turns(const Turn<f32x4>& q, float (TwoBoneTurns::*member)[4], 
 
 template <bool plain>
 inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool stretched, TwoBoneTurns (&out)[4]) {
-  const Four start = four(*j[0].start, *j[1].start, *j[2].start, *j[3].start);
-  const Four mid = four(*j[0].mid, *j[1].mid, *j[2].mid, *j[3].mid);
-  const Four end = four(*j[0].end, *j[1].end, *j[2].end, *j[3].end);
-  const Row target = transposed(g[0].target, g[1].target, g[2].target, g[3].target);
-  const Row pole = transposed(g[0].pole, g[1].pole, g[2].pole, g[3].pole);
-  const Row axis = transposed(g[0].bend_axis, g[1].bend_axis, g[2].bend_axis, g[3].bend_axis);
-  const f32x4 weight_off = target.w - clamp_to_unit(target.w), soft_off = axis.w - clamp_to_unit(axis.w);
+  const FourAffines start = load_affines(*j[0].start, *j[1].start, *j[2].start, *j[3].start);
+  const FourAffines mid = load_affines(*j[0].mid, *j[1].mid, *j[2].mid, *j[3].mid);
+  const FourAffines end = load_affines(*j[0].end, *j[1].end, *j[2].end, *j[3].end);
+  const FourRows target = load_rows(g[0].target, g[1].target, g[2].target, g[3].target);
+  const FourRows pole = load_rows(g[0].pole, g[1].pole, g[2].pole, g[3].pole);
+  const FourRows axis = load_rows(g[0].bend_axis, g[1].bend_axis, g[2].bend_axis, g[3].bend_axis);
+  const f32x4 weight_off = target.origin - clamp_to_unit(target.origin),
+              soft_off = axis.origin - clamp_to_unit(axis.origin);
   if (!all(absolute(weight_off) + absolute(soft_off) < splat(kTinySquare))) return false;
-  LimbProblem<f32x4> in = {mid.origin - start.origin,
-                           end.origin - mid.origin,
-                           target.xyz - start.origin,
-                           start.linear,
-                           mid.linear,
-                           axis.xyz,
-                           {pole.xyz, !all(absolute(pole.w) < splat(kTinySquare)), pole.w, pole.w},
-                           axis.w,
+  LimbProblem<f32x4> in = {origin(mid) - origin(start),
+                           origin(end) - origin(mid),
+                           target.linear - origin(start),
+                           linear_rows(start),
+                           linear_rows(mid),
+                           axis.linear,
+                           {pole.linear, !all(absolute(pole.origin) < splat(kTinySquare)), pole.origin, pole.origin},
+                           axis.origin,
                            stretched,
-                           axis.w,
-                           any(target.w < splat(1)),
-                           target.w};
+                           axis.origin,
+                           any(target.origin < splat(1)),
+                           target.origin};
   if (stretched) in.max_stretch = load_each(g, [](const TwoBone& goal) { return goal.max_stretch; });
   if (!plain && in.about.twisted) {
     in.about.cos = load_each(g, [](const TwoBone& goal) { return cos_sin(goal.twist_rad).cos; });

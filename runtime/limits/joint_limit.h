@@ -2,7 +2,7 @@
 #pragma once
 
 #include "marrow/limits.h"
-#include "math/rotation.h"
+#include "math/quaternion.h"
 
 namespace marrow {
 

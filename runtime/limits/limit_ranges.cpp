@@ -3,10 +3,10 @@
 namespace marrow::ranges {
 
 Twist twist_of(float v, float w) {
-  const float n = std::sqrt(v * v + w * w);
+  const float n = sqrt(v * v + w * w);
   if (n < 1e-12f) return {{}, 0.0f};
   // What is left turns by an angle with cos(angle / 2) = n.
-  const float left = n < 1.0f ? std::sqrt((1.0f - n) / (1.0f + n)) : 0.0f;
+  const float left = n < 1.0f ? sqrt((1.0f - n) / (1.0f + n)) : 0.0f;
   return {{v / n, w / n}, fade_out(left, 0.0f, 1.0f)};
 }
 
@@ -15,7 +15,7 @@ Twist twist_of(float v, float w) {
 // regions) comes from below and never overshoots.
 Swing nearest_on_ellipse(const Swing& at, float ry, float rz) {
   const float yy = ry * ry, zz = rz * rz, gy = ry * at.y, gz = rz * at.z;
-  const float from_y = std::fabs(gy) - yy, from_z = std::fabs(gz) - zz;
+  const float from_y = absolute(gy) - yy, from_z = absolute(gz) - zz;
   float t = from_y > from_z ? from_y : from_z;  // no component is above 1
   t = t > 0 ? t : 0.0f;
   float y = 0, z = 0, length = 1;
@@ -24,7 +24,7 @@ Swing nearest_on_ellipse(const Swing& at, float ry, float rz) {
     y = gy * ky;
     z = gz * kz;
     const float squared = y * y + z * z;
-    length = std::sqrt(squared);
+    length = sqrt(squared);
     if (i == 5 || !(length > 1.0f)) break;
     t += squared / (y * y * ky + z * z * kz) * (length - 1.0f);
   }

@@ -1,8 +1,10 @@
 // Angles as tangents of a quarter, and what is nearest in ranges, ellipses and boxes of them.
 #pragma once
 
+#include <cmath>
+
 #include "marrow/limits.h"
-#include "math/rotation.h"
+#include "math/quaternion.h"
 
 namespace marrow::ranges {
 
@@ -35,7 +37,7 @@ inline HalfAngle nearest_in(const AngleRange& range, const HalfAngle& angle, flo
   HalfAngle d = angle + -middle;
   if (d.cos < 0) d = {-d.sin, -d.cos};
   float t = d.sin / (1.0f + d.cos);
-  const float size = std::fabs(t);
+  const float size = absolute(t);
   if (size > range.half_width) t = std::copysign(range.half_width * fade_out(size, range.half_width, 1.0f), t);
   return half_angle(t * share) + middle;
 }

@@ -1,7 +1,7 @@
 // Limits over time: what follows a target, with limited speed and acceleration.
 #include "core/check.h"
 #include "limits/joint_limit.h"
-#include "math/rotation_vector.h"
+#include "math/joint.h"
 
 namespace marrow {
 namespace {
@@ -11,15 +11,6 @@ constexpr float kStepsPerSecond = 960.0f, kLongest_s = 0.25f;
 constexpr float kArrived = 1e-5f, kArrivedSpeed = 1e-3f;
 enum FollowMode : std::uint32_t { kNotBegun, kUnderWay, kOnTarget };
 
-float shorter(float a, float b) {
-  return a < b ? a : b;
-}
-
-Vector3 at_most(const Vector3& v, float longest) {
-  const float squared = dot(v, v);
-  return squared > longest * longest ? v * (longest / std::sqrt(squared)) : v;
-}
-
 // The speed after a step of h, towards a target at distance d, that lies on the curve from which braking by `brake`
 // stops there: v² = 2 brake d - brake² / gain², and near the target, where that would come to its end with a jump, v =
 // gain d. Distance after the step is d - (now + v) h / 2.
@@ -28,7 +19,7 @@ float speed_on_curve(float d, float now, float brake, float gain, float h) {
   const float knee = brake / gain;  // the speed where both meet
   if (near <= knee) return near;
   const float half = 0.5f * brake * h, under = half * half + 2.0f * brake * d - 2.0f * half * now - knee * knee;
-  return std::sqrt(under > 0 ? under : 0.0f) - half;
+  return sqrt(under > 0 ? under : 0.0f) - half;
 }
 
 struct Motion {
@@ -51,12 +42,12 @@ void follow_origin(Motion& m, const Vector3& from, float time_s, const RateLimit
     if (limit.acceleration > 0) {
       const float now = dot(m.velocity - target_velocity, direction);
       const float speed = speed_on_curve(d, now, 0.9f * limit.acceleration, gain, h);
-      const Vector3 wanted = at_most(target_velocity + direction * speed, most);
-      const Vector3 next = m.velocity + at_most(wanted - m.velocity, limit.acceleration * h);
+      const Vector3 wanted = no_longer(target_velocity + direction * speed, most);
+      const Vector3 next = m.velocity + no_longer(wanted - m.velocity, limit.acceleration * h);
       m.at = m.at + (m.velocity + next) * (0.5f * h);
       m.velocity = next;
     } else {
-      m.velocity = at_most(target_velocity + direction * (d * gain), most);
+      m.velocity = no_longer(target_velocity + direction * (d * gain), most);
       m.at = m.at + m.velocity * h;
     }
   }
@@ -87,16 +78,6 @@ bool is_time(float dt_s) {
 }
 bool is_limit(const RateLimit& limit) {
   return limit.speed >= 0 && limit.speed < 1e18f && limit.acceleration >= 0 && limit.acceleration < 1e18f;
-}
-
-// The rotation vector of the shorter turn.
-Vector3 log_of(const Rotation& q) {
-  float v[4];
-  store(v, log_rotation(q));
-  return vector3(v);
-}
-Rotation exp_of(const Vector3& v) {
-  return exp_rotation(lanes(v.x, v.y, v.z, 0.0f));
 }
 
 // As the rotation vector p changes with velocity v, the rotation turns by J v about the parent's axes: J is the left
@@ -134,7 +115,7 @@ Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, 
     return Status::ok;
   }
   if (dt_s == 0) return Status::ok;
-  const float time_s = shorter(dt_s, kLongest_s);
+  const float time_s = lesser(dt_s, kLongest_s);
   Motion m = {vector3(state.point) - to, vector3(state.velocity)};
   const Vector3 from = vector3(state.target) - to;
   const bool on_target = follow(m, from, state.mode == kOnTarget, time_s, state.frame_s, limit);
@@ -159,14 +140,14 @@ Status follow_rotation(RotationFollower& state, const float (&target)[4], float 
     return Status::ok;
   }
   if (dt_s == 0) return Status::ok;
-  const float time_s = shorter(dt_s, kLongest_s);
+  const float time_s = lesser(dt_s, kLongest_s);
   // As rotation vectors from where the target now is.
   const bool was_on_target = state.mode == kOnTarget;
-  const Vector3 from = log_of(normalised(rotation(state.target)) * conjugate(unit));
-  Motion m = {was_on_target ? from : log_of(normalised(rotation(state.rotation)) * conjugate(unit)), {}};
+  const Vector3 from = log_of_shorter(normalised(rotation(state.target)) * conjugate(unit));
+  Motion m = {was_on_target ? from : log_of_shorter(normalised(rotation(state.rotation)) * conjugate(unit)), {}};
   m.velocity = Jacobian(m.at).change_of(vector3(state.velocity));
   const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
-  store(state.rotation, on_target ? to : normalised(exp_of(m.at) * unit));
+  store(state.rotation, on_target ? to : normalised(exp_rotation(m.at) * unit));
   store(state.target, to);
   store(state.velocity, on_target ? m.velocity : Jacobian(m.at).turn_of(m.velocity));
   state.frame_s = time_s;

@@ -3,7 +3,7 @@
 #include "core/check.h"
 #include "limits/joint_limit.h"
 #include "limits/limit_ranges.h"
-#include "math/elementary.h"
+#include "math/joint.h"
 
 namespace marrow::ranges {
 namespace {
@@ -35,7 +35,7 @@ Rotation nearest_in_cone(const JointLimit& limit, const Rotation& t) {
   const float y = s.y * rz, z = s.z * ry, border = ry * rz;
   if (y * y + z * z > border * border) {
     s = nearest_on_ellipse(s, ry, rz);
-    share = fade_out(std::sqrt(squared), widest, 1.0f);
+    share = fade_out(sqrt(squared), widest, 1.0f);
   }
   s = {s.y * share, s.z * share};
   const float size = s.y * s.y + s.z * s.z, scale = 1.0f / (1.0f + size);
@@ -48,11 +48,11 @@ Rotation nearest_in_cone(const JointLimit& limit, const Rotation& t) {
 
 // Half of an angle from (a multiple of) the sine and cosine of the whole.
 HalfAngle half_of(float sin, float cos) {
-  const float size = std::sqrt(sin * sin + cos * cos);
+  const float size = sqrt(sin * sin + cos * cos);
   if (size < 1e-12f) return {};
   const HalfAngle half =
-      cos > 0 ? HalfAngle{sin, size + cos} : HalfAngle{std::copysign(size - cos, sin), std::fabs(sin)};
-  const float k = 1.0f / std::sqrt(half.sin * half.sin + half.cos * half.cos);
+      cos > 0 ? HalfAngle{sin, size + cos} : HalfAngle{std::copysign(size - cos, sin), absolute(sin)};
+  const float k = 1.0f / sqrt(half.sin * half.sin + half.cos * half.cos);
   return {half.sin * k, half.cos * k};
 }
 
@@ -60,13 +60,12 @@ HalfAngle half_of(float sin, float cos) {
 // it goes to the middle of its range. Then each in turn is the nearest, given the other two.
 Rotation nearest_in_xyz(const AngleRange (&angles)[3], const Rotation& t) {
   const float sin_z = 2.0f * (t.w * t.z - t.x * t.y), cos_z = t.w * t.w + t.x * t.x - t.y * t.y - t.z * t.z;
-  const HalfAngle second = half_of(2.0f * (t.w * t.y + t.x * t.z), std::sqrt(sin_z * sin_z + cos_z * cos_z));
+  const HalfAngle second = half_of(2.0f * (t.w * t.y + t.x * t.z), sqrt(sin_z * sin_z + cos_z * cos_z));
   constexpr float kQuarterTurn = 0.41421356f;  // as the tangent of a quarter
-  const float most = std::fabs(angles[1].middle), half = angles[1].half_width;
+  const float most = absolute(angles[1].middle), half = angles[1].half_width;
   const float widest = (most + half) / (1.0f - most * half);
-  const float share = widest < kQuarterTurn - 1e-5f
-                          ? fade_out(std::fabs(second.sin) / (1.0f + second.cos), widest, kQuarterTurn)
-                          : 1.0f;
+  const float share =
+      widest < kQuarterTurn - 1e-5f ? fade_out(absolute(second.sin) / (1.0f + second.cos), widest, kQuarterTurn) : 1.0f;
   const Rotation y0 = about_y(nearest_in(angles[1], second, 1.0f));
   const Rotation z0 = about_z(nearest_in(angles[2], half_of(sin_z, cos_z), share));
   const Rotation for_x = t * conjugate(y0 * z0);
@@ -109,8 +108,8 @@ namespace marrow {
 
 float angle_between(const Rotation& a, const Rotation& b) {
   const Rotation d = conjugate(a) * b;
-  const float sine_squared = dot(axis_part(d), axis_part(d)), w = std::fabs(d.w);
-  if (sine_squared < 0.5f) return 2.0f * std::sqrt(sine_squared) * asinc_for_slerp(sine_squared);
+  const float sine_squared = dot(axis_part(d), axis_part(d)), w = absolute(d.w);
+  if (sine_squared < 0.5f) return 2.0f * sqrt(sine_squared) * asinc_for_slerp(sine_squared);
   return 3.14159265f - 2.0f * w * asinc_for_slerp(w * w);
 }
 
@@ -118,8 +117,8 @@ Rotation clamped(const JointLimit& limit, const Rotation& q) {
   if (limit.kind == LimitKind::none) return q;
   const float squared = dot(q, q);
   if (!has_direction(squared)) return q;
-  const float k = 1.0f / std::sqrt(squared);
-  const Rotation unit = {q.x * k, q.y * k, q.z * k, q.w * k};
+  const float k = 1.0f / sqrt(squared);
+  const Rotation unit = q * k;
   const Rotation limit_from_parent = rotation(limit.limit_from_parent);
   const Rotation joint_from_limit = rotation(limit.joint_from_limit);
   const Rotation t = limit_from_parent * unit * joint_from_limit;
@@ -128,7 +127,7 @@ Rotation clamped(const JointLimit& limit, const Rotation& q) {
   constexpr float kLeast = 0.25f * kLimitTolerance_rad * kLimitTolerance_rad;
   if (!(dot(d, d) > kLeast)) return q;
   const Rotation out = normalised(conjugate(limit_from_parent) * in * conjugate(joint_from_limit));
-  return dot(out, unit) < 0 ? Rotation{-out.x, -out.y, -out.z, -out.w} : out;
+  return dot(out, unit) < 0 ? out * -1.0f : out;
 }
 
 Status clamp_rotation(const JointLimit& limit, float (&local)[4]) {

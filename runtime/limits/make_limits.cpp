@@ -1,6 +1,6 @@
 #include "core/check.h"
 #include "limits/joint_limit.h"
-#include "math/elementary.h"
+#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -28,7 +28,7 @@ bool is_rate(const RateLimit& rate) {
 bool limit_axes(const LimitDescription& d, Rotation& joint_from_limit) {
   if (!is_direction(d.axis) || !is_direction(d.across)) return false;
   const Vector3 x = normalised_or(vector3(d.axis), {}), a = normalised_or(vector3(d.across), {});
-  const Vector3 part = a - x * dot(a, x);
+  const Vector3 part = across(a, x);
   if (!(dot(part, part) > 1e-6f)) return false;
   const Vector3 y = normalised_or(part, {});
   // First x is brought there, then the rest is a turn about it.

@@ -1,10 +1,12 @@
-// Products of affine maps, row by row.
+// Affine maps, three rows of four: of one joint, of four at once, and by columns.
 #pragma once
 
 #include "marrow/pose.h"
-#include "math/f32x4.h"
+#include "math/linear.h"
 
 namespace marrow {
+
+inline constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
 // One row of a · b, from a row of `a` and the three rows of `b`.
 inline f32x4 affine_row(f32x4 a, f32x4 b0, f32x4 b1, f32x4 b2) {
@@ -34,6 +36,73 @@ inline void multiply(const Affine& a, const Affine& b, Affine& out) {
   } else {
     multiply(a, load_aligned(b.rows[0]), load_aligned(b.rows[1]), load_aligned(b.rows[2]), out);
   }
+}
+
+inline Vector3 column(const Affine& a, int c) {
+  return {a.rows[0][c], a.rows[1][c], a.rows[2][c]};
+}
+inline Vector3 origin(const Affine& a) {
+  return column(a, 3);
+}
+inline Linear<float> linear(const Affine& a) {
+  return {column(a, 0), column(a, 1), column(a, 2)};
+}
+// The transpose of its linear part: the rows.
+inline Linear<float> linear_rows(const Affine& a) {
+  return {vector3(a.rows[0]), vector3(a.rows[1]), vector3(a.rows[2])};
+}
+inline float determinant(const Affine& a) {
+  return determinant(linear_rows(a));
+}
+inline Affine affine(const Linear<float>& m, const Vector3& origin) {
+  return {{{m.x.x, m.y.x, m.z.x, origin.x}, {m.x.y, m.y.y, m.z.y, origin.y}, {m.x.z, m.y.z, m.z.z, origin.z}}};
+}
+
+// A direction through the linear part.
+inline Vector3 turn(const Affine& a, const Vector3& v) {
+  return transposed_times(linear_rows(a), v);
+}
+inline Vector3 transform(const Affine& a, const Vector3& point) {
+  return turn(a, point) + origin(a);
+}
+
+// A row of four maps, a lane a map.
+struct FourRows {
+  Vector<f32x4> linear;
+  f32x4 origin;
+};
+inline FourRows load_rows(const float* a, const float* b, const float* c, const float* d) {
+  f32x4 x = load_aligned(a), y = load_aligned(b), z = load_aligned(c), w = load_aligned(d);
+  transpose(x, y, z, w);
+  return {{x, y, z}, w};
+}
+// The same in all lanes.
+inline FourRows splat_row(f32x4 row) {
+  return {{splat_lane<0>(row), splat_lane<1>(row), splat_lane<2>(row)}, splat_lane<3>(row)};
+}
+
+// Four maps.
+struct FourAffines {
+  FourRows a, b, c;
+};
+inline FourAffines load_affines(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
+  return {load_rows(a.rows[0], b.rows[0], c.rows[0], d.rows[0]), load_rows(a.rows[1], b.rows[1], c.rows[1], d.rows[1]),
+          load_rows(a.rows[2], b.rows[2], c.rows[2], d.rows[2])};
+}
+inline Vector<f32x4> origin(const FourAffines& m) {
+  return {m.a.origin, m.b.origin, m.c.origin};
+}
+inline Linear<f32x4> linear_rows(const FourAffines& m) {
+  return {m.a.linear, m.b.linear, m.c.linear};
+}
+inline f32x4 determinant(const FourAffines& m) {
+  return determinant(linear_rows(m));
+}
+inline Vector<f32x4> turn(const FourAffines& m, const Vector<f32x4>& v) {
+  return transposed_times(linear_rows(m), v);
+}
+inline Vector<f32x4> transform(const FourAffines& m, const Vector<f32x4>& point) {
+  return turn(m, point) + origin(m);
 }
 
 }  // namespace marrow

@@ -13,10 +13,6 @@
 
 namespace marrow {
 
-inline f32x4 dot3(f32x4 ax, f32x4 ay, f32x4 az, f32x4 bx, f32x4 by, f32x4 bz) {
-  return ax * bx + ay * by + az * bz;
-}
-
 // 1 / length from a squared length; 0 for 0, so that what has no direction stays zero.
 inline f32x4 inverse_length(f32x4 squared) {
   const f32x4 zero = splat(0.0f);

@@ -20,6 +20,26 @@ inline float select(bool m, float yes, float no) {
   return m ? yes : no;
 }
 
+inline float lesser(float a, float b) {
+  return a < b ? a : b;
+}
+inline float greater(float a, float b) {
+  return b < a ? a : b;
+}
+inline float absolute(float a) {
+  return __builtin_fabsf(a);
+}
+inline float flip(float a, float by) {
+  return __builtin_signbit(by) ? -a : a;
+}
+// 1 / root; 0 for 0, as of four lanes.
+inline float inverse_length(float squared) {
+  return 0.0f < squared ? 1.0f / sqrt(squared) : 0.0f;
+}
+inline f32x4 operator-(f32x4 a) {
+  return flip(a, splat(-0.0f));
+}
+
 struct One {
   f32x4 v;
 };

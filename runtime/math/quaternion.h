@@ -1,78 +1,183 @@
-// Four quaternions at once, and the exponential and the logarithm that turn rotation vectors (axis times angle) into
-// them and back. Polynomials instead of a library's trigonometry: the same bits everywhere.
+// Quaternions, over a lane: see math/lane.h. Rotations are those of unit length.
 #pragma once
 
 #include "marrow/pose.h"
 #include "math/elementary.h"
+#include "math/linear.h"
 
 namespace marrow {
 
-struct Quaternions {
-  f32x4 x, y, z, w;
+template <class F>
+struct Quaternion {
+  F x{}, y{}, z{}, w = all_lanes<F>(1);
 };
-
-struct Vectors {
-  f32x4 x, y, z;
+template <>
+struct Quaternion<One> {
+  f32x4 v;  // x, y, z, w
 };
+using Rotation = Quaternion<float>;
 
-inline Quaternions load_rotations(const SoaTransform& t) {
-  return {load_aligned(t.rotation[0]), load_aligned(t.rotation[1]), load_aligned(t.rotation[2]),
-          load_aligned(t.rotation[3])};
+inline Rotation rotation(const float* p) {
+  return {p[0], p[1], p[2], p[3]};
 }
-inline void store_rotations(SoaTransform& t, const Quaternions& q) {
-  store(t.rotation[0], q.x);
-  store(t.rotation[1], q.y);
-  store(t.rotation[2], q.z);
-  store(t.rotation[3], q.w);
+inline void store(float* to, const Rotation& q) {
+  to[0] = q.x;
+  to[1] = q.y;
+  to[2] = q.z;
+  to[3] = q.w;
+}
+// Four at once, as poses have them.
+inline Quaternion<f32x4> load_rotations(const float (&from)[4][4]) {
+  return {load_aligned(from[0]), load_aligned(from[1]), load_aligned(from[2]), load_aligned(from[3])};
+}
+inline void store_rotations(float (&to)[4][4], const Quaternion<f32x4>& q) {
+  store(to[0], q.x);
+  store(to[1], q.y);
+  store(to[2], q.z);
+  store(to[3], q.w);
 }
 
-inline Quaternions conjugate(const Quaternions& q) {
-  const f32x4 minus = splat(-0.0f);
-  return {flip(q.x, minus), flip(q.y, minus), flip(q.z, minus), q.w};
+template <class F>
+inline Quaternion<F> quaternion(const Vector<F>& axis, F w) {
+  return {axis.x, axis.y, axis.z, w};
+}
+template <class F>
+inline Vector<F> axis_part(const Quaternion<F>& q) {
+  return {q.x, q.y, q.z};
+}
+template <class F>
+inline F w_of(const Quaternion<F>& q) {
+  return q.w;
+}
+template <class F>
+inline Quaternion<F> operator+(const Quaternion<F>& a, const Quaternion<F>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+template <class F>
+inline Quaternion<F> operator*(const Quaternion<F>& q, F s) {
+  return {q.x * s, q.y * s, q.z * s, q.w * s};
+}
+template <class F>
+inline F dot(const Quaternion<F>& a, const Quaternion<F>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+template <class F>
+inline Quaternion<F> select(mask4 m, const Quaternion<F>& yes, const Quaternion<F>& no) {
+  return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z), select(m, yes.w, no.w)};
+}
+template <class F>
+inline Quaternion<F> select(bool m, const Quaternion<F>& yes, const Quaternion<F>& no) {
+  return m ? yes : no;
+}
+// In the order in which One sums: the bits of one limb are those of four.
+inline f32x4 squared_length(const Quaternion<f32x4>& q) {
+  return (q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w);
+}
+
+// The same of one quaternion in one register.
+inline Quaternion<One> quaternion(const Vector<One>& axis, One w) {
+  return {with_w(axis.v, w.v)};
+}
+inline Vector<One> axis_part(const Quaternion<One>& q) {
+  return {without_w(q.v)};
+}
+inline One w_of(const Quaternion<One>& q) {
+  return {splat_lane<3>(q.v)};
+}
+inline Quaternion<One> operator*(const Quaternion<One>& q, One s) {
+  return {q.v * s.v};
+}
+inline One squared_length(const Quaternion<One>& q) {
+  return {sum_of_lanes(q.v * q.v)};
 }
 
 // First b, then a.
-inline Quaternions operator*(const Quaternions& a, const Quaternions& b) {
+template <class F>
+inline Quaternion<F> operator*(const Quaternion<F>& a, const Quaternion<F>& b) {
   return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
           a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
-
-inline f32x4 dot(const Quaternions& a, const Quaternions& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+template <class F>
+inline Quaternion<F> conjugate(const Quaternion<F>& q) {
+  return {-q.x, -q.y, -q.z, q.w};
 }
-
-inline Quaternions scaled(const Quaternions& q, f32x4 factor) {
-  return {q.x * factor, q.y * factor, q.z * factor, q.w * factor};
-}
-
-inline Quaternions normalised(const Quaternions& q) {
-  return scaled(q, inverse_length(dot(q, q)));
-}
-
 // All four components negated where the sign bit of `by` is set: the same rotation.
-inline Quaternions flip(const Quaternions& q, f32x4 by) {
+template <class F>
+inline Quaternion<F> flip(const Quaternion<F>& q, F by) {
   return {flip(q.x, by), flip(q.y, by), flip(q.z, by), flip(q.w, by)};
 }
 
+// Of unit length; 0 of what is 0.
+inline Quaternion<f32x4> normalised(const Quaternion<f32x4>& q) {
+  return q * inverse_length(dot(q, q));
+}
+// Of unit length; the identity if it is too short, or not finite.
+inline Rotation normalised(const Rotation& q) {
+  const float squared = dot(q, q);
+  return has_direction(squared) ? q * (1.0f / sqrt(squared)) : Rotation{};
+}
+
+// v, turned.
+inline Vector3 rotate(const Rotation& q, const Vector3& v) {
+  const Vector3 t = cross(axis_part(q), v) * 2.0f;
+  return v + t * q.w + cross(axis_part(q), t);
+}
+// v turned by quaternions of any length; as it is by those of none.
+template <class F>
+inline Vector<F> rotate_by_any(const Quaternion<F>& q, F two_over_squared, const Vector<F>& v) {
+  const Vector<F> t = cross(axis_part(q), v);
+  return v + (t * q.w + cross(axis_part(q), t)) * two_over_squared;
+}
+inline f32x4 two_over_squared(const Quaternion<f32x4>& q) {
+  const f32x4 squared = dot(q, q), zero = splat(0.0f);
+  return select(zero < squared, splat(2.0f) / squared, zero);
+}
+
+// The axes of a rotation, the columns of its matrix; where q is not quite a unit, they are as long as q is squared.
+template <class F>
+inline Linear<F> columns_of(const Quaternion<F>& q) {
+  const F one = all_lanes<F>(1);
+  const F x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
+  const F xx = q.x * x2, yy = q.y * y2, zz = q.z * z2, xy = q.x * y2, xz = q.x * z2, yz = q.y * z2;
+  const F wx = q.w * x2, wy = q.w * y2, wz = q.w * z2;
+  return {
+      {one - (yy + zz), xy + wz, xz - wy}, {xy - wz, one - (xx + zz), yz + wx}, {xz + wy, yz - wx, one - (xx + yy)}};
+}
+
+// A share of a unit rotation on the straight line from the identity, which w ≥ 0 makes the shorter way: not of unit
+// length. share_of() is.
+template <class F>
+inline Quaternion<F> straight_share(const Quaternion<F>& q, F share) {
+  return quaternion(axis_part(q) * share, w_of(q) * share + (all_lanes<F>(1) - share));
+}
+template <class F>
+inline Quaternion<F> share_of(const Quaternion<F>& q, F share) {
+  return normalised(straight_share(q, share));
+}
+
 // The rotation by |v| about v, for |v| ≤ 2π: unit within 1e-6; exactly the identity for 0.
-inline Quaternions exp_rotation(const Vectors& v) {
-  const f32x4 half = splat(0.5f);
-  const Vectors h = {v.x * half, v.y * half, v.z * half};
-  const f32x4 y = dot3(h.x, h.y, h.z, h.x, h.y, h.z);
-  const f32x4 s = sinc_of_root(y);
-  return {h.x * s, h.y * s, h.z * s, cos_of_root(y)};
+template <class F>
+inline Quaternion<F> exp_rotation(const Vector<F>& v) {
+  const Vector<F> half = v * all_lanes<F>(0.5f);
+  const F y = dot(half, half);
+  return quaternion(half * sinc_of_root(y), cos_of_root(y));
 }
 
 // Axis times angle of unit quaternions with w > -½√2; the angle is in [0, 3π/2) and off by at most 1e-6 rad. Where w is
 // less, the logarithm of -q, the wrong way round: callers choose the sign of q first.
-inline Vectors log_rotation(const Quaternions& q) {
-  const f32x4 zero = splat(0.0f), two = splat(2.0f), half_pi = splat(1.57079633f), half = splat(0.5f);
-  const f32x4 sine_squared = dot3(q.x, q.y, q.z, q.x, q.y, q.z);
-  const mask4 narrow = sine_squared < half;  // half the angle is within π/4 of 0; else it is near π/2
-  const f32x4 part = asinc_of_root(select(narrow, sine_squared, q.w * q.w));
-  const f32x4 wide = (half_pi - q.w * part) * inverse_length(select(narrow, zero, sine_squared));
-  const f32x4 factor = two * select(narrow, part, wide);
-  return {q.x * factor, q.y * factor, q.z * factor};
+template <class F>
+inline Vector<F> log_rotation(const Quaternion<F>& q) {
+  const F zero = all_lanes<F>(0), two = all_lanes<F>(2), half_pi = all_lanes<F>(1.57079633f);
+  const F sine_squared = dot(axis_part(q), axis_part(q));
+  const auto narrow = sine_squared < all_lanes<F>(0.5f);  // half the angle is within π/4 of 0; else it is near π/2
+  const F part = asinc_of_root(select(narrow, sine_squared, q.w * q.w));
+  const F wide = (half_pi - q.w * part) * inverse_length(select(narrow, zero, sine_squared));
+  return axis_part(q) * (two * select(narrow, part, wide));
+}
+// Of the shorter of the two turns that a quaternion and its negative are.
+template <class F>
+inline Vector<F> log_of_shorter(const Quaternion<F>& q) {
+  return log_rotation(flip(q, q.w));
 }
 
 }  // namespace marrow

@@ -1,59 +1,11 @@
-// One unit quaternion at a time; four at once are in quaternion.h.
+// Rotations between directions, between axes, and in maps.
 #pragma once
 
-#include <cstddef>
-
-#include "marrow/pose.h"
-#include "marrow/span.h"
-#include "math/vector3.h"
+#include "math/affine.h"
+#include "math/quaternion.h"
+#include "math/slerp.h"
 
 namespace marrow {
-
-struct Rotation {
-  float x = 0, y = 0, z = 0, w = 1;
-};
-
-inline Rotation rotation(const float* p) {
-  return {p[0], p[1], p[2], p[3]};
-}
-inline void store(float* to, const Rotation& q) {
-  to[0] = q.x;
-  to[1] = q.y;
-  to[2] = q.z;
-  to[3] = q.w;
-}
-
-// First b, then a.
-inline Rotation operator*(const Rotation& a, const Rotation& b) {
-  return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
-          a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-}
-
-inline Rotation conjugate(const Rotation& q) {
-  return {-q.x, -q.y, -q.z, q.w};
-}
-
-inline float dot(const Rotation& a, const Rotation& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
-}
-
-inline Vector3 axis_part(const Rotation& q) {
-  return {q.x, q.y, q.z};
-}
-
-// v, turned.
-inline Vector3 rotate(const Rotation& q, const Vector3& v) {
-  const Vector3 t = cross(axis_part(q), v) * 2.0f;
-  return v + t * q.w + cross(axis_part(q), t);
-}
-
-// Of unit length; the identity if it is too short, or not finite.
-inline Rotation normalised(const Rotation& q) {
-  const float squared = dot(q, q);
-  if (!has_direction(squared)) return {};
-  const float s = 1.0f / std::sqrt(squared);
-  return {q.x * s, q.y * s, q.z * s, q.w * s};
-}
 
 // The shortest turn that takes the direction of `from` to that of `to`, of any lengths above 0; half a turn, about any
 // axis across them, where they are opposite; the identity where either has no direction.
@@ -63,62 +15,102 @@ inline Rotation shortest_arc(const Vector3& from, const Vector3& to) {
   const float w = 0.5f * dot(sum, sum);  // 1 + cos, without cancellation
   if (w < 1e-8f) {
     if (dot(a, a) == 0) return {};
-    const Vector3 across = any_across(a);
-    return {across.x, across.y, across.z, 0.0f};
+    return quaternion(any_across(a), 0.0f);
   }
-  const Vector3 v = cross(a, b);
-  return normalised(Rotation{v.x, v.y, v.z, w});
+  return normalised(quaternion(cross(a, b), w));
 }
 
 // The rotation in a map: its first axis keeps its direction, the second its side; scale, shear and mirroring are left
 // out. Axes without a direction are made up.
 inline Rotation rotation_of(const Affine& a) {
-  const Vector3 x = normalised_or({a.rows[0][0], a.rows[1][0], a.rows[2][0]}, {1, 0, 0});
-  const Vector3 second = {a.rows[0][1], a.rows[1][1], a.rows[2][1]};
+  const Vector3 x = normalised_or(column(a, 0), {1, 0, 0});
   const Rotation first = shortest_arc({1, 0, 0}, x);
   // Then about x, to the side of the second axis.
-  const Vector3 from = rotate(first, {0, 1, 0}), to = normalised_or(second - x * dot(x, second), from);
+  const Vector3 from = rotate(first, {0, 1, 0}), to = normalised_or(across(column(a, 1), x), from);
   const float cosine = dot(from, to), sine = dot(x, cross(from, to));
-  const Vector3 v = x * (cosine > -0.9999999f ? sine : 1.0f);
-  return normalised(Rotation{v.x, v.y, v.z, cosine > -0.9999999f ? 1 + cosine : 0.0f}) * first;
+  const bool apart = cosine > -0.9999999f;
+  return normalised(quaternion(x * (apart ? sine : 1.0f), apart ? 1 + cosine : 0.0f)) * first;
 }
 
-inline Rotation rotation_of(Span<const SoaTransform> pose, std::size_t joint) {
-  const float(&r)[4][4] = pose[joint / 4].rotation;
-  const std::size_t lane = joint % 4;
-  return {r[0][lane], r[1][lane], r[2][lane], r[3][lane]};
+// A joint's attitude, world · scene, as unit axes at right angles; a right-handed triple, mirrored or not.
+inline Linear<float> right_axes(const Affine& world, const Affine& scene) {
+  const Vector3 x = normalised_or(turn(world, turn(scene, {1, 0, 0})), {1, 0, 0});
+  const Vector3 y = turn(world, turn(scene, {0, 1, 0}));
+  return right_angles(x, y, [&x](const Vector3& v) {
+    const float squared = dot(v, v);
+    return has_direction(squared) ? v * (1.0f / sqrt(squared)) : any_across(x);
+  });
 }
-inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, const Rotation& q) {
-  float(&r)[4][4] = pose[joint / 4].rotation;
-  const std::size_t lane = joint % 4;
-  r[0][lane] = q.x;
-  r[1][lane] = q.y;
-  r[2][lane] = q.z;
-  r[3][lane] = q.w;
+// The rotations next to four matrices' first two columns; the third column is their cross product, mirrored or not. A
+// column without length stays zero.
+inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
+  const FourAffines m = load_affines(a, b, c, d);
+  const Vector<f32x4> x = {m.a.linear.x, m.b.linear.x, m.c.linear.x}, y = {m.a.linear.y, m.b.linear.y, m.c.linear.y};
+  return right_angles(normalised(x), y, [](const Vector<f32x4>& v) { return normalised(v); });
+}
+// The same of one matrix. False without volume.
+inline bool rotation_of(const Linear<float>& m, Linear<float>& out) {
+  bool good = true;
+  const auto unit = [&good](const Vector3& v) {
+    const float l = length(v);
+    good = good && l > 1e-18f && l < 1e18f;
+    return v * (1.0f / l);
+  };
+  out = right_angles(unit(m.x), m.y, unit);
+  return good;
 }
 
-inline Vector3 translation_of(Span<const SoaTransform> pose, std::size_t joint) {
-  const float(&t)[3][4] = pose[joint / 4].translation;
-  const std::size_t lane = joint % 4;
-  return {t[0][lane], t[1][lane], t[2][lane]};
+// Of a rotation matrix: a component q_i of its quaternion q that is not near 0 (Shepperd 1978), and 4 q_i q. Component
+// 3 is w; of the others the largest.
+struct ScaledQuaternion {
+  int component;
+  float v[4];
+};
+inline int largest_axis(const Linear<float>& m) {
+  const int i = m.y.y > m.x.x ? 1 : 0;
+  return m.z.z > (i == 1 ? m.y.y : m.x.x) ? 2 : i;
 }
-inline Vector3 scale_of(Span<const SoaTransform> pose, std::size_t joint) {
-  const float(&s)[3][4] = pose[joint / 4].scale;
-  const std::size_t lane = joint % 4;
-  return {s[0][lane], s[1][lane], s[2][lane]};
+inline ScaledQuaternion scaled_quaternion(const Linear<float>& m, int component) {
+  const float xx = m.x.x, yy = m.y.y, zz = m.z.z;
+  if (component == 3) return {3, {m.y.z - m.z.y, m.z.x - m.x.z, m.x.y - m.y.x, 1.0f + (xx + yy + zz)}};
+  if (component == 0) return {0, {1.0f + xx - yy - zz, m.x.y + m.y.x, m.x.z + m.z.x, m.y.z - m.z.y}};
+  if (component == 1) return {1, {m.y.x + m.x.y, 1.0f + yy - zz - xx, m.y.z + m.z.y, m.z.x - m.x.z}};
+  return {2, {m.z.x + m.x.z, m.z.y + m.y.z, 1.0f + zz - xx - yy, m.x.y - m.y.x}};
 }
 
-inline Vector3 origin(const Affine& a) {
-  return {a.rows[0][3], a.rows[1][3], a.rows[2][3]};
+// The rotation that takes the axes `from` to the axes `to`, as seen from `from` (K. Shoemake, Quaternions, 1994).
+inline Rotation rotation_between(const Linear<float>& from, const Linear<float>& to) {
+  const Linear<float> m = transposed_times(from, to);
+  return normalised(rotation(scaled_quaternion(m, m.x.x + m.y.y + m.z.z > 0 ? 3 : largest_axis(m)).v));
 }
-// A direction through the linear part.
-inline Vector3 turn(const Affine& a, const Vector3& v) {
-  return {a.rows[0][0] * v.x + a.rows[0][1] * v.y + a.rows[0][2] * v.z,
-          a.rows[1][0] * v.x + a.rows[1][1] * v.y + a.rows[1][2] * v.z,
-          a.rows[2][0] * v.x + a.rows[2][1] * v.y + a.rows[2][2] * v.z};
+// The quaternion of a rotation matrix, w ≥ 0. Not by rotation_between(): palettes depend on the bits of each.
+inline Rotation quaternion_of(const Linear<float>& m) {
+  const int axis = largest_axis(m);
+  const float trace = m.x.x + m.y.y + m.z.z, most = axis == 0 ? m.x.x : axis == 1 ? m.y.y : m.z.z;
+  ScaledQuaternion q = scaled_quaternion(m, trace >= most ? 3 : axis);
+  const float four = 2.0f * sqrt(q.v[q.component]);
+  for (float& c : q.v) c = c / four;
+  q.v[q.component] = 0.25f * four;
+  const Rotation out = rotation(q.v);
+  return out.w < 0.0f ? out * -1.0f : out;
 }
-inline Vector3 transform(const Affine& a, const Vector3& point) {
-  return turn(a, point) + origin(a);
+// The matrix of a quaternion of any length but 0.
+inline Linear<float> matrix_of(const Rotation& q) {
+  const float x = q.x, y = q.y, z = q.z, w = q.w, two = 2.0f / dot(q, q);
+  return {{1.0f - two * (y * y + z * z), two * (x * y + w * z), two * (x * z - w * y)},
+          {two * (x * y - w * z), 1.0f - two * (x * x + z * z), two * (y * z + w * x)},
+          {two * (x * z + w * y), two * (y * z - w * x), 1.0f - two * (x * x + y * y)}};
+}
+
+// A share of a rotation on the sphere: at an even speed, as share_of() is not.
+inline Linear<float> slerp_share_of(const Linear<float>& m, float share) {
+  Rotation q = quaternion_of(m);
+  const float from_one = q.w - 1.0f;
+  const float chord = q.x * q.x + q.y * q.y + q.z * q.z + from_one * from_one;
+  const SlerpWeights<float> weights = slerp_weights(lesser(chord, 2.0f), share);
+  q = q * weights.b;
+  q.w = q.w + weights.a;
+  return matrix_of(q);
 }
 
 }  // namespace marrow

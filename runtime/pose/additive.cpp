@@ -25,9 +25,8 @@ void add_layer(const AdditiveLayer& layer, std::size_t groups, SoaTransform* pos
     const auto put = [touched](float* to, f32x4 value) { Masked ? store(to, touched, value) : store(to, value); };
     const SoaTransform& by = layer.change.data[g].change;
     SoaTransform& p = pose[g];
-    const Quaternions whole = load_rotations(by);
-    const Quaternions part = {whole.x * w, whole.y * w, whole.z * w, (one - w) + whole.w * w};
-    const Quaternions after = normalised(part * load_rotations(p));
+    const Quaternion<f32x4> part = straight_share(load_rotations(by.rotation), w);
+    const Quaternion<f32x4> after = normalised(part * load_rotations(p.rotation));
     put(p.rotation[0], after.x);
     put(p.rotation[1], after.y);
     put(p.rotation[2], after.z);
@@ -49,7 +48,7 @@ Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Sp
   MARROW_REQUIRE(out.size >= groups);
   for (std::size_t g = 0; g < groups; ++g) {
     const SoaTransform &p = pose[g], &r = reference[g];
-    const Quaternions change = load_rotations(p) * conjugate(load_rotations(r));
+    const Quaternion<f32x4> change = load_rotations(p.rotation) * conjugate(load_rotations(r.rotation));
     const f32x4 length = sqrt(dot(change, change));
     const f32x4 divisor = select(splat(0.0f) < length, length, splat(1.0f));
     SoaTransform& to = out[g].change;

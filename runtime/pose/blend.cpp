@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "math/f32x4.h"
+#include "math/quaternion.h"
 #include "pose/mask.h"
 
 namespace marrow {
@@ -11,25 +11,20 @@ namespace {
 
 // Four joints' weighted sums.
 struct Sum {
-  f32x4 translation[3], rotation[4], scale[3];
+  f32x4 translation[3];
+  Quaternion<f32x4> rotation;
+  f32x4 scale[3];
 };
 
-inline f32x4 dot4(const f32x4 (&a)[4], const f32x4 (&b)[4]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
-
 // sum += w q, in the sum's hemisphere: the sign goes into the weight.
-inline void add_rotation(f32x4 (&sum)[4], const SoaTransform& x, f32x4 w) {
-  const f32x4 q[4] = {load_aligned(x.rotation[0]), load_aligned(x.rotation[1]), load_aligned(x.rotation[2]),
-                      load_aligned(x.rotation[3])};
-  const f32x4 signed_w = flip(w, dot4(q, sum));
-  for (int i = 0; i < 4; ++i) sum[i] = sum[i] + q[i] * signed_w;
+inline void add_rotation(Quaternion<f32x4>& sum, const SoaTransform& x, f32x4 w) {
+  const Quaternion<f32x4> q = load_rotations(x.rotation);
+  sum = sum + q * flip(w, dot(q, sum));
 }
 
 // Unit rotations never cancel, since each is added in the hemisphere of the sum: the length is not 0.
-inline void store_rotation(const f32x4 (&sum)[4], SoaTransform& out) {
-  const f32x4 inverse = splat(1.0f) / sqrt(dot4(sum, sum));
-  for (int i = 0; i < 4; ++i) store(out.rotation[i], sum[i] * inverse);
+inline void store_rotation(const Quaternion<f32x4>& sum, SoaTransform& out) {
+  store_rotations(out.rotation, sum * (splat(1.0f) / sqrt(dot(sum, sum))));
 }
 
 // In a loop of its own: a processor does not look far enough ahead to hide this chain of operations behind the sum's.
@@ -38,10 +33,8 @@ inline void store_rotation(const f32x4 (&sum)[4], SoaTransform& out) {
 #pragma GCC unroll 4
   for (std::size_t g = 0; g < groups; ++g) {
     SoaTransform& t = out[g];
-    const f32x4 q[4] = {load_aligned(t.rotation[0]), load_aligned(t.rotation[1]), load_aligned(t.rotation[2]),
-                        load_aligned(t.rotation[3])};
-    const f32x4 inverse = one / sqrt(dot4(q, q));
-    for (int i = 0; i < 4; ++i) store(t.rotation[i], q[i] * inverse);
+    const Quaternion<f32x4> q = load_rotations(t.rotation);
+    store_rotations(t.rotation, q * (one / sqrt(dot(q, q))));
   }
 }
 
@@ -105,10 +98,9 @@ void blend_even(const FewLayers& layers, std::size_t groups, SoaTransform* out) 
   }
   const f32x4 share = splat(1.0f / total);
   for (std::size_t g = 0; g < groups; ++g) {
-    f32x4 rotation[4];
-    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(pose[0][g].rotation[i]);
+    Quaternion<f32x4> rotation = load_rotations(pose[0][g].rotation);
     for (std::size_t l = 1; l < N; ++l) add_rotation(rotation, pose[l][g], weight[l]);
-    for (int i = 0; i < 4; ++i) store(out[g].rotation[i], rotation[i]);
+    store_rotations(out[g].rotation, rotation);
     const float* x[N];
     for (int i = 0; i < 3; ++i) {
       for (std::size_t l = 0; l < N; ++l) x[l] = pose[l][g].translation[i];
@@ -145,8 +137,8 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
   for (std::size_t g = 0; g < groups; ++g, a.mask += a.step, b.mask += b.step) {
     const SoaTransform &x = a.pose[g], &y = b.pose[g], &r = rest[g];
     const f32x4 wx = clamp_to_unit(load(a.mask)) * a.weight, wy = clamp_to_unit(load(b.mask)) * b.weight;
-    f32x4 rotation[4], total = wx + wy;
-    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(x.rotation[i]) * wx;
+    f32x4 total = wx + wy;
+    Quaternion<f32x4> rotation = load_rotations(x.rotation) * wx;
     add_rotation(rotation, y, wy);
     const mask4 short_of = total < least;
     if (any(short_of)) {
@@ -245,14 +237,16 @@ Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransf
     if (!any(touched)) continue;
     const SoaTransform& to = layer.pose[g];
     SoaTransform& at = pose[g];
-    f32x4 rotation[4];
-    for (int i = 0; i < 4; ++i) rotation[i] = load_aligned(at.rotation[i]) * (one - w);
+    Quaternion<f32x4> rotation = load_rotations(at.rotation) * (one - w);
     add_rotation(rotation, to, w);
-    const f32x4 inverse = splat(1.0f) / sqrt(dot4(rotation, rotation));
+    rotation = rotation * (one / sqrt(dot(rotation, rotation)));
     const auto put = [&](f32x4 mixed, const float* whole, float* kept) {
       store(kept, select(touched, select(partly, mixed, load_aligned(whole)), load_aligned(kept)));
     };
-    for (int i = 0; i < 4; ++i) put(rotation[i] * inverse, to.rotation[i], at.rotation[i]);
+    put(rotation.x, to.rotation[0], at.rotation[0]);
+    put(rotation.y, to.rotation[1], at.rotation[1]);
+    put(rotation.z, to.rotation[2], at.rotation[2]);
+    put(rotation.w, to.rotation[3], at.rotation[3]);
     const auto mix = [&](const float* whole, float* kept) {
       const f32x4 x = load_aligned(kept);
       put(x + (load_aligned(whole) - x) * w, whole, kept);

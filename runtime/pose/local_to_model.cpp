@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "math/affine.h"
+#include "math/quaternion.h"
 #include "pose/joint_range.h"
 
 namespace marrow {
@@ -19,21 +20,11 @@ inline void store_row(f32x4 a, f32x4 b, f32x4 c, f32x4 d, f32x4 (&row)[4]) {
 
 // Rotation matrix of a unit quaternion, columns scaled, translation in the fourth column.
 inline void to_matrices(const SoaTransform& t, FourMatrices& m) {
-  const f32x4 x = load_aligned(t.rotation[0]), y = load_aligned(t.rotation[1]), z = load_aligned(t.rotation[2]),
-              w = load_aligned(t.rotation[3]);
+  const Linear<f32x4> axes = columns_of(load_rotations(t.rotation));
   const f32x4 sx = load_aligned(t.scale[0]), sy = load_aligned(t.scale[1]), sz = load_aligned(t.scale[2]);
-  const f32x4 one = splat(1.0f);
-  const f32x4 x2 = x + x, y2 = y + y, z2 = z + z;
-  const f32x4 xx = x * x2, yy = y * y2, zz = z * z2;
-  const f32x4 xy = x * y2, xz = x * z2, yz = y * z2;
-  const f32x4 wx = w * x2, wy = w * y2, wz = w * z2;
-  // Row by row, so that few registers are needed at a time.
-  f32x4 a = (one - (yy + zz)) * sx, b = (xy - wz) * sy, c = (xz + wy) * sz, d = load_aligned(t.translation[0]);
-  store_row(a, b, c, d, m.rows[0]);
-  a = (xy + wz) * sx, b = (one - (xx + zz)) * sy, c = (yz - wx) * sz, d = load_aligned(t.translation[1]);
-  store_row(a, b, c, d, m.rows[1]);
-  a = (xz - wy) * sx, b = (yz + wx) * sy, c = (one - (xx + yy)) * sz, d = load_aligned(t.translation[2]);
-  store_row(a, b, c, d, m.rows[2]);
+  store_row(axes.x.x * sx, axes.y.x * sy, axes.z.x * sz, load_aligned(t.translation[0]), m.rows[0]);
+  store_row(axes.x.y * sx, axes.y.y * sy, axes.z.y * sz, load_aligned(t.translation[1]), m.rows[1]);
+  store_row(axes.x.z * sx, axes.y.z * sy, axes.z.z * sz, load_aligned(t.translation[2]), m.rows[2]);
 }
 
 // Joints `first` … `end` - 1 of one group of four; the parents of roots are what stands above them.

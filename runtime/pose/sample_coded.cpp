@@ -6,6 +6,7 @@
 #include "core/opaque.h"
 #include "math/keys.h"
 #include "math/slerp.h"
+#include "math/vector.h"
 
 namespace marrow {
 namespace {
@@ -199,13 +200,14 @@ inline void store_lanes(const Tables& t, const f32x4 (&value)[N], std::uint32_t 
 
 // The quaternion of modified Rodrigues parameters m is (factor · m, factor - 1) with factor = 2 / (1 + m²).
 struct Rodrigues {
-  f32x4 x, y, z, factor;
+  Vector<f32x4> m;
+  f32x4 factor;
 };
 
 inline Rodrigues rodrigues(const Tables& t, const f32x4 (&n)[3], const Unpacked& four) {
-  const f32x4 x = (n[0] + four.least[0]) * four.step, y = (n[1] + four.least[1]) * four.step,
-              z = (n[2] + four.least[2]) * four.step;
-  return {x, y, z, load_aligned(t.two) / (dot3(x, y, z, x, y, z) + load_aligned(t.one))};
+  const Vector<f32x4> m = {(n[0] + four.least[0]) * four.step, (n[1] + four.least[1]) * four.step,
+                           (n[2] + four.least[2]) * four.step};
+  return {m, load_aligned(t.two) / (dot(m, m) + load_aligned(t.one))};
 }
 
 // The blend of two frames, the same for every joint.
@@ -220,8 +222,8 @@ inline void rotate_rest(const Tables& t, const Unpacked& four, const Blend& blen
                         std::uint32_t lanes, float (&rotation)[4][4]) {
   const Rodrigues a = rodrigues(t, four.a, four), b = rodrigues(t, four.b, four);
   // The squared chord between the quaternions, without a difference of large numbers.
-  const f32x4 dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
-  const f32x4 chord_squared = dot3(dx, dy, dz, dx, dy, dz) * (a.factor * b.factor);
+  const Vector<f32x4> d = a.m - b.m;
+  const f32x4 chord_squared = dot(d, d) * (a.factor * b.factor);
   f32x4 wa, wb;
   if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
     // Beyond half a turn, -b is as good as b, and nearer.
@@ -234,12 +236,13 @@ inline void rotate_rest(const Tables& t, const Unpacked& four, const Blend& blen
     wb = slerp_weight(blend.b, chord_squared);
   }
   const f32x4 fa = wa * a.factor, fb = wb * b.factor;
-  const f32x4 x = fa * a.x + fb * b.x, y = fa * a.y + fb * b.y, z = fa * a.z + fb * b.z, w = (fa + fb) - (wa + wb);
+  const Vector<f32x4> v = a.m * fa + b.m * fb;
+  const f32x4 x = v.x, y = v.y, z = v.z, w = (fa + fb) - (wa + wb);
   const f32x4 rx = load_aligned(rest[0]), ry = load_aligned(rest[1]), rz = load_aligned(rest[2]),
               rw = load_aligned(rest[3]);
   store_lanes(t,
               {rw * x + rx * w + (ry * z - rz * y), rw * y + ry * w + (rz * x - rx * z),
-               rw * z + rz * w + (rx * y - ry * x), rw * w - dot3(rx, ry, rz, x, y, z)},
+               rw * z + rz * w + (rx * y - ry * x), rw * w - (rx * x + ry * y + rz * z)},
               lanes, rotation);
 }
 
@@ -285,7 +288,7 @@ inline void set_rotations(const Tables& t, i32x4 ab, i32x4 cd, std::uint32_t lan
   i32x4 v[4];
   widen(t, ab, cd, v);
   const f32x4 x = to_float(v[0]), y = to_float(v[1]), z = to_float(v[2]), w = to_float(v[3]);
-  const f32x4 inverse = load_aligned(t.one) / sqrt(dot3(x, y, z, x, y, z) + w * w);
+  const f32x4 inverse = load_aligned(t.one) / sqrt(x * x + y * y + z * z + w * w);
   store_lanes(t, {x * inverse, y * inverse, z * inverse, w * inverse}, lanes, rotation);
 }
 

@@ -20,10 +20,11 @@ struct Offset {
 };
 
 // A turn has two quaternions: the one with w ≥ 0, or, if `like` is given, the one in its hemisphere.
-Offset difference(const SoaTransform& from, const SoaTransform& to, const Quaternions* like, Quaternions& turn) {
-  const Quaternions either = load_rotations(from) * conjugate(load_rotations(to));
+Offset difference(const SoaTransform& from, const SoaTransform& to, const Quaternion<f32x4>* like,
+                  Quaternion<f32x4>& turn) {
+  const Quaternion<f32x4> either = load_rotations(from.rotation) * conjugate(load_rotations(to.rotation));
   turn = normalised(flip(either, like != nullptr ? dot(either, *like) : either.w));
-  const Vectors v = log_rotation(turn);
+  const Vector<f32x4> v = log_rotation(turn);
   Offset out;
   for (int i = 0; i < 3; ++i) {
     out.at[i] = load_aligned(from.translation[i]) - load_aligned(to.translation[i]);
@@ -99,7 +100,7 @@ Status begin_inertia(const Skeleton& skeleton, const InertialStart& start, float
   MARROW_REQUIRE(above_zero(duration_s));
   const f32x4 frame = splat(start.frame_s), slowest = splat(1.0f / duration_s);
   for (std::size_t g = 0; g < groups; ++g) {
-    Quaternions turn;
+    Quaternion<f32x4> turn;
     const Offset now = difference(start.now[g], start.target[g], nullptr, turn);
     const Offset before = difference(start.before[g], (moving ? start.target_was : start.target)[g], &turn, turn);
     for (int i = 0; i < 9; ++i) {
@@ -126,8 +127,8 @@ Status apply_inertia(const Skeleton& skeleton, const Inertia& inertia, float tim
       store(p.translation[i], load_aligned(p.translation[i]) + offset[i]);
       store(p.scale[i], load_aligned(p.scale[i]) + offset[6 + i]);
     }
-    const Quaternions turn = exp_rotation({offset[3], offset[4], offset[5]});
-    store_rotations(p, normalised(turn * load_rotations(p)));
+    const Quaternion<f32x4> turn = exp_rotation(vector_of(offset[3], offset[4], offset[5]));
+    store_rotations(p.rotation, normalised(turn * load_rotations(p.rotation)));
   }
   return Status::ok;
 }

@@ -9,10 +9,18 @@ inline f32x4 dot4(const Factors& row, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
   return (times<0>(x, row) + times<1>(y, row)) + (times<2>(z, row) + times<3>(w, row));
 }
 
-inline void add_direction(BlockRow& row, f32x4 w, const Factors& m) {
-  row.x = row.x + times<0>(w, m);
-  row.y = row.y + times<1>(w, m);
-  row.z = row.z + times<2>(w, m);
+inline void add_direction(FourRows& row, f32x4 w, const Factors& m) {
+  Vector<f32x4>& v = row.linear;
+  v = {v.x + times<0>(w, m), v.y + times<1>(w, m), v.z + times<2>(w, m)};
+}
+// Not aligned: coordinates may lie anywhere.
+inline Vector<f32x4> load_anywhere(const float* v) {
+  return {load(v), load(v + 4), load(v + 8)};
+}
+// to += (M_j - M_last) q
+inline void add_turned(const Factors (&m)[3], const float* q, Vector<f32x4>& to) {
+  const f32x4 x = load(q), y = load(q + 4), z = load(q + 8), w = load(q + 12);
+  to = {to.x + dot4(m[0], x, y, z, w), to.y + dot4(m[1], x, y, z, w), to.z + dot4(m[2], x, y, z, w)};
 }
 
 struct AnimationSpace {
@@ -40,24 +48,19 @@ struct AnimationSpace {
     Cursor at = cursor;
     for (; blocks > 0; --blocks) {
       Blend m = joints.last;
-      const f32x4 sx = load(at.stream), sy = load(at.stream + 4), sz = load(at.stream + 8);
-      f32x4 px = dot3(m.a.x, m.a.y, m.a.z, sx, sy, sz) + m.a.t;
-      f32x4 py = dot3(m.b.x, m.b.y, m.b.z, sx, sy, sz) + m.b.t;
-      f32x4 pz = dot3(m.c.x, m.c.y, m.c.z, sx, sy, sz) + m.c.t;
+      Vector<f32x4> p = transform(m, load_anywhere(at.stream));
       at.stream += 12;
       for (std::uint32_t j = 0; j + 1 < k; ++j, at.stream += 16) {
-        const f32x4 x = load(at.stream), y = load(at.stream + 4), z = load(at.stream + 8), w = load(at.stream + 12);
         const Factors(&other)[3] = joints.others[j];
-        px = px + dot4(other[0], x, y, z, w);
-        py = py + dot4(other[1], x, y, z, w);
-        pz = pz + dot4(other[2], x, y, z, w);
+        add_turned(other, at.stream, p);
         if constexpr (D != Directions::none) {
+          const f32x4 w = load(at.stream + 12);
           add_direction(m.a, w, other[0]);
           add_direction(m.b, w, other[1]);
           add_direction(m.c, w, other[2]);
         }
       }
-      store_xyz(at.out_positions, px, py, pz);
+      store_xyz(at.out_positions, p);
       at.out_positions += 12;
       write_directions<D>(m, mirror, at);
     }
@@ -79,30 +82,14 @@ class WithTangents {
   }
 
  private:
-  struct Vectors {
-    f32x4 x, y, z;
-  };
-
-  static Vectors first(const Blend& m, const float* v) {
-    const f32x4 x = load(v), y = load(v + 4), z = load(v + 8);
-    return {dot3(m.a.x, m.a.y, m.a.z, x, y, z), dot3(m.b.x, m.b.y, m.b.z, x, y, z), dot3(m.c.x, m.c.y, m.c.z, x, y, z)};
-  }
-
-  static void add(const Factors (&m)[3], const float* v, Vectors& to) {
-    const f32x4 x = load(v), y = load(v + 4), z = load(v + 8), w = load(v + 12);
-    to = {to.x + dot4(m[0], x, y, z, w), to.y + dot4(m[1], x, y, z, w), to.z + dot4(m[2], x, y, z, w)};
-  }
-
   template <bool Tangents>
-  static void write(const Vectors& t0, const Vectors& t1, f32x4 mirror, Cursor& at) {
-    const f32x4 x = t0.y * t1.z - t0.z * t1.y, y = t0.z * t1.x - t0.x * t1.z, z = t0.x * t1.y - t0.y * t1.x;
-    const f32x4 scale = flip(inverse_length(dot3(x, y, z, x, y, z)), mirror);
-    store_xyz(at.out_normals, x * scale, y * scale, z * scale);
+  static void write(const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
+    const Vector<f32x4> n = cross(t0, t1);
+    store_xyz(at.out_normals, n * flip(inverse_length(dot(n, n)), mirror));
     at.out_normals += 12;
     if constexpr (Tangents) {
-      const f32x4 shorten = inverse_length(dot3(t0.x, t0.y, t0.z, t0.x, t0.y, t0.z));
-      store_xyzw(at.out_tangents, t0.x * shorten, t0.y * shorten, t0.z * shorten,
-                 flip(load_aligned(at.tangents + 12), mirror));
+      const Vector<f32x4> t = normalised(t0);
+      store_xyzw(at.out_tangents, t.x, t.y, t.z, flip(load_aligned(at.tangents + 12), mirror));
       at.tangents += 16;
       at.out_tangents += 16;
     }
@@ -115,16 +102,16 @@ class WithTangents {
     const f32x4 mirror = determinant(joints.last);
     Cursor at = cursor;
     for (; blocks > 0; --blocks) {
-      Vectors p = first(joints.last, at.stream), t0 = first(joints.last, tau), t1 = first(joints.last, tau + 12);
-      p = {p.x + joints.last.a.t, p.y + joints.last.b.t, p.z + joints.last.c.t};
+      Vector<f32x4> p = transform(joints.last, load_anywhere(at.stream));
+      Vector<f32x4> t0 = turn(joints.last, load_anywhere(tau)), t1 = turn(joints.last, load_anywhere(tau + 12));
       at.stream += 12;
       tau += 24;
       for (std::uint32_t j = 0; j + 1 < influences; ++j, at.stream += 16, tau += 32) {
-        add(joints.others[j], at.stream, p);
-        add(joints.others[j], tau, t0);
-        add(joints.others[j], tau + 16, t1);
+        add_turned(joints.others[j], at.stream, p);
+        add_turned(joints.others[j], tau, t0);
+        add_turned(joints.others[j], tau + 16, t1);
       }
-      store_xyz(at.out_positions, p.x, p.y, p.z);
+      store_xyz(at.out_positions, p);
       at.out_positions += 12;
       write<Tangents>(t0, t1, mirror, at);
     }

@@ -1,7 +1,6 @@
 // Tangents of a surface as animation-space vectors.
-#include <cmath>
-
 #include "core/check.h"
+#include "math/linear.h"
 #include "skin/as_surface.h"
 
 namespace marrow {
@@ -14,44 +13,17 @@ constexpr std::uint32_t kMostCopies = 256;
 // Triangles that cancel out but for this share of their areas have no normal.
 constexpr float kFlat = 1e-3f;
 
-struct Vec3 {
-  float x, y, z;
-};
-
-Vec3 operator+(Vec3 a, Vec3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vec3 operator-(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vec3 operator*(Vec3 a, float s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-float dot(Vec3 a, Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-float length(Vec3 a) {
-  return std::sqrt(dot(a, a));
-}
-Vec3 unit_or_zero(Vec3 a) {
-  const float l = length(a);
-  return l > 0 ? a * (1 / l) : Vec3{0, 0, 0};
-}
-
-Vec3 direction(const float* stream, std::uint32_t stride, std::uint32_t slot) {
+Vector3 direction(const float* stream, std::uint32_t stride, std::uint32_t slot) {
   return {AsSurface::lane(stream, stride, slot, 0), AsSurface::lane(stream, stride, slot, 1),
           AsSurface::lane(stream, stride, slot, 2)};
 }
 
 // Calls visit(k, l) with the slots of each triangle (v, k, l) round the vertex at `slot`, this side of creases.
 template <class Visit>
-void for_each_triangle(const AsSurface& surface, std::uint32_t slot, Vec3 normal, const Visit& visit) {
+void for_each_triangle(const AsSurface& surface, std::uint32_t slot, Vector3 normal, const Visit& visit) {
   std::uint32_t copy = slot;
   for (std::uint32_t i = 0; i < kMostCopies; ++i) {
-    const Vec3 other = direction(surface.geometry(copy).normals, 3, surface.local(copy));
+    const Vector3 other = direction(surface.geometry(copy).normals, 3, surface.local(copy));
     for (std::uint32_t corner = dot(normal, other) > kSmooth || copy == slot ? surface.first_corner(copy) : kNoNumber;
          corner != kNoNumber; corner = surface.next_corner(corner)) {
       std::uint32_t opposite[2];
@@ -66,27 +38,19 @@ void for_each_triangle(const AsSurface& surface, std::uint32_t slot, Vec3 normal
 // Two perpendicular unit vectors with first × second the normal; the first along the texture's tangent, if there is
 // one.
 struct Frame {
-  Vec3 normal, axis[2];
+  Vector3 normal, axis[2];
 };
 
 Frame frame_of(const Geometry& g, std::uint32_t slot) {
-  Frame f;
-  f.normal = direction(g.normals, 3, slot);
-  Vec3 along{0, 0, 0};
-  if (g.tangents != nullptr) {
-    const Vec3 t = direction(g.tangents, 4, slot);
-    along = t - f.normal * dot(f.normal, t);
-  }
-  if (!(length(along) > 1e-3f)) {
-    const Vec3 n = f.normal;
-    const float x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
-    along = cross(n, x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
-  }
-  f.axis[0] = unit_or_zero(along);
-  f.axis[1] = cross(f.normal, f.axis[0]);
-  return f;
+  const Vector3 normal = direction(g.normals, 3, slot);
+  const Vector3 tangent = g.tangents != nullptr ? direction(g.tangents, 4, slot) : Vector3{};
+  const Linear<float> axes = right_angles(normal, tangent, [&normal](const Vector3& along) {
+    const Vector3 some = length(along) > 1e-3f ? along : across_least_axis(normal);
+    const float l = length(some);
+    return l > 0 ? some * (1 / l) : Vector3{};
+  });
+  return {axes.x, {axes.y, axes.z}};
 }
-
 // τ_aj of both tangents.
 using Tangents = float[2][kMaxInfluences][4];
 
@@ -105,20 +69,20 @@ class Derivation {
     for (auto& tangent : out)
       for (auto& tau : tangent)
         for (float& c : tau) c = 0;
-    const Vec3 v = position_of(slot_);
-    Vec3 normal{0, 0, 0};
+    const Vector3 v = position_of(slot_);
+    Vector3 normal;
     float areas = 0;
     for_each_triangle(surface_, slot_, frame.normal, [&](std::uint32_t k, std::uint32_t l) {
-      const Vec3 doubled = cross(position_of(k) - v, position_of(l) - v);
+      const Vector3 doubled = cross(position_of(k) - v, position_of(l) - v);
       normal = normal + doubled;
       areas += length(doubled);
     });
-    Vec3 lacks[2] = {frame.axis[0], frame.axis[1]};
+    Vector3 lacks[2] = {frame.axis[0], frame.axis[1]};
     const float area = length(normal);
     if (area > kFlat * areas) {
-      const Vec3 across[2] = {cross(normal * (1 / area), frame.axis[0]), cross(normal * (1 / area), frame.axis[1])};
+      const Vector3 across[2] = {cross(normal * (1 / area), frame.axis[0]), cross(normal * (1 / area), frame.axis[1])};
       for_each_triangle(surface_, slot_, frame.normal, [&](std::uint32_t k, std::uint32_t l) {
-        const Vec3 to_k = position_of(k) - v, to_l = position_of(l) - v;
+        const Vector3 to_k = position_of(k) - v, to_l = position_of(l) - v;
         const float of_k[2] = {dot(to_l, across[0]) / area, dot(to_l, across[1]) / area};
         const float of_l[2] = {-dot(to_k, across[0]) / area, -dot(to_k, across[1]) / area};
         for (int a = 0; a < 2; ++a) lacks[a] = lacks[a] - to_k * of_k[a] - to_l * of_l[a];
@@ -130,7 +94,7 @@ class Derivation {
   }
 
  private:
-  Vec3 position_of(std::uint32_t slot) const {
+  Vector3 position_of(std::uint32_t slot) const {
     const float* p = surface_.position(slot);
     return {p[0], p[4], p[8]};
   }
@@ -163,7 +127,7 @@ class Derivation {
   }
 
   // A direction through the blended matrix.
-  void add_blend(Vec3 direction, float (&tau)[kMaxInfluences][4]) const {
+  void add_blend(Vector3 direction, float (&tau)[kMaxInfluences][4]) const {
     for (std::uint32_t j = 0; j < vertex_.influences; ++j) {
       tau[j][0] += vertex_.q[j][3] * direction.x;
       tau[j][1] += vertex_.q[j][3] * direction.y;

@@ -5,23 +5,19 @@
 
 #include "core/check.h"
 #include "marrow/skin.h"
-#include "math/f32x4.h"
+#include "math/affine.h"
 
 namespace marrow {
 
-// One row of four vertices' matrices, one lane a vertex.
-struct BlockRow {
-  f32x4 x, y, z, t;
-};
+// Four vertices' blended matrices, one lane a vertex.
+using Blend = FourAffines;
 
-// Four vertices' blended matrices.
-struct Blend {
-  BlockRow a, b, c;
-};
-
-// Four vertices' positions, normals or tangents: x[4] y[4] z[4], 16-byte aligned, through the 3×3 part of a row.
-inline f32x4 dot3(const BlockRow& row, const float* v) {
-  return row.x * load_aligned(v) + row.y * load_aligned(v + 4) + row.z * load_aligned(v + 8);
+// Four vertices' positions, normals or tangents: x[4] y[4] z[4], 16-byte aligned.
+inline Vector<f32x4> load_block(const float* v) {
+  return {load_aligned(v), load_aligned(v + 4), load_aligned(v + 8)};
+}
+inline void store_xyz(float* to, const Vector<f32x4>& v) {
+  store_xyz(to, v.x, v.y, v.z);
 }
 
 // Whether kernels are also made for fixed numbers of influences, whose loops unroll: not where code is to be small.
@@ -51,31 +47,19 @@ struct Cursor {
   float* out_tangents;
 };
 
-inline f32x4 determinant(const Blend& m) {
-  return dot3(m.a.x, m.a.y, m.a.z, m.b.y * m.c.z - m.b.z * m.c.y, m.b.z * m.c.x - m.b.x * m.c.z,
-              m.b.x * m.c.y - m.b.y * m.c.x);
-}
-
 // Inverse transpose up to a positive factor: the cofactors, turned round where the blend mirrors. Normalised. Returns
 // the determinant.
 inline f32x4 write_exact_normals(const Blend& m, const float* normals, float* out) {
-  const f32x4 x = load_aligned(normals), y = load_aligned(normals + 4), z = load_aligned(normals + 8);
-  const BlockRow &a = m.a, &b = m.b, &c = m.c;
-  const f32x4 ax = b.y * c.z - b.z * c.y, ay = b.z * c.x - b.x * c.z, az = b.x * c.y - b.y * c.x;
-  const f32x4 nx = dot3(ax, ay, az, x, y, z), det = dot3(a.x, a.y, a.z, ax, ay, az);
-  const f32x4 bx = c.y * a.z - c.z * a.y, by = c.z * a.x - c.x * a.z, bz = c.x * a.y - c.y * a.x;
-  const f32x4 ny = dot3(bx, by, bz, x, y, z);
-  const f32x4 cx = a.y * b.z - a.z * b.y, cy = a.z * b.x - a.x * b.z, cz = a.x * b.y - a.y * b.x;
-  const f32x4 nz = dot3(cx, cy, cz, x, y, z);
-  const f32x4 scale = flip(inverse_length(dot3(nx, ny, nz, nx, ny, nz)), det);
-  store_xyz(out, nx * scale, ny * scale, nz * scale);
+  const Linear<f32x4> cofactor = cofactors(linear_rows(m));
+  const Vector<f32x4> n = transposed_times(cofactor, load_block(normals));
+  const f32x4 det = dot(m.a.linear, cofactor.x);
+  store_xyz(out, n * flip(inverse_length(dot(n, n)), det));
   return det;
 }
 
 inline void write_exact_tangents(const Blend& m, f32x4 det, const float* tangents, float* out) {
-  const f32x4 x = dot3(m.a, tangents), y = dot3(m.b, tangents), z = dot3(m.c, tangents);
-  const f32x4 scale = inverse_length(dot3(x, y, z, x, y, z));
-  store_xyzw(out, x * scale, y * scale, z * scale, flip(load_aligned(tangents + 12), det));
+  const Vector<f32x4> t = normalised(turn(m, load_block(tangents)));
+  store_xyzw(out, t.x, t.y, t.z, flip(load_aligned(tangents + 12), det));
 }
 
 // mirror: negative where the handedness turns; of blended tangents only.
@@ -86,7 +70,7 @@ inline void write_directions(const Blend& m, f32x4 mirror, Cursor& at) {
   if constexpr (is_exact(D)) {
     det = write_exact_normals(m, at.normals, at.out_normals);
   } else {
-    store_xyz(at.out_normals, dot3(m.a, at.normals), dot3(m.b, at.normals), dot3(m.c, at.normals));
+    store_xyz(at.out_normals, turn(m, load_block(at.normals)));
   }
   at.normals += 12;
   at.out_normals += 12;
@@ -94,8 +78,8 @@ inline void write_directions(const Blend& m, f32x4 mirror, Cursor& at) {
     if constexpr (is_exact(D)) {
       write_exact_tangents(m, det, at.tangents, at.out_tangents);
     } else {
-      store_xyzw(at.out_tangents, dot3(m.a, at.tangents), dot3(m.b, at.tangents), dot3(m.c, at.tangents),
-                 flip(load_aligned(at.tangents + 12), det));
+      const Vector<f32x4> t = turn(m, load_block(at.tangents));
+      store_xyzw(at.out_tangents, t.x, t.y, t.z, flip(load_aligned(at.tangents + 12), det));
     }
     at.tangents += 16;
     at.out_tangents += 16;

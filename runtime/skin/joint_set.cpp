@@ -1,13 +1,6 @@
 #include "skin/joint_set.h"
 
 namespace marrow {
-namespace {
-
-BlockRow splat_row(f32x4 row) {
-  return {splat_lane<0>(row), splat_lane<1>(row), splat_lane<2>(row), splat_lane<3>(row)};
-}
-
-}  // namespace
 
 void load_joint_set(const std::uint16_t* set, std::uint32_t influences, const Affine* palette, JointSet& out) {
   const Affine& last = palette[set[influences - 1]];

@@ -15,8 +15,9 @@ struct JointSet {
 
 void load_joint_set(const std::uint16_t* set, std::uint32_t influences, const Affine* palette, JointSet& out);
 
-inline BlockRow add_scaled(const BlockRow& row, f32x4 w, const Factors& m) {
-  return {row.x + times<0>(w, m), row.y + times<1>(w, m), row.z + times<2>(w, m), row.t + times<3>(w, m)};
+inline FourRows add_scaled(const FourRows& row, f32x4 w, const Factors& m) {
+  const Vector<f32x4>& v = row.linear;
+  return {{v.x + times<0>(w, m), v.y + times<1>(w, m), v.z + times<2>(w, m)}, row.origin + times<3>(w, m)};
 }
 
 inline Blend add_scaled(const Blend& blend, f32x4 w, const Factors (&m)[3]) {

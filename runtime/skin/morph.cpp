@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "marrow/skin.h"
+#include "math/vector.h"
 #include "skin/as_block.h"
 
 namespace marrow {
@@ -67,11 +68,10 @@ void add_record(const std::int16_t* record, f32x4 scale, float* to) {
 }
 
 void normalise_block(float* v) {
-  const f32x4 x = load_aligned(v), y = load_aligned(v + 4), z = load_aligned(v + 8);
-  const f32x4 scale = inverse_length(dot3(x, y, z, x, y, z));
-  store(v, x * scale);
-  store(v + 4, y * scale);
-  store(v + 8, z * scale);
+  const Vector<f32x4> unit = normalised(Vector<f32x4>{load_aligned(v), load_aligned(v + 4), load_aligned(v + 8)});
+  store(v, unit.x);
+  store(v + 4, unit.y);
+  store(v + 8, unit.z);
 }
 
 void undo(MorphedGeometry& m, const Streams& to) {

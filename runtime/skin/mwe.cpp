@@ -1,25 +1,22 @@
 // Multi-weight enveloping, four vertices at a time.
+#include "math/rotation.h"
 #include "skin/joint_set.h"
-#include "skin/rotation.h"
 
 namespace marrow {
 namespace {
 
 // A row of the blend and one influence more, element by element.
-inline BlockRow add_weighted(const BlockRow& row, f32x4 w, const float* residual, const Factors& m) {
-  return {row.x + times<0>(w + load_aligned(residual), m), row.y + times<1>(w + load_aligned(residual + 4), m),
-          row.z + times<2>(w + load_aligned(residual + 8), m), row.t + times<3>(w + load_aligned(residual + 12), m)};
-}
-
-// A row of the root's frame times a column of the blend.
-inline f32x4 turned(const f32x4 (&row)[3], f32x4 a, f32x4 b, f32x4 c) {
-  return dot3(row[0], row[1], row[2], a, b, c);
+inline FourRows add_weighted(const FourRows& row, f32x4 w, const float* residual, const Factors& m) {
+  const Vector<f32x4>& v = row.linear;
+  return {{v.x + times<0>(w + load_aligned(residual), m), v.y + times<1>(w + load_aligned(residual + 4), m),
+           v.z + times<2>(w + load_aligned(residual + 8), m)},
+          row.origin + times<3>(w + load_aligned(residual + 12), m)};
 }
 
 class MultiWeight {
  public:
   MultiWeight(const float* residual, const Affine& root)
-      : residual_(residual), rotation_(rotations_of({&root, &root, &root, &root})) {
+      : residual_(residual), rotation_(rotations_of(root, root, root, root)) {
     for (int row = 0; row < 3; ++row) origin_[row] = load_aligned(root.rows[row]);
   }
 
@@ -31,7 +28,7 @@ class MultiWeight {
     for (; blocks > 0; --blocks) {
       const float* const weights = at.stream + 12;
       const f32x4 zero = splat(0.0f);
-      const BlockRow nothing = {zero, zero, zero, zero};
+      const FourRows nothing = {{zero, zero, zero}, zero};
       Blend m = {nothing, nothing, nothing};
       f32x4 rest = splat(1.0f);
       for (std::uint32_t j = 0; j < influences; ++j, residual_ += 48) {
@@ -46,7 +43,7 @@ class MultiWeight {
       write_positions(m, at);
       at.stream += 4 * (influences + 2);
       if constexpr (D != Directions::none) {
-        const Blend out = {turned_row(m, 0), turned_row(m, 1), turned_row(m, 2)};
+        const Blend out = in_palette(m);
         write_directions<D>(out, D == Directions::blended_tangents ? determinant(out) : zero, at);
       }
     }
@@ -55,29 +52,31 @@ class MultiWeight {
  private:
   // A joint's matrix as the root sees it.
   void load_inside(const Affine& m, Factors (&out)[3]) const {
-    f32x4 rows[3];
-    for (int i = 0; i < 3; ++i) rows[i] = load_aligned(m.rows[i]) - only_w(origin_[i]);
-    const f32x4(&r)[3][3] = rotation_.m;
-    for (int i = 0; i < 3; ++i) out[i] = factors(turned({r[0][i], r[1][i], r[2][i]}, rows[0], rows[1], rows[2]));
+    const auto row = [&](int i) { return load_aligned(m.rows[i]) - only_w(origin_[i]); };
+    const Vector<f32x4> seen = transposed_times(rotation_, Vector<f32x4>{row(0), row(1), row(2)});
+    out[0] = factors(seen.x);
+    out[1] = factors(seen.y);
+    out[2] = factors(seen.z);
   }
 
   void write_positions(const Blend& m, Cursor& at) const {
-    const f32x4 x = dot3(m.a, at.stream) + m.a.t, y = dot3(m.b, at.stream) + m.b.t, z = dot3(m.c, at.stream) + m.c.t;
-    const f32x4(&r)[3][3] = rotation_.m;
-    store_xyz(at.out_positions, turned(r[0], x, y, z) + splat_lane<3>(origin_[0]),
-              turned(r[1], x, y, z) + splat_lane<3>(origin_[1]), turned(r[2], x, y, z) + splat_lane<3>(origin_[2]));
+    const Vector<f32x4> origin = {splat_lane<3>(origin_[0]), splat_lane<3>(origin_[1]), splat_lane<3>(origin_[2])};
+    store_xyz(at.out_positions, rotation_ * transform(m, load_block(at.stream)) + origin);
     at.out_positions += 12;
   }
 
   // The 3×3 part of the blend, in the palette's space.
-  BlockRow turned_row(const Blend& m, int row) const {
-    const f32x4(&r)[3] = rotation_.m[row];
-    return {turned(r, m.a.x, m.b.x, m.c.x), turned(r, m.a.y, m.b.y, m.c.y), turned(r, m.a.z, m.b.z, m.c.z),
-            splat(0.0f)};
+  Blend in_palette(const Blend& m) const {
+    const Linear<f32x4> rows = linear_rows(m);
+    const Vector<f32x4> x = rotation_ * Vector<f32x4>{rows.x.x, rows.y.x, rows.z.x},
+                        y = rotation_ * Vector<f32x4>{rows.x.y, rows.y.y, rows.z.y},
+                        z = rotation_ * Vector<f32x4>{rows.x.z, rows.y.z, rows.z.z};
+    const f32x4 zero = splat(0.0f);
+    return {{{x.x, y.x, z.x}, zero}, {{x.y, y.y, z.y}, zero}, {{x.z, y.z, z.z}, zero}};
   }
 
   const float* residual_;
-  FourRotations rotation_;  // the same in all lanes
+  Linear<f32x4> rotation_;  // the same in all lanes
   f32x4 origin_[3];         // rows of the root's matrix
 };
 

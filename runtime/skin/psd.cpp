@@ -22,9 +22,10 @@ class Examples {
   bool moves(std::size_t k, std::uint32_t block) const { return block_[k] == block; }
 
   // The next record of an example that moves the block, times phi.
-  void add(std::size_t k, f32x4 phi, f32x4 (&delta)[3]) {
+  void add(std::size_t k, f32x4 phi, Vector<f32x4>& delta) {
     const f32x4 scale = phi * splat(space_.examples[k].position_step);
-    for (int i = 0; i < 3; ++i) delta[i] = delta[i] + load_int16(record_[k] + 4 * i) * scale;
+    const std::int16_t* const r = record_[k];
+    delta = delta + Vector<f32x4>{load_int16(r), load_int16(r + 4), load_int16(r + 8)} * scale;
     record_[k] += 12;
     ++next_[k];
     find_block(k);
@@ -79,14 +80,12 @@ class PoseSpaceSkin {
     const f32x4 mirror = has_tangents(D) ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks, ++block_) {
       const float* const weights = at.stream + 12;
-      f32x4 v[3] = {load_aligned(at.stream), load_aligned(at.stream + 4), load_aligned(at.stream + 8)};
+      Vector<f32x4> v = load_block(at.stream);
       add_deltas(weights, influences, v);
       Blend m = joints.last;
       for (std::uint32_t j = 0; j + 1 < influences; ++j)
         m = add_scaled(m, load_aligned(weights + 4 * j), joints.others[j]);
-      store_xyz(at.out_positions, dot3(m.a.x, m.a.y, m.a.z, v[0], v[1], v[2]) + m.a.t,
-                dot3(m.b.x, m.b.y, m.b.z, v[0], v[1], v[2]) + m.b.t,
-                dot3(m.c.x, m.c.y, m.c.z, v[0], v[1], v[2]) + m.c.t);
+      store_xyz(at.out_positions, transform(m, v));
       at.stream += 4 * (influences + 2);
       at.out_positions += 12;
       write_directions<D>(m, mirror, at);
@@ -94,9 +93,8 @@ class PoseSpaceSkin {
   }
 
  private:
-  void add_deltas(const float* weights, std::uint32_t influences, f32x4 (&v)[3]) {
-    const f32x4 zero = splat(0.0f);
-    f32x4 delta[3] = {zero, zero, zero};
+  void add_deltas(const float* weights, std::uint32_t influences, Vector<f32x4>& v) {
+    Vector<f32x4> delta = splat(0.0f, 0.0f, 0.0f);
     bool moved = false;
     for (std::size_t k = 0; k < examples_.size(); ++k) {
       if (!examples_.moves(k, block_)) continue;
@@ -105,7 +103,7 @@ class PoseSpaceSkin {
     }
     if (!moved) return;
     const f32x4 lift = splat(1.0f) - from_[examples_.size()].phi(weights, influences);
-    for (int i = 0; i < 3; ++i) v[i] = v[i] + delta[i] * lift;
+    v = v + delta * lift;
   }
 
   Examples examples_;

@@ -1,7 +1,7 @@
 // How far a pose is from the examples of pose-space deformation, four palette entries at a time.
 #include "core/check.h"
 #include "marrow/skin.h"
-#include "skin/rotation.h"
+#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -11,29 +11,25 @@ namespace {
 struct RotationForm {
   f32x4 xx, yy, zz, ww, xy, xz, yz, wx, wy, wz;
 
-  explicit RotationForm(const f32x4 (&l)[3][3])
-      : xx(l[0][0] - l[1][1] - l[2][2]),
-        yy(l[1][1] - l[0][0] - l[2][2]),
-        zz(l[2][2] - l[0][0] - l[1][1]),
-        ww(l[0][0] + l[1][1] + l[2][2]),
-        xy(l[0][1] + l[1][0]),
-        xz(l[0][2] + l[2][0]),
-        yz(l[1][2] + l[2][1]),
-        wx(l[2][1] - l[1][2]),
-        wy(l[0][2] - l[2][0]),
-        wz(l[1][0] - l[0][1]) {}
-};
-
-struct FourQuaternions {
-  f32x4 x, y, z, w;
+  explicit RotationForm(const Linear<f32x4>& l)
+      : xx(l.x.x - l.y.y - l.z.z),
+        yy(l.y.y - l.x.x - l.z.z),
+        zz(l.z.z - l.x.x - l.y.y),
+        ww(l.x.x + l.y.y + l.z.z),
+        xy(l.y.x + l.x.y),
+        xz(l.z.x + l.x.z),
+        yz(l.z.y + l.y.z),
+        wx(l.y.z - l.z.y),
+        wy(l.z.x - l.x.z),
+        wz(l.x.y - l.y.x) {}
 };
 
 // sin² of half the angle between: (3 - tr(Lᵀ R)) / 4, at least 0 whatever rounding does. Of no rotation, 0.
-f32x4 distance(const RotationForm& l, const FourQuaternions& q) {
+f32x4 distance(const RotationForm& l, const Quaternion<f32x4>& q) {
   const f32x4 squares = l.xx * (q.x * q.x) + l.yy * (q.y * q.y) + l.zz * (q.z * q.z) + l.ww * (q.w * q.w);
   const f32x4 with_w = q.w * (l.wx * q.x + l.wy * q.y + l.wz * q.z);
   const f32x4 others = l.xy * (q.x * q.y) + l.xz * (q.x * q.z) + l.yz * (q.y * q.z);
-  const f32x4 length = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  const f32x4 length = dot(q, q);
   const f32x4 zero = splat(0.0f);
   const f32x4 d = splat(0.75f) - splat(0.25f) * (squares + splat(2.0f) * (with_w + others)) / length;
   return select(zero < d, d, zero);
@@ -55,9 +51,9 @@ struct FourEntries {
       parents[lane] = palette + (parent_of[j] == kNoParent ? j : parent_of[j]);
     }
   }
-  FourQuaternions rotations(const std::int16_t* of_example) const {
-    FourQuaternions q = {load_int16(of_example + 4 * entry[0]), load_int16(of_example + 4 * entry[1]),
-                         load_int16(of_example + 4 * entry[2]), load_int16(of_example + 4 * entry[3])};
+  Quaternion<f32x4> rotations(const std::int16_t* of_example) const {
+    Quaternion<f32x4> q = {load_int16(of_example + 4 * entry[0]), load_int16(of_example + 4 * entry[1]),
+                           load_int16(of_example + 4 * entry[2]), load_int16(of_example + 4 * entry[3])};
     transpose(q.x, q.y, q.z, q.w);
     return q;
   }
@@ -65,13 +61,8 @@ struct FourEntries {
 
 // Relative to the parents'.
 RotationForm local_rotations(const FourEntries& four) {
-  const FourRotations joint = rotations_of(four.joints), parent = rotations_of(four.parents);
-  f32x4 l[3][3];
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column)
-      l[row][column] = dot3(parent.m[0][row], parent.m[1][row], parent.m[2][row], joint.m[0][column],
-                            joint.m[1][column], joint.m[2][column]);
-  return RotationForm(l);
+  const auto rotations = [](const Affine* const(&m)[4]) { return rotations_of(*m[0], *m[1], *m[2], *m[3]); };
+  return RotationForm(transposed_times(rotations(four.parents), rotations(four.joints)));
 }
 
 }  // namespace
@@ -89,7 +80,7 @@ Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<
   if (examples == 0) return Status::ok;
   const f32x4 falloff = splat(-0.5f / (space.sigma * space.sigma));
   const f32x4 zero = splat(0.0f), one = splat(1.0f);
-  const FourQuaternions bind = {zero, zero, zero, one};
+  const Quaternion<f32x4> bind = {zero, zero, zero, one};
   for (std::size_t first = 0; first < joints; first += 4) {
     const FourEntries four(first, joints, space.parents, palette.data);
     const RotationForm now = local_rotations(four);

@@ -30,13 +30,6 @@ FourJoints largest(const std::uint16_t* set, std::uint32_t influences, const flo
   return joints;
 }
 
-BlockRow load_rows(const FourJoints& joints, int row) {
-  f32x4 x = load_aligned(joints.lane[0]->rows[row]), y = load_aligned(joints.lane[1]->rows[row]),
-        z = load_aligned(joints.lane[2]->rows[row]), t = load_aligned(joints.lane[3]->rows[row]);
-  transpose(x, y, z, t);
-  return {x, y, z, t};
-}
-
 struct Rigid {
   template <Directions D>
   static void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
@@ -50,7 +43,7 @@ struct Rigid {
     }
     for (; blocks > 0; --blocks) {
       const FourJoints joints = largest(set, influences, at.stream + 12, palette);
-      const Blend m = {load_rows(joints, 0), load_rows(joints, 1), load_rows(joints, 2)};
+      const Blend m = load_affines(*joints.lane[0], *joints.lane[1], *joints.lane[2], *joints.lane[3]);
       write_block<D>(m, D == Directions::blended_tangents ? determinant(m) : splat(1.0f), influences, at);
     }
     cursor = at;
@@ -58,8 +51,7 @@ struct Rigid {
 
   template <Directions D>
   static void write_block(const Blend& m, f32x4 mirror, std::uint32_t influences, Cursor& at) {
-    store_xyz(at.out_positions, dot3(m.a, at.stream) + m.a.t, dot3(m.b, at.stream) + m.b.t,
-              dot3(m.c, at.stream) + m.c.t);
+    store_xyz(at.out_positions, transform(m, load_block(at.stream)));
     at.stream += 4 * (influences + 2);
     at.out_positions += 12;
     write_directions<D>(m, mirror, at);

@@ -31,8 +31,7 @@ struct Ssd {
       Blend m = joints.last;
       if constexpr (Influences != 1) m = add_scaled(m, load_aligned(weights), joints.others[0]);
       for (std::uint32_t j = 1; j + 1 < k; ++j) m = add_scaled(m, load_aligned(weights + 4 * j), joints.others[j]);
-      store_xyz(at.out_positions, dot3(m.a, at.stream) + m.a.t, dot3(m.b, at.stream) + m.b.t,
-                dot3(m.c, at.stream) + m.c.t);
+      store_xyz(at.out_positions, transform(m, load_block(at.stream)));
       at.stream += 4 * (k + 2);
       at.out_positions += 12;
       write_directions<D>(m, mirror, at);

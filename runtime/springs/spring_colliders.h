@@ -1,7 +1,7 @@
 // Spheres and capsules that the ends of spring bones stay out of.
 #pragma once
 
-#include "math/rotation.h"
+#include "math/vector.h"
 
 namespace marrow {
 
@@ -25,8 +25,8 @@ inline Vector3 out_of_sphere(const Vector3& direction, float bone, const Vector3
   const Vector3 m = to_point * (1.0f / far);
   float cosine = (bone * bone + far * far - clear * clear) / (2.0f * bone * far);
   cosine = cosine > -1.0f ? (cosine < 1.0f ? cosine : 1.0f) : -1.0f;
-  const Vector3 side = normalised_or(direction - m * dot(direction, m), any_across(m));
-  return normalised_or(m * cosine + side * std::sqrt(1.0f - cosine * cosine), direction);
+  const Vector3 side = normalised_or(across(direction, m), any_across(m));
+  return normalised_or(m * cosine + side * sqrt(1.0f - cosine * cosine), direction);
 }
 
 // Both turned out of one collider; a velocity into it is lost. outwards: set where they touch.
@@ -45,7 +45,7 @@ inline void collide(const PlacedCollider& collider, const Vector3& joint, float 
   }
   if (!touches) return;
   outwards = normalised_or(direction * dot(to_point, direction) - to_point, {});
-  velocity = velocity - direction * dot(velocity, direction);
+  velocity = across(velocity, direction);
   const float speed = dot(velocity, outwards);
   if (speed < 0.0f) velocity = velocity - outwards * speed;
 }

@@ -3,7 +3,6 @@
 
 #include "math/elementary.h"
 #include "math/quaternion.h"
-#include "math/vectors.h"
 
 namespace marrow {
 
@@ -40,58 +39,42 @@ inline SpringStrengths spring_strengths(f32x4 damping, f32x4 field, float step_s
   return {decay, kick - kick * beta, h * s, kick + kick * beta / squared};
 }
 
-// `v`, no longer than `most`.
-inline FourVectors no_longer(const FourVectors& v, float most) {
-  const f32x4 squared = dot(v, v), limit = splat(most * most);
-  return v * select(limit < squared, splat(most) * inverse_length(squared), splat(1.0f));
-}
-
-// v turned by rotations of any length; as it is by those of none.
-inline FourVectors turned(const Quaternions& by, f32x4 two_over_squared, const FourVectors& v) {
-  const FourVectors axis = {by.x, by.y, by.z};
-  const FourVectors t = cross(axis, v);
-  return v + (t * by.w + cross(axis, t)) * two_over_squared;
-}
-inline f32x4 two_over_squared(const Quaternions& q) {
-  const f32x4 squared = dot(q, q), zero = splat(0.0f);
-  return select(zero < squared, splat(2.0f) / squared, zero);
-}
-
 // What pulls four bones in this frame, linear in time from its beginning (u = 0) to its end (1).
 struct SpringPull {
-  FourVectors animated, animated_change;  // the animated direction, up to its length
+  Vector<f32x4> animated, animated_change;  // the animated direction, up to its length
   f32x4 stiffness;
-  FourVectors dragged;              // 2 ζ ω dt'/dt
-  FourVectors field, field_change;  // gravity, inertia, wind
+  Vector<f32x4> dragged;              // 2 ζ ω dt'/dt
+  Vector<f32x4> field, field_change;  // gravity, inertia, wind
 };
 
 // The animated direction at a time; 0 where there is none.
-inline FourVectors animated_at(const SpringPull& pull, f32x4 u) {
-  const FourVectors a = pull.animated + pull.animated_change * u;
-  return a * inverse_length(dot(a, a));
+inline Vector<f32x4> animated_at(const SpringPull& pull, f32x4 u) {
+  const Vector<f32x4> a = pull.animated + pull.animated_change * u;
+  return normalised(a);
 }
 
 // The whole field, the bones above being bent as they are.
-inline FourVectors field_at(const SpringPull& pull, const FourVectors& animated, f32x4 u, const Quaternions& bent) {
-  const FourVectors spring = animated * pull.stiffness + pull.dragged;
-  return turned(bent, two_over_squared(bent), spring) + pull.field + pull.field_change * u;
+inline Vector<f32x4> field_at(const SpringPull& pull, const Vector<f32x4>& animated, f32x4 u,
+                              const Quaternion<f32x4>& bent) {
+  const Vector<f32x4> spring = animated * pull.stiffness + pull.dragged;
+  return rotate_by_any(bent, two_over_squared(bent), spring) + pull.field + pull.field_change * u;
 }
 
 struct SpringMotion {
-  FourVectors direction, velocity;
+  Vector<f32x4> direction, velocity;
 };
 
 // Along the great circle by the angle 2 atan(|Δ| / 2), which needs no root: off by |Δ|³ / 12.
 struct SpringWay {
-  FourVectors begin, end;  // Δ, as seen from both ends
-  f32x4 scale, half;       // to - from = scale (begin - half from) = scale (end + half to)
+  Vector<f32x4> begin, end;  // Δ, as seen from both ends
+  f32x4 scale, half;         // to - from = scale (begin - half from) = scale (end + half to)
 };
 inline SpringMotion drifted(const SpringMotion& m, f32x4 drift, SpringWay& way) {
-  const FourVectors delta = m.velocity * drift;
+  const Vector<f32x4> delta = m.velocity * drift;
   const f32x4 half = splat(0.5f) * dot(delta, delta), one = splat(1.0f);
   const f32x4 scale = one / (one + splat(0.5f) * half);
   // Halfway is d + Δ/2; what the velocity is at the end is parallel to what it was.
-  const FourVectors middle = m.direction + delta * splat(0.5f);
+  const Vector<f32x4> middle = m.direction + delta * splat(0.5f);
   const SpringMotion out = {m.direction + (delta - m.direction * half) * scale,
                             m.velocity - middle * (dot(m.velocity, delta) * scale)};
   way = {delta, out.velocity * drift, scale, half};
@@ -101,9 +84,9 @@ inline SpringMotion drifted(const SpringMotion& m, f32x4 drift, SpringWay& way) 
 // The field's part along the bone, and the rest, which moves it.
 struct SpringForce {
   f32x4 along;
-  FourVectors across;
+  Vector<f32x4> across;
 };
-inline SpringForce force_on(const FourVectors& field, const FourVectors& direction) {
+inline SpringForce force_on(const Vector<f32x4>& field, const Vector<f32x4>& direction) {
   const f32x4 along = dot(field, direction);
   return {along, field - direction * along};
 }
@@ -115,8 +98,8 @@ inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const 
 }
 
 // The same between any two directions: where a collider has cut the way short.
-inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const FourVectors& from,
-                        const FourVectors& to) {
+inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const Vector<f32x4>& from,
+                        const Vector<f32x4>& to) {
   return dot(begin.across + from * begin.along + end.across + to * end.along, to - from);
 }
 
@@ -125,13 +108,13 @@ inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const 
 struct NearestRotation {
   f32x4 columns[4][4];  // [lane][column]
 };
-inline void nearest_rotation(const FourVectors& from, const FourVectors& to, NearestRotation& out) {
+inline void nearest_rotation(const Vector<f32x4>& from, const Vector<f32x4>& to, NearestRotation& out) {
   const f32x4 half = splat(0.5f), zero = splat(0.0f);
-  const FourVectors t = to * half;
+  const Vector<f32x4> t = to * half;
   const f32x4 xx = t.x * from.x, yy = t.y * from.y, zz = t.z * from.z;
   const f32x4 one = select(zero < dot(from, from), splat(0.500001f), splat(1.0f));
   const f32x4 xy = t.x * from.y + t.y * from.x, xz = t.x * from.z + t.z * from.x, yz = t.y * from.z + t.z * from.y;
-  const FourVectors z = cross(from, t);
+  const Vector<f32x4> z = cross(from, t);
   const f32x4 columns[4][4] = {{one + (xx - yy - zz), xy, xz, z.x},
                                {xy, one + (yy - xx - zz), yz, z.y},
                                {xz, yz, one + (zz - xx - yy), z.z},
@@ -144,11 +127,11 @@ inline void nearest_rotation(const FourVectors& from, const FourVectors& to, Nea
 }
 
 // How the bones above each of four are bent; `above` is taken on from bone to bone, and begins anew with a chain.
-inline Quaternions bend(const NearestRotation& nearest, const bool (&begins)[4], f32x4& above) {
-  alignas(16) constexpr float kIdentity[4] = {0, 0, 0, 1};
+inline Quaternion<f32x4> bend(const NearestRotation& nearest, const bool (&begins)[4], f32x4& above) {
+  alignas(16) constexpr float kNoBend[4] = {0, 0, 0, 1};
   f32x4 rows[4];
   for (int lane = 0; lane < 4; ++lane) {
-    if (begins[lane]) above = load_aligned(kIdentity);
+    if (begins[lane]) above = load_aligned(kNoBend);
     rows[lane] = above;
     const f32x4(&c)[4] = nearest.columns[lane];
     above = (c[0] * splat_lane<0>(above) + c[1] * splat_lane<1>(above)) +
@@ -159,7 +142,7 @@ inline Quaternions bend(const NearestRotation& nearest, const bool (&begins)[4],
 }
 
 // Held down so that the kinetic energy grows by no more than the field's work.
-inline FourVectors no_faster(const FourVectors& velocity, const FourVectors& was, f32x4 twice_work) {
+inline Vector<f32x4> no_faster(const Vector<f32x4>& velocity, const Vector<f32x4>& was, f32x4 twice_work) {
   const f32x4 zero = splat(0.0f), one = splat(1.0f);
   f32x4 most = dot(was, was) + twice_work;
   most = select(zero < most, most, zero);

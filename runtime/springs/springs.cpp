@@ -1,8 +1,9 @@
 #include "marrow/springs.h"
 
 #include "core/check.h"
-#include "math/axes.h"
 #include "math/finite.h"
+#include "math/joint.h"
+#include "math/rotation.h"
 #include "pose/joint_range.h"
 #include "springs/spring_colliders.h"
 #include "springs/spring_state.h"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr float kShortestBone_m = 1e-6f, kLongestBone_m = 1e9f;
 alignas(16) constexpr float kNone[4] = {0, 0, 0, 0};
-constexpr Affine kUnmoved = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
 // One call: what all bones share.
 struct SpringCall {
@@ -100,18 +100,18 @@ void place_colliders(SpringCall& call) {
 }
 
 Vector3 turned(const SpringRoot& root, const Vector3& v) {
-  return {dot(vector3(root.turn[0]), v), dot(vector3(root.turn[1]), v), dot(vector3(root.turn[2]), v)};
+  return transposed_times(Linear<float>{vector3(root.turn[0]), vector3(root.turn[1]), vector3(root.turn[2])}, v);
 }
 
 void find_turn(SpringRoot& root, const Affine& world, const Affine& parent) {
-  const RightAxes was = right_axes(root.world, root.parent), is = right_axes(world, parent);
-  for (int r = 0; r < 3; ++r) {
-    const auto row = [r](const Vector3& v) { return r == 0 ? v.x : r == 1 ? v.y : v.z; };
-    store(root.turn[r], was.axis[0] * row(is.axis[0]) + was.axis[1] * row(is.axis[1]) + was.axis[2] * row(is.axis[2]));
-  }
+  const Linear<float> was = right_axes(root.world, root.parent), is = right_axes(world, parent);
+  store(root.turn[0], was * Vector3{is.x.x, is.y.x, is.z.x});
+  store(root.turn[1], was * Vector3{is.x.y, is.y.y, is.z.y});
+  store(root.turn[2], was * Vector3{is.x.z, is.y.z, is.z.z});
 }
 
-Vector3 at_most(const Vector3& v, float most) {
+// Component by component.
+Vector3 held_within(const Vector3& v, float most) {
   const auto limit = [most](float x) { return x < -most ? -most : x < most ? x : most; };
   return {limit(v.x), limit(v.y), limit(v.z)};
 }
@@ -131,8 +131,8 @@ void follow(const SpringCall& call, const Vector3& position, SpringRoot& root) {
   }
   Vector3 first, last;
   if (root.moved == 0 && root.frames == 2) {
-    first = at_most((mean * 6.0f - begin * 4.0f - end * 2.0f) * (1.0f / dt), 1e7f);
-    last = at_most((mean * -6.0f + begin * 2.0f + end * 4.0f) * (1.0f / dt), 1e7f);
+    first = held_within((mean * 6.0f - begin * 4.0f - end * 2.0f) * (1.0f / dt), 1e7f);
+    last = held_within((mean * -6.0f + begin * 2.0f + end * 4.0f) * (1.0f / dt), 1e7f);
   }
   const Vector3 wind = vector3(call.frame.wind);
   store(root.acceleration[0], first);
@@ -168,7 +168,7 @@ void prepare_root(SpringCall& call, SpringRoot& root) {
 
 // Four bones of the animated pose, in the world.
 struct FourBones {
-  FourVectors animated;  // unit, or 0
+  Vector<f32x4> animated;  // unit, or 0
   f32x4 length, over_length;
   bool begins[4];  // a chain
   Vector3 first[4];
@@ -190,10 +190,7 @@ FourBones gather(const SpringCall& call, const SpringGroup& group, std::uint16_t
     }
     v[0][lane] = bone.x, v[1][lane] = bone.y, v[2][lane] = bone.z;
   }
-  const float(&w)[3][4] = call.frame.world_from_scene.rows;
-  const FourVectors scene = load_vectors(v);
-  const FourVectors bone = {dot(splat(w[0][0], w[0][1], w[0][2]), scene), dot(splat(w[1][0], w[1][1], w[1][2]), scene),
-                            dot(splat(w[2][0], w[2][1], w[2][2]), scene)};
+  const Vector<f32x4> bone = transposed_times(splat(linear_rows(call.frame.world_from_scene)), load_vectors(v));
   const f32x4 squared = dot(bone, bone), zero = splat(0.0f);
   const f32x4 shortest = splat(kShortestBone_m * kShortestBone_m), longest = splat(kLongestBone_m * kLongestBone_m);
   f32x4 over = select(squared < longest, inverse_length(squared), zero);
@@ -206,9 +203,9 @@ FourBones gather(const SpringCall& call, const SpringGroup& group, std::uint16_t
 
 // Lanes that have not begun, or whose bone had no length, stand as animated.
 void begin(const FourBones& bones, SpringGroup& group) {
-  const FourVectors d = load_vectors(group.direction);
+  const Vector<f32x4> d = load_vectors(group.direction);
   const f32x4 zero = splat(0.0f);
-  const FourVectors none = splat(0.0f, 0.0f, 0.0f);
+  const Vector<f32x4> none = splat(0.0f, 0.0f, 0.0f);
   const mask4 has_motion = splat(0.25f) < dot(d, d), has_length = zero < bones.over_length;
   store_vectors(group.direction, select(has_length, select(has_motion, d, bones.animated), none));
   store_vectors(group.velocity, select(has_length, select(has_motion, load_vectors(group.velocity), none), none));
@@ -232,7 +229,7 @@ void move_along(const SpringCall& call, const FourBones& bones, SpringGroup& gro
 }
 
 // One row of each lane's chain, turned into vectors.
-FourVectors of_roots(const SpringCall& call, const SpringGroup& group, const float* (*row)(const SpringRoot&)) {
+Vector<f32x4> of_roots(const SpringCall& call, const SpringGroup& group, const float* (*row)(const SpringRoot&)) {
   const SpringRoot* const roots = call.springs.roots;
   f32x4 a = load_aligned(row(roots[group.root[0]])), b = load_aligned(row(roots[group.root[1]])),
         c = load_aligned(row(roots[group.root[2]])), d = load_aligned(row(roots[group.root[3]]));
@@ -242,10 +239,10 @@ FourVectors of_roots(const SpringCall& call, const SpringGroup& group, const flo
 
 SpringPull pull_of(const SpringCall& call, const SpringGroup& group, const FourBones& bones) {
   const float(&g)[3] = call.frame.gravity;
-  const FourVectors was = load_vectors(group.animated);
-  const FourVectors weight = splat(g[0], g[1], g[2]) * load_aligned(group.gravity);
+  const Vector<f32x4> was = load_vectors(group.animated);
+  const Vector<f32x4> weight = splat(g[0], g[1], g[2]) * load_aligned(group.gravity);
   const f32x4 drag = load_aligned(group.drag);
-  const auto field = [&](const FourVectors& air, const FourVectors& acceleration) {
+  const auto field = [&](const Vector<f32x4>& air, const Vector<f32x4>& acceleration) {
     return no_longer((weight + air * drag - acceleration) * bones.over_length, kMostField);
   };
   SpringPull pull;
@@ -256,7 +253,7 @@ SpringPull pull_of(const SpringCall& call, const SpringGroup& group, const FourB
   pull.dragged = no_longer(pull.animated_change * rate, kMostField);
   pull.field = field(of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.air[0]; }),
                      of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.acceleration[0]; }));
-  const FourVectors last =
+  const Vector<f32x4> last =
       field(of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.air[1]; }),
             of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.acceleration[1]; }));
   pull.field_change = last - pull.field;
@@ -271,7 +268,7 @@ struct Descent {
 
 // outwards: across the direction, away from what it touches; 0 where it touches nothing.
 void collide_four(const SpringCall& call, const SpringGroup& group, const FourBones& bones, SpringMotion& m,
-                  Vector3& at, FourVectors& outwards) {
+                  Vector3& at, Vector<f32x4>& outwards) {
   alignas(16) float d[3][4], v[3][4], o[3][4] = {}, lengths[4];
   store_vectors(d, m.direction);
   store_vectors(v, m.velocity);
@@ -298,24 +295,23 @@ void collide_four(const SpringCall& call, const SpringGroup& group, const FourBo
 void step_four(const SpringCall& call, const FourBones& bones, SpringGroup& group, Descent* descents) {
   const SpringPull pull = pull_of(call, group, bones);
   SpringMotion m = {load_vectors(group.direction), load_vectors(group.velocity)};
-  Quaternions bent = {load_aligned(group.bent[0]), load_aligned(group.bent[1]), load_aligned(group.bent[2]),
-                      load_aligned(group.bent[3])};
-  const FourVectors field = field_at(pull, animated_at(pull, splat(0.0f)), splat(0.0f), bent);
+  Quaternion<f32x4> bent = load_rotations(group.bent);
+  const Vector<f32x4> field = field_at(pull, animated_at(pull, splat(0.0f)), splat(0.0f), bent);
   const SpringStrengths s =
       spring_strengths(load_aligned(group.damping) + load_aligned(group.drag), sqrt(dot(field, field)), call.step_s);
   SpringForce force = force_on(field, m.direction);
   const bool may_touch = !call.frame.colliders.empty();
   const f32x4 zero = splat(0.0f);
   for (int step = 0; step < call.steps; ++step) {
-    const FourVectors was = m.velocity, from = m.direction;
+    const Vector<f32x4> was = m.velocity, from = m.direction;
     m.velocity = was * s.decay + force.across * s.first_kick;
     SpringWay way;
     m = drifted(m, s.drift, way);
-    FourVectors outwards = splat(0.0f, 0.0f, 0.0f);
+    Vector<f32x4> outwards = splat(0.0f, 0.0f, 0.0f);
     if (may_touch) collide_four(call, group, bones, m, descents[step].joint, outwards);
     const f32x4 u =
         splat(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
-    const FourVectors animated = animated_at(pull, u);
+    const Vector<f32x4> animated = animated_at(pull, u);
     NearestRotation nearest;
     nearest_rotation(animated, m.direction, nearest);
     bent = bend(nearest, bones.begins, descents[step].bent);
@@ -326,14 +322,11 @@ void step_four(const SpringCall& call, const FourBones& bones, SpringGroup& grou
     m.velocity = no_faster(m.velocity, was, work);
     force = next;
   }
-  m.direction = m.direction * inverse_length(dot(m.direction, m.direction));
+  m.direction = normalised(m.direction);
   store_vectors(group.direction, m.direction);
-  store_vectors(group.velocity, m.velocity - m.direction * dot(m.velocity, m.direction));
+  store_vectors(group.velocity, across(m.velocity, m.direction));
   store_vectors(group.animated, bones.animated);
-  store(group.bent[0], bent.x);
-  store(group.bent[1], bent.y);
-  store(group.bent[2], bent.z);
-  store(group.bent[3], bent.w);
+  store_rotations(group.bent, bent);
 }
 
 // A direction in the world as the joints above four bones see it; transposed matrices will do, since lengths are
@@ -342,33 +335,21 @@ struct IntoParents {
   IntoParents(const SpringCall& call, const SpringGroup& group) {
     const Affine* parents[4];
     for (int lane = 0; lane < 4; ++lane)
-      parents[lane] = group.joint[lane] == kNoBone ? &kUnmoved : &above(call, group.joint[lane]);
-    for (int r = 0; r < 3; ++r) {
-      f32x4 a = load_aligned(parents[0]->rows[r]), b = load_aligned(parents[1]->rows[r]),
-            c = load_aligned(parents[2]->rows[r]), d = load_aligned(parents[3]->rows[r]);
-      transpose(a, b, c, d);
-      rows[r] = {a, b, c};
-    }
-    const float(&w)[3][4] = call.frame.world_from_scene.rows;
-    for (int c = 0; c < 3; ++c) world[c] = splat(w[0][c], w[1][c], w[2][c]);
+      parents[lane] = group.joint[lane] == kNoBone ? &kIdentity : &above(call, group.joint[lane]);
+    rows = linear_rows(load_affines(*parents[0], *parents[1], *parents[2], *parents[3]));
+    world = splat(linear(call.frame.world_from_scene));
   }
-  FourVectors operator()(const FourVectors& v) const {
-    const f32x4 x = dot(world[0], v), y = dot(world[1], v), z = dot(world[2], v);
-    const FourVectors p = rows[0] * x + rows[1] * y + rows[2] * z;
-    return p * inverse_length(dot(p, p));
-  }
+  Vector<f32x4> operator()(const Vector<f32x4>& v) const { return normalised(rows * transposed_times(world, v)); }
 
-  FourVectors rows[3];
-  FourVectors world[3];  // columns
+  Linear<f32x4> rows, world;
 };
 
 // From one unit direction to another, and of that the part `weight`.
-Quaternions part_of_arc(const FourVectors& from, const FourVectors& to, f32x4 weight) {
+Quaternion<f32x4> part_of_arc(const Vector<f32x4>& from, const Vector<f32x4>& to, f32x4 weight) {
   const f32x4 one = splat(1.0f);
-  const FourVectors axis = cross(from, to);
-  Quaternions q = {axis.x, axis.y, axis.z, one + dot(from, to)};
+  Quaternion<f32x4> q = quaternion(cross(from, to), one + dot(from, to));
   const f32x4 squared = dot(q, q);
-  q = scaled(q, inverse_length(squared));
+  q = q * inverse_length(squared);
   // Opposite: half a turn about anything across.
   const mask4 opposite = squared < splat(1e-10f);
   if (any(opposite)) {
@@ -379,17 +360,16 @@ Quaternions part_of_arc(const FourVectors& from, const FourVectors& to, f32x4 we
     q.z = select(opposite, zero, q.z);
     q.w = select(opposite, zero, q.w);
   }
-  const f32x4 w = weight;
-  return normalised(Quaternions{q.x * w, q.y * w, q.z * w, (one - w) + q.w * w});
+  return share_of(q, weight);
 }
 
 void show_four(const SpringCall& call, const FourBones& bones, const SpringGroup& group) {
-  const Quaternions above_it = {load_aligned(group.bent[0]), load_aligned(group.bent[1]), load_aligned(group.bent[2]),
-                                load_aligned(group.bent[3])};
-  const FourVectors seen = turned(conjugate(above_it), two_over_squared(above_it), load_vectors(group.direction));
+  const Quaternion<f32x4> above_it = load_rotations(group.bent);
+  const Vector<f32x4> seen =
+      rotate_by_any(conjugate(above_it), two_over_squared(above_it), load_vectors(group.direction));
   const IntoParents into(call, group);
   const f32x4 weight = load_aligned(group.weight) * splat(call.frame.weight);
-  const Quaternions arc = part_of_arc(into(bones.animated), into(seen), weight);
+  const Quaternion<f32x4> arc = part_of_arc(into(bones.animated), into(seen), weight);
   alignas(16) float shown[4], none[16] = {};
   const f32x4 zero = splat(0.0f);
   store(shown, select(zero < bones.over_length, weight, zero));
@@ -402,12 +382,9 @@ void show_four(const SpringCall& call, const FourBones& bones, const SpringGroup
     alignas(16) const float four[4] = {lanes[0][i], lanes[1][i], lanes[2][i], lanes[3][i]};
     return load_aligned(four);
   };
-  const Quaternions bent = arc * Quaternions{row(0), row(4), row(8), row(12)};
+  const Quaternion<f32x4> bent = arc * Quaternion<f32x4>{row(0), row(4), row(8), row(12)};
   alignas(16) float out[4][4];
-  store(out[0], bent.x);
-  store(out[1], bent.y);
-  store(out[2], bent.z);
-  store(out[3], bent.w);
+  store_rotations(out, bent);
   for (int lane = 0; lane < 4; ++lane) {
     if (shown[lane] == 0.0f) continue;
     for (int i = 0; i < 4; ++i) lanes[lane][4 * i] = out[i][lane];

@@ -7,7 +7,6 @@
 namespace marrow {
 namespace {
 
-constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 constexpr SoaTransform kIdentities = {{}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}};
 
 template <class T>
@@ -143,21 +142,13 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
 }
 
 Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh) {
-  const auto& m = model.rows;
-  Affine inverse;
-  float determinant = 0;
-  for (int c = 0; c < 3; ++c) {
-    const int c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-    for (int r = 0; r < 3; ++r) {
-      const int r1 = (r + 1) % 3, r2 = (r + 2) % 3;
-      inverse.rows[c][r] = m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
-    }
-    determinant += m[0][c] * inverse.rows[c][0];
-  }
-  for (auto& row : inverse.rows) {
-    for (int c = 0; c < 3; ++c) row[c] /= determinant;
-    row[3] = -(row[0] * m[0][3] + row[1] * m[1][3] + row[2] * m[2][3]);
-  }
+  const Linear<float> m = linear(model), c = cofactors(m);
+  const float volume = m.x.x * c.x.x + m.y.x * c.y.x + m.z.x * c.z.x;  // by the first row: cooked files depend on it
+  const Linear<float> rows = {c.x / volume, c.y / volume, c.z / volume};
+  const Vector3 at = -transposed_times(rows, origin(model));
+  const Affine inverse = {{{rows.x.x, rows.x.y, rows.x.z, at.x},
+                           {rows.y.x, rows.y.y, rows.y.z, at.y},
+                           {rows.z.x, rows.z.y, rows.z.z, at.z}}};
   Affine out;
   multiply(inverse, scene_from_mesh, out);
   return out;

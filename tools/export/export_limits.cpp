@@ -4,7 +4,7 @@
 
 #include "export/export_parts.h"
 #include "marrow/limits.h"
-#include "math/rotation.h"
+#include "math/joint.h"
 
 namespace marrow::tools {
 namespace {

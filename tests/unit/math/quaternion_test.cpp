@@ -20,7 +20,7 @@ double value(f32x4 a) {
   return static_cast<double>(first(a));
 }
 
-Quaternions all_lanes(const test::Quat& q) {
+Quaternion<f32x4> all_lanes(const test::Quat& q) {
   return {splat(static_cast<float>(q[0])), splat(static_cast<float>(q[1])), splat(static_cast<float>(q[2])),
           splat(static_cast<float>(q[3]))};
 }
@@ -52,9 +52,9 @@ TEST(Quaternion, ExponentialOfAnyTurnUpToAWholeOne) {
     const test::Vec3 axis = test::normalised(test::Vec3{q[0], q[1], q[2]});
     const double angle = i % 3 == 0 ? random.between(0, 1e-3) : random.between(0, 2 * M_PI);
     const test::Quat want = test::axis_angle(axis, angle);
-    const Quaternions got =
-        exp_rotation({splat(static_cast<float>(axis[0] * angle)), splat(static_cast<float>(axis[1] * angle)),
-                      splat(static_cast<float>(axis[2] * angle))});
+    const Quaternion<f32x4> got = exp_rotation(Vector<f32x4>{splat(static_cast<float>(axis[0] * angle)),
+                                                             splat(static_cast<float>(axis[1] * angle)),
+                                                             splat(static_cast<float>(axis[2] * angle))});
     const f32x4 lanes[4] = {got.x, got.y, got.z, got.w};
     for (std::size_t c = 0; c < 4; ++c) worst = std::max(worst, std::fabs(value(lanes[c]) - want[c]));
   }
@@ -70,13 +70,13 @@ TEST(Quaternion, LogarithmOfTurnsUpToThreeQuarters) {
     const test::Quat q = random.rotation();
     const test::Vec3 axis = test::normalised(test::Vec3{q[0], q[1], q[2]});
     const double angle = i % 3 == 0 ? random.between(0, 1e-4) : random.between(0, 1.49 * M_PI);
-    const Vectors got = log_rotation(all_lanes(test::axis_angle(axis, angle)));
+    const Vector<f32x4> got = log_rotation(all_lanes(test::axis_angle(axis, angle)));
     const f32x4 lanes[3] = {got.x, got.y, got.z};
     for (std::size_t c = 0; c < 3; ++c) worst = std::max(worst, std::fabs(value(lanes[c]) - axis[c] * angle));
   }
   EXPECT_EQ(cases, 6000);
   EXPECT_LT(worst, 1.5e-6);
-  const Vectors none = log_rotation(all_lanes({0, 0, 0, 1}));
+  const Vector<f32x4> none = log_rotation(all_lanes({0, 0, 0, 1}));
   EXPECT_EQ(first(none.x), 0.0f);
   EXPECT_EQ(first(none.y), 0.0f);
   EXPECT_EQ(first(none.z), 0.0f);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/joint.h"
+
 namespace marrow {
 namespace {
 
@@ -18,8 +20,8 @@ void expect_near(const Vector3& got, const Vector3& want, float tolerance = 1e-6
 constexpr float kHalfRoot = 0.70710678f;  // cos and sin of 45°
 
 TEST(Vector3, CrossIsRightHanded) {
-  expect_near(cross({1, 0, 0}, {0, 1, 0}), {0, 0, 1});
-  expect_near(cross({1, 2, 3}, {4, 5, 6}), {-3, 6, -3});
+  expect_near(cross(Vector3{1, 0, 0}, Vector3{0, 1, 0}), {0, 0, 1});
+  expect_near(cross(Vector3{1, 2, 3}, Vector3{4, 5, 6}), {-3, 6, -3});
 }
 
 TEST(Vector3, WithoutDirectionTakesTheOther) {

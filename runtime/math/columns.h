@@ -1,0 +1,54 @@
+// Affine maps by their columns, each in a register: quick to multiply in chains, for one joint at a time.
+#pragma once
+
+#include "math/affine.h"
+#include "math/quaternion.h"
+
+namespace marrow {
+
+// Axes and origin. Lane 3 of each is 0.
+struct Columns {
+  f32x4 axis[3];
+  f32x4 origin;
+};
+
+inline Vector3 to_vector3(f32x4 v) {
+  float f[4];
+  store(f, v);
+  return {f[0], f[1], f[2]};
+}
+inline f32x4 to_f32x4(const Vector3& v) {
+  return lanes(v.x, v.y, v.z, 0.0f);
+}
+// Of the first three lanes.
+inline float dot3(f32x4 a, f32x4 b) {
+  float f[4];
+  store(f, a * b);
+  return f[0] + f[1] + f[2];
+}
+
+inline f32x4 turn(const Columns& m, const Vector3& v) {
+  return m.axis[0] * splat(v.x) + m.axis[1] * splat(v.y) + m.axis[2] * splat(v.z);
+}
+inline f32x4 turn(const Columns& m, f32x4 v) {
+  return m.axis[0] * splat_lane<0>(v) + m.axis[1] * splat_lane<1>(v) + m.axis[2] * splat_lane<2>(v);
+}
+inline f32x4 transform(const Columns& m, f32x4 point) {
+  return turn(m, point) + m.origin;
+}
+inline Columns operator*(const Columns& a, const Columns& b) {
+  return {{turn(a, b.axis[0]), turn(a, b.axis[1]), turn(a, b.axis[2])}, transform(a, b.origin)};
+}
+
+inline Columns columns(const Affine& a) {
+  return {{to_f32x4(column(a, 0)), to_f32x4(column(a, 1)), to_f32x4(column(a, 2))}, to_f32x4(origin(a))};
+}
+// The axes of a rotation.
+inline void set_axes(const Rotation& q, f32x4 (&axis)[3]) {
+  const Linear<float> m = columns_of(q);
+  axis[0] = to_f32x4(m.x);
+  axis[1] = to_f32x4(m.y);
+  axis[2] = to_f32x4(m.z);
+}
+
+}  // namespace marrow

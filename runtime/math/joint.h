@@ -1,0 +1,34 @@
+// One joint of a pose.
+#pragma once
+
+#include "marrow/span.h"
+#include "math/quaternion.h"
+
+namespace marrow {
+
+inline Rotation rotation_of(Span<const SoaTransform> pose, std::size_t joint) {
+  const float(&r)[4][4] = pose[joint / 4].rotation;
+  const std::size_t lane = joint % 4;
+  return {r[0][lane], r[1][lane], r[2][lane], r[3][lane]};
+}
+inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, const Rotation& q) {
+  float(&r)[4][4] = pose[joint / 4].rotation;
+  const std::size_t lane = joint % 4;
+  r[0][lane] = q.x;
+  r[1][lane] = q.y;
+  r[2][lane] = q.z;
+  r[3][lane] = q.w;
+}
+
+inline Vector3 translation_of(Span<const SoaTransform> pose, std::size_t joint) {
+  const float(&t)[3][4] = pose[joint / 4].translation;
+  const std::size_t lane = joint % 4;
+  return {t[0][lane], t[1][lane], t[2][lane]};
+}
+inline Vector3 scale_of(Span<const SoaTransform> pose, std::size_t joint) {
+  const float(&s)[3][4] = pose[joint / 4].scale;
+  const std::size_t lane = joint % 4;
+  return {s[0][lane], s[1][lane], s[2][lane]};
+}
+
+}  // namespace marrow

@@ -1,0 +1,58 @@
+// Matrices of three by three, by columns, over a lane: see math/lane.h. Of a matrix by rows the transpose is taken.
+#pragma once
+
+#include "math/vector.h"
+
+namespace marrow {
+
+template <class F>
+struct Linear {
+  Vector<F> x, y, z;  // columns
+};
+
+// The same in all lanes.
+inline Linear<f32x4> splat(const Linear<float>& m) {
+  return {splat(m.x.x, m.x.y, m.x.z), splat(m.y.x, m.y.y, m.y.z), splat(m.z.x, m.z.y, m.z.z)};
+}
+template <class F>
+inline const Vector<F>& column(const Linear<F>& m, std::uint32_t i) {
+  return i == 0 ? m.x : i == 1 ? m.y : m.z;
+}
+template <class F>
+inline Vector<F> operator*(const Linear<F>& m, const Vector<F>& v) {
+  return m.x * x_of(v) + m.y * y_of(v) + m.z * z_of(v);
+}
+template <class F>
+inline Linear<F> operator*(const Linear<F>& a, const Linear<F>& b) {
+  return {a * b.x, a * b.y, a * b.z};
+}
+// mᵀ v
+template <class F>
+inline Vector<F> transposed_times(const Linear<F>& m, const Vector<F>& v) {
+  return vector_of(dot(m.x, v), dot(m.y, v), dot(m.z, v));
+}
+// aᵀ b
+template <class F>
+inline Linear<F> transposed_times(const Linear<F>& a, const Linear<F>& b) {
+  return {transposed_times(a, b.x), transposed_times(a, b.y), transposed_times(a, b.z)};
+}
+
+template <class F>
+inline F determinant(const Linear<F>& m) {
+  return dot(m.x, cross(m.y, m.z));
+}
+// The inverse's transpose, times the determinant: dot(m.x, cofactors(m).x).
+template <class F>
+inline Linear<F> cofactors(const Linear<F>& m) {
+  return {cross(m.y, m.z), cross(m.z, m.x), cross(m.x, m.y)};
+}
+
+// x, a unit vector, then what `unit` makes of the part of y across it, then their cross product: Gram and Schmidt.
+// `unit` gives a vector of length 1, and knows what to do if there is none.
+template <class F, class Unit>
+inline Linear<F> right_angles(const Vector<F>& x, const Vector<F>& y, const Unit& unit) {
+  const Vector<F> second = unit(across(y, x));
+  return {x, second, cross(x, second)};
+}
+
+}  // namespace marrow

@@ -1,0 +1,230 @@
+// Vectors of three numbers, over a lane: see math/lane.h.
+#pragma once
+
+#include "math/finite.h"
+#include "math/lane.h"
+
+namespace marrow {
+
+// The square of a length that is none. Of few bits, which some processors need not load.
+inline constexpr float kTinySquare = 0x1p-100f;
+
+template <class F>
+struct Vector {
+  F x{}, y{}, z{};
+};
+template <>
+struct Vector<One> {
+  f32x4 v;  // x, y, z, 0
+};
+using Vector3 = Vector<float>;
+
+inline Vector3 vector3(const float* p) {
+  return {p[0], p[1], p[2]};
+}
+inline void store(float* to, const Vector3& v) {
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
+}
+// Four at once, as poses have them.
+inline Vector<f32x4> load_vectors(const float (&from)[3][4]) {
+  return {load_aligned(from[0]), load_aligned(from[1]), load_aligned(from[2])};
+}
+inline void store_vectors(float (&to)[3][4], const Vector<f32x4>& v) {
+  store(to[0], v.x);
+  store(to[1], v.y);
+  store(to[2], v.z);
+}
+inline Vector<f32x4> splat(float x, float y, float z) {
+  return {splat(x), splat(y), splat(z)};
+}
+
+template <class F>
+inline Vector<F> operator+(const Vector<F>& a, const Vector<F>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class F>
+inline Vector<F> operator-(const Vector<F>& a, const Vector<F>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class F>
+inline Vector<F> operator-(const Vector<F>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class F>
+inline Vector<F> operator*(const Vector<F>& a, F s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class F>
+inline Vector<F> operator/(const Vector<F>& a, F s) {
+  return {a.x / s, a.y / s, a.z / s};
+}
+template <class F>
+inline Vector<F> by_component(const Vector<F>& a, const Vector<F>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+template <class F>
+inline F dot(const Vector<F>& a, const Vector<F>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class F>
+inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class F>
+inline Vector<F> select(mask4 m, const Vector<F>& yes, const Vector<F>& no) {
+  return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
+}
+template <class F>
+inline Vector<F> select(bool m, const Vector<F>& yes, const Vector<F>& no) {
+  return m ? yes : no;
+}
+template <class F>
+inline Vector<F> flip(const Vector<F>& a, F by) {
+  return {flip(a.x, by), flip(a.y, by), flip(a.z, by)};
+}
+template <class F>
+inline Vector<F> roots(const Vector<F>& squared) {
+  return {sqrt(squared.x), sqrt(squared.y), sqrt(squared.z)};
+}
+// Component by component; infinite for 0 if `plain`, else 0 for what is too small.
+template <bool plain>
+inline f32x4 inverse_root(f32x4 squared) {
+  return plain ? splat(1.0f) / sqrt(squared) : only_where(splat(kTinySquare) < squared, splat(1.0f) / sqrt(squared));
+}
+template <bool plain>
+inline Vector<f32x4> inverse_roots(const Vector<f32x4>& squared) {
+  return {inverse_root<plain>(squared.x), inverse_root<plain>(squared.y), inverse_root<plain>(squared.z)};
+}
+template <class F>
+inline F x_of(const Vector<F>& a) {
+  return a.x;
+}
+template <class F>
+inline F y_of(const Vector<F>& a) {
+  return a.y;
+}
+template <class F>
+inline F z_of(const Vector<F>& a) {
+  return a.z;
+}
+template <class F>
+inline Vector<F> vector_of(F x, F y, F z) {
+  return {x, y, z};
+}
+inline Vector<f32x4> without_w(const Vector<f32x4>& a) {
+  return a;
+}
+
+// The same of one vector in one register.
+inline Vector<One> operator+(const Vector<One>& a, const Vector<One>& b) {
+  return {a.v + b.v};
+}
+inline Vector<One> operator-(const Vector<One>& a, const Vector<One>& b) {
+  return {a.v - b.v};
+}
+inline Vector<One> operator*(const Vector<One>& a, One s) {
+  return {a.v * s.v};
+}
+inline Vector<One> by_component(const Vector<One>& a, const Vector<One>& b) {
+  return {a.v * b.v};
+}
+inline One dot(const Vector<One>& a, const Vector<One>& b) {
+  return {sum_of_lanes(a.v * b.v)};
+}
+inline Vector<One> cross(const Vector<One>& a, const Vector<One>& b) {
+  return {rotated_xyz(a.v * rotated_xyz(b.v) - rotated_xyz(a.v) * b.v)};
+}
+inline Vector<One> flip(const Vector<One>& a, One by) {
+  return {flip(a.v, by.v)};
+}
+inline Vector<One> roots(const Vector<One>& squared) {
+  return {sqrt(squared.v)};
+}
+template <bool plain>
+inline One inverse_root(One squared) {
+  return {inverse_root<plain>(squared.v)};
+}
+template <bool plain>
+inline Vector<One> inverse_roots(const Vector<One>& squared) {
+  return {inverse_root<plain>(squared.v)};
+}
+inline One x_of(const Vector<One>& a) {
+  return {splat_lane<0>(a.v)};
+}
+inline One y_of(const Vector<One>& a) {
+  return {splat_lane<1>(a.v)};
+}
+inline One z_of(const Vector<One>& a) {
+  return {splat_lane<2>(a.v)};
+}
+inline Vector<One> vector_of(One x, One y, One z) {
+  f32x4 a = x.v, b = y.v, c = z.v, d = splat(0.0f);
+  transpose(a, b, c, d);
+  return {a};
+}
+inline Vector<One> without_w(const Vector<One>& a) {
+  return {without_w(a.v)};
+}
+
+template <class F>
+inline F inverse_root(F squared) {
+  return inverse_root<false>(squared);
+}
+
+// The part of v across a unit vector.
+template <class F>
+inline Vector<F> across(const Vector<F>& v, const Vector<F>& unit) {
+  return v - unit * dot(v, unit);
+}
+
+// Across v, however short or long v is: v × the axis that it is least along.
+template <class F>
+inline Vector<F> across_least_axis(const Vector<F>& v) {
+  const F zero = all_lanes<F>(0), x = x_of(v), y = y_of(v), z = z_of(v), xx = x * x, yy = y * y, zz = z * z;
+  const Vector<F> by_x = vector_of(zero, z, zero - y), by_y = vector_of(zero - z, zero, x),
+                  by_z = vector_of(y, zero - x, zero);
+  return select(lesser(yy, zz) < xx, select(zz < yy, by_z, by_y), by_x);
+}
+// The same of unit length; x where v has no direction.
+template <class F>
+inline Vector<F> any_across(const Vector<F>& v) {
+  const F zero = all_lanes<F>(0), one = all_lanes<F>(1);
+  const Vector<F> across = across_least_axis(v);
+  const F squared = dot(across, across);
+  const auto none = squared < all_lanes<F>(kTinySquare);
+  return select(none, vector_of(one, zero, zero), across * (one / sqrt(select(none, one, squared))));
+}
+
+inline float length(const Vector3& a) {
+  return sqrt(dot(a, a));
+}
+inline bool is_finite(const Vector3& v) {
+  return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
+}
+inline bool within(const Vector3& v, float least, float most) {
+  return within(v.x, least, most) && within(v.y, least, most) && within(v.z, least, most);
+}
+
+// Of unit length; 0 of what is 0.
+inline Vector<f32x4> normalised(const Vector<f32x4>& v) {
+  return v * inverse_length(dot(v, v));
+}
+// Of unit length; `otherwise` if it is too short to have a direction, or not finite.
+inline Vector3 normalised_or(const Vector3& v, const Vector3& otherwise) {
+  const float squared = dot(v, v);
+  return has_direction(squared) ? v * (1.0f / sqrt(squared)) : otherwise;
+}
+
+// v, no longer than `most`. By the inverse length or by the length: poses depend on the bits of either.
+inline Vector<f32x4> no_longer(const Vector<f32x4>& v, float most) {
+  const f32x4 squared = dot(v, v), limit = splat(most * most);
+  return v * select(limit < squared, splat(most) * inverse_length(squared), splat(1.0f));
+}
+inline Vector3 no_longer(const Vector3& v, float most) {
+  const float squared = dot(v, v);
+  return squared > most * most ? v * (most / sqrt(squared)) : v;
+}
+
+}  // namespace marrow
