@@ -7,7 +7,7 @@
 namespace marrow {
 namespace {
 
-struct Reader {
+struct PointReader {
   const Curve& curve;
   // Point number `index`, where a key of kind hermite holds three.
   const float* at(std::size_t index) const { return curve.values.data + index * curve.components; }
@@ -20,7 +20,7 @@ void chain(const Curve& curve, Segment& s, int count) {
 }
 
 void make_hermite(const Curve& curve, std::size_t key, Segment& s) {
-  const Reader read{curve};
+  const PointReader read{curve};
   const std::size_t order[4] = {3 * key + 1, 3 * key + 2, 3 * key + 4, 3 * key + 3};
   for (int i = 0; i < 4; ++i) read.copy(order[i], s.point[i]);
   const float span_s = curve.times_s[key + 1] - curve.times_s[key];
@@ -37,7 +37,7 @@ struct Neighbours {
 };
 
 Neighbours read_neighbours(const Curve& curve, std::size_t key) {
-  const Reader read{curve};
+  const PointReader read{curve};
   Neighbours n{};
   const bool first = key == 0, last = key + 2 == curve.times_s.size;
   read.copy(key, n.p[1]);
@@ -144,7 +144,7 @@ void weigh(const Segment& s, const Weights& weights, float* out) {
 }  // namespace
 
 Segment make_segment(const Curve& curve, std::size_t key) {
-  const Reader read{curve};
+  const PointReader read{curve};
   Segment s;
   s.components = curve.components;
   switch (curve.kind) {

@@ -77,13 +77,13 @@ inline f32x4 step_sizes(i32x4 codes) {
 }
 
 // Stands at a track's header and at its integers in two neighbouring frames.
-struct Cursor {
+struct TrackCursor {
   const std::byte* header;
   std::size_t frame_bytes;
   const std::byte* record;         // in the first frame
   std::uint64_t bit_times_16 = 0;  // from there
 
-  Cursor(const std::byte* segment, std::uint32_t track_count, std::uint32_t frame) {
+  TrackCursor(const std::byte* segment, std::uint32_t track_count, std::uint32_t frame) {
     std::uint32_t bytes;
     std::memcpy(&bytes, segment, 4);
     header = segment + 4;
@@ -93,7 +93,7 @@ struct Cursor {
 };
 
 // Passes over as many tracks as there are bits in `lanes`.
-void skip(Cursor& cursor, std::uint32_t lanes) {
+void skip(TrackCursor& cursor, std::uint32_t lanes) {
   const auto& bits = kTables.bits_times_16;
   for (; lanes != 0; lanes &= lanes - 1) {
     std::uint32_t codes;
@@ -149,7 +149,7 @@ struct TwoLanes {
 };
 
 // The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in both frames.
-[[gnu::always_inline]] inline void unpack(Cursor& cursor, const Tables& t, std::uint32_t lanes, Unpacked& out) {
+[[gnu::always_inline]] inline void unpack(TrackCursor& cursor, const Tables& t, std::uint32_t lanes, Unpacked& out) {
   const std::uint8_t(&offsets)[4] = t.header[lanes];
   const std::byte *const h0 = cursor.header + offsets[0], *const h1 = cursor.header + offsets[1],
                          *const h2 = cursor.header + offsets[2], *const h3 = cursor.header + offsets[3];
@@ -211,14 +211,14 @@ inline Rodrigues rodrigues(const Tables& t, const f32x4 (&n)[3], const Unpacked&
 }
 
 // The blend of two frames, the same for every joint.
-struct Blend {
+struct FrameBlend {
   f32x4 u;
   SlerpSeries a, b;
-  explicit Blend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
+  explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
 };
 
 // Rotations, into the lanes in `lanes`.
-inline void rotate_rest(const Tables& t, const Unpacked& four, const Blend& blend, const float (&rest)[4][4],
+inline void rotate_rest(const Tables& t, const Unpacked& four, const FrameBlend& blend, const float (&rest)[4][4],
                         std::uint32_t lanes, float (&rotation)[4][4]) {
   const Rodrigues a = rodrigues(t, four.a, four), b = rodrigues(t, four.b, four);
   // The squared chord between the quaternions, without a difference of large numbers.
@@ -256,7 +256,7 @@ inline void add_to_rest(const Tables& t, const Unpacked& four, f32x4 u, const fl
 }
 
 // What moves in a group: the next tracks. One loop for all kinds, since they are unpacked alike.
-inline void set_moving(const Tables& t, Cursor& cursor, std::uint32_t moving, const Blend& blend,
+inline void set_moving(const Tables& t, TrackCursor& cursor, std::uint32_t moving, const FrameBlend& blend,
                        const SoaTransform& rest, std::uint32_t wanted, SoaTransform& out) {
   for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
     const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
@@ -370,9 +370,9 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
                            : set_still<false>(skeleton, coded, options, out);
   const Place place = find(coded, time_s);
   const std::uint32_t segment = place.frame / coded.segment_intervals;
-  Cursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
-                place.frame - segment * coded.segment_intervals);
-  const Blend blend(place.between);
+  TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
+                     place.frame - segment * coded.segment_intervals);
+  const FrameBlend blend(place.between);
   const Tables& t = tables();
   const GroupMasks* masks = coded.masks;
   const SoaTransform* rest = skeleton.rest;
