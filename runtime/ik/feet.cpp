@@ -15,16 +15,18 @@ constexpr float kFarthest = 1e6f;
 constexpr float kAllButTwoPercent = 5.834f;  // (1 + x) e^-x = 0.02
 constexpr float kLeastRise = 0.173648178f;   // cos 80°
 
+// One call: what all feet share.
 struct FeetCall {
   const Skeleton& skeleton;
   const Feet& feet;
   const FeetFrame& frame;
-  Vector3 up, origin;
-  float rate;    // 1/s, of what dies away
-  float decay;   // e^(-rate dt)
-  CosSin slope;  // the steepest
   Span<SoaTransform> local;
   Span<Affine> scene_from_joint;
+  Vector3 up = vector3(frame.up), origin = marrow::origin(frame.world_from_scene);
+  // Of settings that have been checked.
+  float rate = 0;         // 1/s, of what dies away
+  float decay = 0;        // e^(-rate dt)
+  CosSin slope = {1, 0};  // the steepest
 };
 
 bool near(const Vector3& v) {
@@ -305,8 +307,7 @@ Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Af
 
 Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
                   Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
-  FeetCall call{skeleton, feet,   frame, vector3(frame.up), origin(frame.world_from_scene), 0,
-                0,        {1, 0}, local, scene_from_joint};
+  FeetCall call{skeleton, feet, frame, local, scene_from_joint};
   const Status checked = check_feet(call, ground, motion);
   if (checked != Status::ok) return checked;
   call.rate = kAllButTwoPercent / feet.ease_s;

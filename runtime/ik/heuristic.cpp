@@ -70,17 +70,26 @@ void keep_pose(IkHeuristic& h) {
   }
 }
 
-bool at_rest(const IkHeuristic& h) {
-  for (std::size_t i = 0; h.plain && i <= h.tree->nodes.size; ++i) {
+bool points_rest(const IkHeuristic& h) {
+  for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) {
     const Vector3 d = (h.parts[i].at - h.parts[i].was) * h.per_size;
     if (dot(d, d) > 1e-13f) return false;
   }
-  for (std::size_t i = 0; !h.plain && i < h.tree->nodes.size; ++i) {
+  return true;
+}
+
+bool joints_rest(const IkHeuristic& h) {
+  for (std::size_t i = 0; i < h.tree->nodes.size; ++i) {
     const Rotation &a = h.parts[i].before, &b = h.tree->nodes[i].rotation;
-    const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z, w = a.w - b.w;
-    if (x * x + y * y + z * z + w * w > 1e-13f) return false;
+    const Rotation d = {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+    if (dot(d, d) > 1e-13f) return false;
   }
   return true;
+}
+
+// Whether the last iteration moved nothing.
+bool at_rest(const IkHeuristic& h) {
+  return h.plain ? points_rest(h) : joints_rest(h);
 }
 
 void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
@@ -103,22 +112,32 @@ void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
   if (h.chain && !h.free && problem.pole_weight > 0) face_pole(h, problem);
 }
 
-// The last iteration counts by as much as it was needed, so that the result does not jump where one more, or one less,
-// is enough: all of it if the error is just within the tolerance, nothing if it was before.
-void stop_smoothly(IkHeuristic& h, float was, float error, float tolerance, bool first) {
-  const float before = was - tolerance, after = 0.25f * (tolerance - error);
-  if (!(before > 0 && after > 0)) return;
-  const float share = before / (before + after);
-  for (std::size_t i = 0; h.plain && i <= h.tree->nodes.size; ++i)
+// Of the last iteration only a share.
+void take_share_of_points(IkHeuristic& h, float share) {
+  for (std::size_t i = 0; i <= h.tree->nodes.size; ++i)
     h.parts[i].at = h.parts[i].was + (h.parts[i].at - h.parts[i].was) * share;
-  if (h.plain && first) h.turned = part_of(h.turned, share);
-  if (h.plain) return;
+}
+void take_share_of_turns(IkHeuristic& h, float share) {
   for (std::size_t i = 0; i < h.tree->nodes.size; ++i) {
     IkNode& node = h.tree->nodes[i];
     set_turned(node, h.parts[i].before * part_of(conjugate(h.parts[i].before) * node.rotation, share));
   }
   update_frames(*h.tree);
   update_parts(h);
+}
+
+// The last iteration counts by as much as it was needed, so that the result does not jump where one more, or one less,
+// is enough: all of it if the error is just within the tolerance, nothing if it was before.
+void stop_smoothly(IkHeuristic& h, float was, float error, float tolerance, bool first) {
+  const float before = was - tolerance, after = 0.25f * (tolerance - error);
+  if (!(before > 0 && after > 0)) return;
+  const float share = before / (before + after);
+  if (h.plain) {
+    take_share_of_points(h, share);
+    if (first) h.turned = part_of(h.turned, share);
+  } else {
+    take_share_of_turns(h, share);
+  }
 }
 
 // Until the goals as they are in reach are reached, nothing moves, or iterations are over.

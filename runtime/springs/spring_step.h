@@ -33,9 +33,10 @@ inline SpringStrengths spring_strengths(f32x4 damping, f32x4 field, float step_s
   const f32x4 s = sinc_of_signed_root(q);
   const f32x4 kick = splat(-step_s) * slope / (cosh * s);
   const f32x4 decay = exp_negative(zero - x), squared = decay * decay;
-  const f32x4 some = select(least < x, x, least), lost = select(least < x, one - squared, one);
-  const f32x4 less = one - (one + squared) * (one / lost - splat(0.5f) / some);
-  const f32x4 beta = select(least < x, less, zero);
+  const mask4 damped = least < x;  // without damping β is 0, and would be a difference of infinities
+  const f32x4 divisor = select(damped, x, one), lost_share = select(damped, one - squared, one);
+  const f32x4 first = (one + squared) * (one / lost_share - splat(0.5f) / divisor);  // 1 - β
+  const f32x4 beta = select(damped, one - first, zero);
   return {decay, kick - kick * beta, h * s, kick + kick * beta / squared};
 }
 
