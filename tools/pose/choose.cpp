@@ -37,25 +37,18 @@ std::size_t count_misfits(const File& pack, std::uint32_t reference, const File&
   return bind_clips(pack, reference, file, skeleton, {}, &count) == Status::ok ? 0 : std::max<std::size_t>(count, 1);
 }
 
-// The skeleton that the clips of a reference fit: of several the one of its name, else the first that plays nothing
-// yet. Throws Failure with what keeps it from the one that is closest.
-std::uint32_t fitting_skeleton(const std::string& pack_path, const File& pack, std::uint32_t reference,
-                               const std::string& path, const File& file, const Play& play) {
+// Clips of this reference fit no skeleton that is left: throws Failure with what keeps them from the closest.
+[[noreturn]] void refuse(const std::string& pack_path, const File& pack, std::uint32_t reference,
+                         const std::string& path, const File& file, const Play& play) {
   const std::string name = pack.reference(reference).name;
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i)
-    if (std::ranges::find(play.parts, i, &Play::Part::skeleton) == play.parts.end()) order.push_back(i);
-  std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return file.skeleton(i).name == name; });
-  std::size_t fewest = SIZE_MAX;
-  std::uint32_t closest = 0;
-  for (const std::uint32_t i : order) {
-    const std::size_t count = count_misfits(pack, reference, file, i);
-    if (count == 0) return i;
-    if (count < fewest) closest = i;
-    fewest = std::min(fewest, count);
-  }
+    if (!play.clip(i)) order.push_back(i);
   const std::string rule = "skeleton \"" + name + "\" does not fit " + path;
   if (order.empty()) throw Failure(Exit::invalid, pack_path, "", rule, "all its skeletons play another clip");
+  std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return file.skeleton(i).name == name; });
+  const std::uint32_t closest =
+      *std::ranges::min_element(order, {}, [&](std::uint32_t i) { return count_misfits(pack, reference, file, i); });
   throw Failure(Exit::invalid, pack_path, "", rule,
                 "in \"" + std::string(file.skeleton(closest).name) + "\" " + describe(pack, reference, file, closest) +
                     "; cook the pack again with --skeleton");
@@ -67,15 +60,15 @@ Play play_pack(const std::string& pack_path, const File& pack, const std::string
     throw Failure(Exit::invalid, pack_path, "", "not a clip pack", "cook it with --clips-only");
   const std::uint32_t first = find_clip(pack_path, pack, wanted);
   const bool by_name = pack.clip(first).name == wanted;
-  Play play;
+  const Play play = play_together(file, pack, first);
   for (std::uint32_t r = 0; r < pack.reference_count(); ++r) {
-    const std::uint32_t index = by_name                          ? pack.find_clip(wanted.c_str(), r)
-                                : pack.clip(first).skeleton == r ? first
-                                                                 : pack.clip_count();
-    if (index == pack.clip_count()) continue;
-    const Clip clip = pack.clip(index);
-    play.parts.push_back({fitting_skeleton(pack_path, pack, r, path, file, play), clip, pack});
-    play.duration_s = std::max(play.duration_s, clip.duration_s);
+    const std::uint32_t clip = pack.clip(first).skeleton == r ? first
+                               : by_name                      ? pack.find_clip(wanted.c_str(), r)
+                                                              : pack.clip_count();
+    if (clip == pack.clip_count()) continue;
+    const auto plays = std::ranges::find(play.clip_of_skeleton, clip);
+    if (plays == play.clip_of_skeleton.end()) refuse(pack_path, pack, r, path, file, play);
+    if (!by_name) return only(file, play, static_cast<std::uint32_t>(plays - play.clip_of_skeleton.begin()));
   }
   return play;
 }
@@ -96,7 +89,8 @@ Chosen choose(const std::string& path, const File& file, const Choice& choice) {
   } else if (!choice.clip.empty()) {
     const std::uint32_t index = find_clip(path, file, choice.clip);
     const Clip clip = file.clip(index);
-    out.play = clip.name == choice.clip ? play_together(file, index) : play_alone(file, clip, clip.skeleton);
+    out.play = play_together(file, index);
+    if (clip.name != choice.clip) out.play = only(file, out.play, clip.skeleton);
   }
   return out;
 }

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "common/aligned_bytes.h"
 #include "marrow/marrow.h"
 
 namespace marrow::tools {
@@ -34,21 +36,22 @@ struct PosedMesh {
   std::vector<float> tangents;   // 4 a slot; empty if the mesh has none
 };
 
-// What the skeletons of a file play together: at most one clip each; those without rest.
-struct Play {
-  struct Part {
-    std::uint32_t skeleton;
-    Clip clip;
-    File clips;  // that the clip is from
-  };
-  std::vector<Part> parts;
-  float duration_s = 0;  // of the longest
+// What the skeletons of a file play together, and the memory that this lies in. Empty: all rest.
+struct Play : Animation {
+  std::shared_ptr<const void> memory;
+
+  bool empty() const { return clip_of_skeleton.empty(); }
+  // nullopt: it rests.
+  std::optional<Clip> clip(std::uint32_t skeleton) const;
 };
 
-// A clip alone, for one of the skeletons it was made for.
-Play play_alone(const File& clips, const Clip& clip, std::uint32_t skeleton);
-// A clip, and of each other skeleton the first one with the same name, which the cooker made of the same animation.
-Play play_together(const File& file, std::uint32_t clip);
+// A clip of `clips`, and what make_animations() finds to go with it; nothing if it is of a pack and does not fit.
+Play play_together(const File& file, const File& clips, std::uint32_t clip);
+inline Play play_together(const File& file, std::uint32_t clip) {
+  return play_together(file, file, clip);
+}
+// Of a play what one skeleton does.
+Play only(const File& file, const Play& play, std::uint32_t skeleton);
 
 // One of several plays that are blended: when, and how much of it.
 struct PlayLayer {
@@ -57,7 +60,7 @@ struct PlayLayer {
   float weight = 1;  // 0 … 1
 };
 
-// Everything that the skeletons and meshes of a file need beside it, allocated once.
+// A marrow::Character with its memory, that throws.
 class Character {
  public:
   // level: of detail, as in File::mesh.
@@ -71,35 +74,31 @@ class Character {
   void set_change(Change change) { change_ = std::move(change); }
 
   void pose(const Play& play, float time_s);
-  // A blend. Weights add up to 1; a skeleton that a play leaves alone rests in it.
+  // A blend of at most kMostLayers.
   void pose(std::span<const PlayLayer> layers);
+  static constexpr std::uint32_t kMostLayers = 4;
   // Deforms one mesh, morphed, in the pose of the last call to pose().
   void skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) const;
 
-  std::span<const Affine> scene_from_joint(std::uint32_t skeleton) const { return model_[skeleton]; }
+  std::span<const Affine> scene_from_joint(std::uint32_t skeleton) const {
+    return to_std(body_.skeletons[skeleton].scene_from_joint);
+  }
   // Of the mesh's morph targets: the clip's, or their defaults.
-  std::span<const float> weights(std::uint32_t mesh) const { return weights_[mesh]; }
-  std::span<const Affine> palette(std::uint32_t mesh) const { return palettes_[mesh]; }
+  std::span<const float> weights(std::uint32_t mesh) const { return to_std(body_.meshes[mesh].weights); }
+  std::span<const Affine> palette(std::uint32_t mesh) const { return to_std(body_.meshes[mesh].palette); }
 
  private:
-  void pose_skeleton(std::uint32_t index, std::span<const PlayLayer> layers);
-  void morph_all(std::span<const PlayLayer> layers);
-  // Adds weight · a play's weights of a mesh's morph targets.
-  void add_morph_weights(std::uint32_t mesh, const PlayLayer& layer);
+  template <class T>
+  static std::span<const T> to_std(Span<T> span) {
+    return {span.data, span.size};
+  }
 
-  File file_;
-  std::uint32_t level_;
+  AlignedBytes memory_;
+  marrow::Character body_;
+  std::vector<std::uint32_t> no_clips_, no_channels_;
+  Animation rest_;
   Change change_;
-  std::vector<std::vector<SoaTransform>> local_;  // a skeleton
-  std::vector<SoaTransform> blended_;             // of the skeleton that is being blended
-  std::vector<std::vector<Affine>> model_;        // a skeleton
-  std::vector<std::vector<Affine>> palettes_;     // a mesh
-  // A mesh.
-  std::vector<std::vector<float>> coordinates_;  // in animation space
-  std::vector<std::vector<float>> tangents_;     // likewise; empty: normals go through the blend
-  std::vector<std::vector<float>> weights_;
-  std::vector<std::vector<SoaTransform>> memory_;  // of morphed_; for its alignment
-  std::vector<MorphedGeometry> morphed_;
+  std::vector<std::vector<float>> tangents_;  // a mesh; empty: normals go through the blend
 };
 
 // Throws Failure (internal) unless ok.

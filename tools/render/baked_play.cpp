@@ -1,6 +1,5 @@
 #include "render/baked_play.h"
 
-#include <algorithm>
 
 #include "common/failure.h"
 #include "render/studio.h"
@@ -15,18 +14,13 @@ constexpr std::uint64_t kMostMatrices = std::uint64_t{1} << 23;  // of a skeleto
   throw Failure(Exit::unsupported, path, std::move(where), std::move(rule), "use another --path");
 }
 
-const Play::Part* part_of(const Play& play, std::uint32_t skeleton) {
-  const auto part = std::ranges::find(play.parts, skeleton, &Play::Part::skeleton);
-  return part == play.parts.end() ? nullptr : &*part;
-}
-
-// Whether any target can have a weight other than 0.
-bool is_morphed(const File& file, const Mesh& mesh, const Play::Part* part) {
-  if (std::ranges::any_of(mesh.targets, [](const MeshTarget& target) { return target.weight != 0; })) return true;
-  if (part == nullptr) return false;
-  std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
-  check(find_weight_channels(file, mesh, part->clips, part->clip, channels));
-  return std::ranges::any_of(channels, [](std::uint32_t channel) { return channel != kNoChannel; });
+// Whether any target can have a weight other than 0. first: of the mesh's in Play::channels.
+bool is_morphed(const Mesh& mesh, const Play& play, std::size_t first) {
+  for (std::size_t t = 0; t < mesh.targets.size; ++t) {
+    if (mesh.targets[t].weight != 0) return true;
+    if (!play.empty() && play.channels[first + t] != kNoChannel) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -37,15 +31,17 @@ BakedPlay::BakedPlay(const Gl& gl, const std::string& path, const File& file, co
   std::vector<char> log(1024);
   if (gles3::build_crowd_program(gl, program_, log) != Status::ok)
     throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl.driver());
+  std::size_t first_target = 0;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
     Mesh mesh = file.mesh(i, level);
-    const Play::Part* const part = part_of(play, mesh.skeleton);
+    const std::optional<Clip> clip = play.clip(mesh.skeleton);
     const std::string where = "mesh " + std::to_string(i);
-    if (is_morphed(file, mesh, part)) refuse(path, where, "crowds have no morph targets");
+    if (is_morphed(mesh, play, first_target)) refuse(path, where, "crowds have no morph targets");
+    first_target += file.mesh(i).targets.size;
     mesh.geometry.targets = {};  // none of them moves anything
     meshes_[i].skeleton = mesh.skeleton;
     Reel& reel = reels_[mesh.skeleton];
-    if (reel.matrices.empty()) bake(path, file.skeleton(mesh.skeleton), part == nullptr ? nullptr : &part->clip, reel);
+    if (reel.matrices.empty()) bake(path, file.skeleton(mesh.skeleton), clip ? &*clip : nullptr, reel);
     gles3::PrepareOptions options;
     options.as_tangents = tangents[i];
     AlignedBytes& memory = meshes_[i].memory;

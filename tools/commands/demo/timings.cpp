@@ -59,11 +59,12 @@ Timings measure(const File& file, std::optional<std::uint32_t> clip_index) {
   const Play play = clip_index ? play_together(file, *clip_index) : Play{};
   const auto moment = [&](int run) { return play.duration_s * static_cast<float>(run) / kRuns; };
   std::vector<std::vector<SoaTransform>> local;
-  for (const Play::Part& part : play.parts) local.emplace_back(file.skeleton(part.skeleton).soa_size());
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) local.emplace_back(file.skeleton(i).soa_size());
   if (clip_index)
     timings.sample_us = median_us([&](int run) {
-      for (std::size_t i = 0; i < local.size(); ++i)
-        check(sample(file.skeleton(play.parts[i].skeleton), play.parts[i].clip, moment(run), local[i]));
+      for (std::uint32_t i = 0; i < local.size(); ++i)
+        if (const std::optional<Clip> clip = play.clip(i))
+          check(sample(file.skeleton(i), *clip, moment(run), local[i]));
     });
   character.pose(play, moment(kRuns / 3));
   Bench bench(file);

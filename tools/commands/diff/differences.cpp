@@ -297,10 +297,12 @@ class Comparison {
     const auto steps = static_cast<std::size_t>(
         std::clamp(std::ceil(end_s * kMomentsPerSecond), 1.0, static_cast<double>(kMostMoments)));
     Farthest worst;
+    const Play play_a = only(a_.file, play_together(a_.file, i), a.skeleton),
+               play_b = only(b_.file, play_together(b_.file, k), b.skeleton);
     for (std::size_t m = 0; m <= steps; ++m) {
       const double time_s = end_s * static_cast<double>(m) / static_cast<double>(steps);
-      pose_a_.pose(play_alone(a_.file, a, a.skeleton), static_cast<float>(time_s));
-      pose_b_.pose(play_alone(b_.file, b, b.skeleton), static_cast<float>(time_s));
+      pose_a_.pose(play_a, static_cast<float>(time_s));
+      pose_b_.pose(play_b, static_cast<float>(time_s));
       farthest(a.skeleton, b.skeleton, time_s, worst);
     }
     if (worst.distance == 0) return;

@@ -27,6 +27,13 @@ std::vector<NamedJoint> all_joints(const File& file) {
   return out;
 }
 
+// Of the first clip that moves anything.
+std::string first_name(const Play& play) {
+  std::uint32_t skeleton = 0;
+  while (!play.clip(skeleton)) ++skeleton;
+  return play.clip(skeleton)->name;
+}
+
 }  // namespace
 
 Actor::Actor(const Gl& gl, const LookArguments& arguments, LoadedFile loaded, Chosen chosen)
@@ -48,7 +55,7 @@ void Actor::add_plays(Chosen chosen) {
     if (!name.empty() && file().find_clip(name.c_str()) != i) continue;
     plays_.push_back({name.empty() ? "clip " + std::to_string(i) : name, play_together(file(), i)});
   }
-  if (chosen.play.parts.empty()) return;
+  if (chosen.play.empty()) return;
   if (chosen.pack) {
     pack_ = std::move(chosen.pack);
     const Choice& choice = arguments_.choice;
@@ -56,9 +63,8 @@ void Actor::add_plays(Chosen chosen) {
     chosen_ = plays_.size() - 1;
     return;
   }
-  const Play::Part& part = chosen.play.parts.front();
   const auto same = [&](const NamedPlay& named) {
-    return !named.play.parts.empty() && named.play.parts.front().clip.name == part.clip.name;
+    return !named.play.empty() && first_name(named.play) == first_name(chosen.play);
   };
   chosen_ = static_cast<std::size_t>(std::ranges::find_if(plays_, same) - plays_.begin());
 }
