@@ -2,6 +2,8 @@
 #include "gles3/self_test_mesh.h"
 
 #include "marrow/gles3.h"
+#include "math/affine.h"
+#include "math/quaternion.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -79,21 +81,15 @@ void fill(const ProbeShape& shape, ProbeBlock to, std::uint16_t* sets) {
   }
 }
 
-// Turned by a rational unit quaternion, then scaled along the joint's own axes.
+// Turned by a rational unit quaternion, x, y, z and w over their length, then scaled along the joint's own axes.
 void turn(std::uint32_t number, Affine& out) {
-  struct Quaternion {
-    float x, y, z, w, length;
-  };
-  constexpr Quaternion kTurns[] = {
+  constexpr float kTurns[][5] = {
       {2, 3, 6, 24, 25}, {-1, 4, 8, 40, 41}, {7, -4, 4, 40, 41}, {-6, 9, -2, 60, 61}, {6, -7, -6, 60, 61}};
-  constexpr float kScales[] = {0.8f, 1.25f, 1, 0.9f, 1.1f, 0.95f};
-  const Quaternion& q = kTurns[number % 5];
-  const float x = q.x / q.length, y = q.y / q.length, z = q.z / q.length, w = q.w / q.length;
-  const float rotation[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                                {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-                                {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
-  for (std::uint32_t r = 0; r < 3; ++r)
-    for (std::uint32_t c = 0; c < 3; ++c) out.rows[r][c] = rotation[r][c] * kScales[(number + c) % 6];
+  static constexpr float kScales[] = {0.8f, 1.25f, 1, 0.9f, 1.1f, 0.95f};
+  const float(&q)[5] = kTurns[number % 5];
+  const Linear<float> m = columns_of(Rotation{q[0] / q[4], q[1] / q[4], q[2] / q[4], q[3] / q[4]});
+  const auto scale = [number](std::uint32_t axis) { return kScales[(number + axis) % 6]; };
+  out = affine({m.x * scale(0), m.y * scale(1), m.z * scale(2)}, {});
 }
 
 // Where a joint is in the bind pose: spread along the axis.
