@@ -22,7 +22,8 @@ std::vector<std::string> model_paths() {
   if (have_assets()) {
     for (const fs::directory_entry& entry : fs::directory_iterator(assets_folder())) {
       const std::string extension = entry.path().extension().string();
-      if (extension == ".glb" || extension == ".gltf") paths.push_back(entry.path().string());
+      const bool is_model = extension == ".glb" || extension == ".gltf";
+      if (is_model && takes_part(entry.path().string())) paths.push_back(entry.path().string());
     }
   }
   std::sort(paths.begin(), paths.end());

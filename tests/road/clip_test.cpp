@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +73,15 @@ double diagonal_of(const Skeleton& skeleton, Span<SoaTransform> rest, Span<Affin
   return std::sqrt(squared);
 }
 
+// A model's clips compressed, once for all tests.
+const cook::BuiltScene& built_once(const std::string& path) {
+  static std::map<std::string, cook::BuiltScene> all;
+  const auto found = all.find(path);
+  if (found != all.end()) return found->second;
+  cook::Notes notes;
+  return all.emplace(path, cook::build_scene(cook::read_gltf(path), without_meshes(), notes)).first->second;
+}
+
 // For each clip the animation that it is of: one becomes a clip a skeleton, in ascending order.
 std::vector<std::size_t> animations_of(const cook::BuiltScene& built, const Source& source) {
   std::vector<std::size_t> moving, out;
@@ -109,8 +120,7 @@ constexpr std::uintmax_t kMostBytes = UINTMAX_MAX;
 
 TEST_P(Clips, KeepTheirPromise) {
   if (std::filesystem::file_size(GetParam()) > kMostBytes) GTEST_SKIP() << "thinned under sanitizers";
-  cook::Notes notes;
-  const cook::BuiltScene built = cook::build_scene(cook::read_gltf(GetParam()), without_meshes(), notes);
+  const cook::BuiltScene& built = built_once(GetParam());
   const Reference reference(GetParam());
   const std::vector<std::size_t> animations = animations_of(built, reference.source());
   const double scale = scale_of(built);
@@ -151,8 +161,7 @@ TEST_P(Clips, KeepTheirPromise) {
 // A set of joints, and a pose that already holds what stays: the same bits as of the whole pose.
 TEST_P(Clips, InPartsAreTheSame) {
   if (std::filesystem::file_size(GetParam()) > kMostBytes) GTEST_SKIP() << "thinned under sanitizers";
-  cook::Notes notes;
-  const cook::BuiltScene built = cook::build_scene(cook::read_gltf(GetParam()), without_meshes(), notes);
+  const cook::BuiltScene& built = built_once(GetParam());
   const auto lane = [](const SoaTransform& t, std::size_t n) {
     std::vector<std::uint32_t> bits(10);
     for (std::size_t i = 0; i < 10; ++i) std::memcpy(&bits[i], reinterpret_cast<const float*>(&t) + 4 * i + n, 4);

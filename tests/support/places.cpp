@@ -2,6 +2,7 @@
 #include "support/places.h"
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace marrow::test {
 
@@ -20,6 +21,15 @@ std::string newt_glb() {
 std::string assets_folder() {
   const char* const given = std::getenv("MARROW_ASSETS");
   return given != nullptr ? given : in_source("../shared/assets");
+}
+
+bool in_long_form() {
+  const char* const form = std::getenv("MARROW_TESTS");
+  return form != nullptr && std::string(form) == "all";
+}
+
+bool takes_part(const std::string& model) {
+  return in_long_form() || std::filesystem::file_size(model) < 800'000;
 }
 
 std::string program() {

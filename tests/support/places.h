@@ -13,6 +13,12 @@ std::string in_golden(const std::string& name);
 std::string newt_glb();
 // The folder of real models: MARROW_ASSETS, or the one beside the checkout. It need not exist.
 std::string assets_folder();
+// Whether tests run in their long form, every model on every path: MARROW_TESTS=all. The short form has the same
+// assertions on less.
+bool in_long_form();
+// Whether a model of the folder takes part: in the short form those of less than 800 kB, which have every feature among
+// them.
+bool takes_part(const std::string& model);
 // The program `marrow`, in builds with the tools.
 std::string program();
 // A library that makes contexts say that they were reset, in builds with `marrow view`; else empty.
