@@ -3,20 +3,25 @@
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp
   unit/deform/deformers_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-set(gltf_tests unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp unit/cook/gltf_geometry_test.cpp
-  unit/cook/gltf_looks_test.cpp unit/cook/gltf_morphs_test.cpp unit/cook/gltf_refusals_test.cpp
-  unit/cook/gltf_scene_test.cpp unit/cook/keep_test.cpp unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp)
-marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp ${gltf_tests} unit/cook/channels_test.cpp
-  unit/cook/clips_test.cpp unit/cook/codec_test.cpp unit/cook/bind_weights_test.cpp unit/cook/deformers_test.cpp
-  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/lod_test.cpp unit/cook/split_test.cpp
-  unit/cook/examples_test.cpp unit/cook/subdivide_test.cpp unit/cook/subdivide_mesh_test.cpp)
+marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp
+  unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_morphs_test.cpp
+  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp)
+target_link_libraries(marrow_input_tests PRIVATE marrow_cook draco::draco)
+
+marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
+  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/keep_test.cpp
+  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/lod_test.cpp
+  unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
+  unit/cook/subdivide_mesh_test.cpp)
 # To cook twice takes minutes under a sanitizer, which sees the same code in all the others.
 if(MARROW_SANITIZE)
   set_tests_properties(cook PROPERTIES ENVIRONMENT "GTEST_FILTER=-*.*SameBytesEveryTime:Learn.LeavesSsdAlone")
 endif()
 # Optimising documents built from initialiser lists takes most of a minute and saves nothing.
-target_compile_options(marrow_cook_tests PRIVATE -O0)
-set_target_properties(marrow_cook_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+foreach(target marrow_input_tests marrow_cook_tests)
+  target_compile_options(${target} PRIVATE -O0)
+  set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+endforeach()
 marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
 marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
 marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
@@ -30,6 +35,9 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_options marrow_deform mar
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow unit/cook/settings_test.cpp unit/cook/workflow_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook_command marrow_sample)
+if(MARROW_SANITIZE)
+  set_tests_properties(workflow PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*")
+endif()
 
 # What `marrow bench` runs; the command itself is tested with the program.
 marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp)
@@ -78,6 +86,8 @@ add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRE
   ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf ${CMAKE_CURRENT_SOURCE_DIR}/golden/looks.gltf
   ${CMAKE_CURRENT_SOURCE_DIR}/golden/limits.gltf)
 set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
+add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_input_tests marrow_workflow_tests)
+set_property(TEST fuzz.gltf input workflow APPEND PROPERTY LABELS hostile)
 
 # A JSON library costs seconds in every file that includes it.
 set_target_properties(marrow_reference PROPERTIES UNITY_BUILD ${MARROW_UNITY})
@@ -107,4 +117,5 @@ if(NOT MARROW_SANITIZE)
   add_test(NAME export.validator COMMAND ${PROJECT_SOURCE_DIR}/tools/check_export.sh $<TARGET_FILE:marrow>)
   add_test(NAME export.three COMMAND ${PROJECT_SOURCE_DIR}/tools/check_three.sh $<TARGET_FILE:marrow>)
   set_tests_properties(export.validator export.three PROPERTIES LABELS cli SKIP_RETURN_CODE 3 TIMEOUT 1800)
+  set_property(TEST export.three APPEND PROPERTY LABELS long)
 endif()

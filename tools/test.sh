@@ -1,35 +1,97 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs the tests: optimised, under the sanitizers, without SIMD, and on AArch64.
-# usage: tools/test.sh [PRESET ...]     presets: release asan tsan scalar aarch64 dev; without arguments the first five
+# Installs what is missing, builds and tests. Says at the end what took how long: wall seconds, and seconds of processor.
+# usage: tools/test.sh              every test of behaviour once, optimised; under sanitizers what reads others' bytes
+#        tools/test.sh all          every preset, driver and model, as before a release: about an hour
+#        tools/test.sh PRESET ...   all tests of these presets: release asan tsan scalar aarch64 dev
+#        tools/test.sh PART ...     a warm loop: builds and runs these alone, by preset dev. A PART is runtime ik input cook
+#                                   workflow deform road bench cli gl; GTEST_FILTER=PATTERN picks tests of it
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$here"
-[ $# -gt 0 ] || set -- release asan tsan scalar aarch64
+presets=" release asan tsan scalar aarch64 dev "
+parts=" runtime ik input cook workflow deform road bench cli gl "
+usage() { sed -n '3,8s/^# \{0,1\}//p' "$0" >&2; exit 1; }
 
-tools/install.sh tools/packages.txt tools/packages-test.txt
+# Runs a command and notes what it took, under a name.
+took=""
+timed() {  # NAME COMMAND ...
+  local name=$1 code=0 start end
+  shift
+  start="$EPOCHREALTIME $(processor_seconds)"
+  "$@" || code=$?
+  end="$EPOCHREALTIME $(processor_seconds)"
+  took+=$(awk -v a="$start" -v b="$end" -v name="$name" 'BEGIN {
+    split(a, s, " "); split(b, e, " "); printf "%-28s %6.0f s %6.0f s of processor", name, e[1] - s[1], e[2] - s[2] }')$'\n'
+  return $code
+}
+# Of this shell's ended children, user and system.
+processor_seconds() {
+  awk '{ print ($16 + $17) / '"$(getconf CLK_TCK)"' }' "/proc/$$/stat" 2>/dev/null || echo 0
+}
+trap 'printf "%s" "$took" >&2' EXIT
 
-# Second opinions from npm, where it can be reached: another OpenGL ES driver, and the Khronos validator. And Debian's
-# OpenGL ES for the other processor, below.
-export MARROW_ANGLE="${MARROW_ANGLE:-$here/build/angle}"
-[ -e "$MARROW_ANGLE/libEGL.so" ] || tools/get_angle.sh "$MARROW_ANGLE" || echo "SKIPPED: tests on ANGLE" >&2
-tools/validate_gltf.sh tools/sample/newt.glb || { code=$?; [ $code -eq 3 ] && echo "SKIPPED: gltf-validator on the sample" >&2 || exit $code; }
+build() { cmake --preset "$1" >/dev/null && cmake --build --preset "$@"; }
+# Address randomisation with many bits defeats the thread sanitizer of older compilers.
+run() {
+  local plain=()
+  if [ "$1" = tsan ] && setarch -R true 2>/dev/null; then plain=(setarch -R); fi
+  "${plain[@]}" ctest --preset "$@" -j2
+}
 
-case " $* " in
-  *" aarch64 "*)
-    export MARROW_ARM64_GL="${MARROW_ARM64_GL:-$here/build/arm64-gl}"
-    tools/get_arm64_gl.sh "$MARROW_ARM64_GL" || echo "SKIPPED: OpenGL ES on AArch64" >&2
+# Other opinions from npm, where it can be reached: another OpenGL ES driver, and the Khronos validator.
+get_angle() {
+  export MARROW_ANGLE="${MARROW_ANGLE:-$here/build/angle}"
+  [ -e "$MARROW_ANGLE/libEGL.so" ] || tools/get_angle.sh "$MARROW_ANGLE" || echo "SKIPPED: tests on ANGLE" >&2
+}
+validate_sample() {
+  tools/validate_gltf.sh tools/sample/newt.glb && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: gltf-validator on the sample" >&2
+}
+get_arm64_gl() {
+  export MARROW_ARM64_GL="${MARROW_ARM64_GL:-$here/build/arm64-gl}"
+  tools/get_arm64_gl.sh "$MARROW_ARM64_GL" || echo "SKIPPED: OpenGL ES on AArch64" >&2
+}
+
+test_preset() {
+  echo "== $1" >&2
+  [ "$1" != release ] || timed "get ANGLE" get_angle
+  [ "$1" != aarch64 ] || timed "get OpenGL ES for AArch64" get_arm64_gl
+  timed "build $1" build "$1"
+  timed "run $1" run "$1"
+}
+
+test_parts() {
+  local targets=() names
+  for part in "$@"; do targets+=("marrow_${part}_tests"); done
+  names=$(IFS='|'; echo "$*")
+  timed "build $*" build dev --target "${targets[@]}"
+  timed "run $*" run dev -R "^($names)(\.[0-9]+)?\$"
+}
+
+test_once() {
+  timed "validate the sample" validate_sample
+  timed "build release" build release
+  timed "run release" run release -LE long
+  timed "build hostile, sanitized" build asan --target marrow_hostile
+  timed "run hostile, sanitized" run asan -L hostile
+}
+
+timed packages tools/install.sh tools/packages.txt tools/packages-test.txt
+case "${1:-}" in
+  "") test_once ;;
+  all)
+    [ $# -eq 1 ] || usage
+    export MARROW_TESTS=all
+    timed "validate the sample" validate_sample
+    for preset in release asan tsan scalar aarch64; do test_preset $preset; done
+    ;;
+  *)
+    if [[ $presets == *" $1 "* ]]; then
+      for preset in "$@"; do [[ $presets == *" $preset "* ]] || usage; done
+      for preset in "$@"; do test_preset "$preset"; done
+    else
+      for part in "$@"; do [[ $parts == *" $part "* ]] || usage; done
+      test_parts "$@"
+    fi
     ;;
 esac
-
-# Address randomisation with many bits defeats the thread sanitizer of older compilers.
-run_tests() {
-  local run=()
-  if [ "$1" = tsan ] && setarch -R true 2>/dev/null; then run=(setarch -R); fi
-  "${run[@]}" ctest --preset "$1" -j2
-}
-for preset in "$@"; do
-  echo "== $preset" >&2
-  cmake --preset "$preset" >/dev/null
-  cmake --build --preset "$preset"
-  run_tests "$preset"
-done
