@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "export/glb.h"
+#include "glb/glb.h"
 #include "marrow/pose.h"
 
 namespace marrow::tools {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "export/glb.h"
+#include "glb/glb.h"
 #include "marrow/file.h"
 
 namespace marrow::tools {

@@ -16,7 +16,7 @@ std::size_t ExportScene::add_node(Json node, std::size_t parent) {
 }
 
 Exported export_file(const File& file, const std::string& name) {
-  ExportScene scene{file, name, {}, {}, {}, {}, {}};
+  ExportScene scene{file, name, Glb("marrow export"), {}, {}, {}, {}};
   scene.glb.json["scene"] = 0;
   export_skeletons(scene);
   export_limits(scene);

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "export/glb.h"
+#include "glb/glb.h"
 #include "marrow/file.h"
 
 namespace marrow::tools {

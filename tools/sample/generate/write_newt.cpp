@@ -1,24 +1,21 @@
-// Lays out buffers, accessors and nodes, and wraps them into the GLB container.
-#include "glb.h"
+#include "write_newt.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
-#include <nlohmann/json.hpp>
+
+#include "glb/glb.h"
 
 namespace marrow::sample {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedByte = 5121;
-constexpr int kVertexData = 34962, kIndexData = 34963;
+using tools::Component, tools::Json, tools::Target;
+using tools::kMat4, tools::kScalar, tools::kVec3, tools::kVec4;
 
 class Writer {
  public:
   std::string run(const Model& model) {
-    json_["asset"] = {{"version", "2.0"}, {"generator", "Marrow sample generator"}, {"copyright", "MIT"}};
+    json_["asset"]["copyright"] = "MIT";
     json_["scene"] = 0;
     for (const char* name :
          {"scenes", "nodes", "meshes", "skins", "materials", "animations", "accessors", "bufferViews"}) {
@@ -32,8 +29,7 @@ class Writer {
     const std::size_t armature = json_["nodes"].size() - 1;
     json_["scenes"].push_back({{"name", "newt"}, {"nodes", {armature, kBodyNode}}});
     for (const Clip& clip : model.clips) add_clip(clip);
-    json_["buffers"] = Json::array({{{"byteLength", data_.size()}}});
-    return wrap();
+    return glb_.finish("the sample");
   }
 
  private:
@@ -41,29 +37,8 @@ class Writer {
   static constexpr int kBodyNode = kJointCount;
   static constexpr int kFaceNode = kJointCount + 1;
 
-  template <typename T>
-  std::size_t add_accessor(const std::vector<T>& values, int component, const char* type, int target,
-                           bool normalised = false) {
-    while (data_.size() % 4 != 0) data_.push_back('\0');
-    const std::size_t bytes = values.size() * sizeof(T);
-    Json view = {{"buffer", 0}, {"byteOffset", data_.size()}, {"byteLength", bytes}};
-    if (target != 0) view["target"] = target;
-    json_["bufferViews"].push_back(view);
-    if (bytes > 0) data_.append(reinterpret_cast<const char*>(values.data()), bytes);
-    const std::size_t parts =
-        std::map<std::string, std::size_t>{{"SCALAR", 1}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}.at(type);
-    const std::size_t size = component == kFloat ? 4 : component == kUnsignedShort ? 2 : 1;
-    Json accessor = {{"bufferView", json_["bufferViews"].size() - 1},
-                     {"componentType", component},
-                     {"count", bytes / (size * parts)},
-                     {"type", type}};
-    if (normalised) accessor["normalized"] = true;
-    json_["accessors"].push_back(accessor);
-    return json_["accessors"].size() - 1;
-  }
-
   std::size_t add_positions(const std::vector<glm::vec3>& positions) {
-    const std::size_t accessor = add_accessor(positions, kFloat, "VEC3", kVertexData);
+    const std::size_t accessor = glb_.add_accessor(positions, Component::f32, kVec3, Target::vertices);
     glm::vec3 low = positions[0], high = positions[0];
     for (const glm::vec3& p : positions) {
       low = glm::min(low, p);
@@ -80,7 +55,7 @@ class Writer {
       return static_cast<std::uint16_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 65535.0f));
     };
     for (const glm::vec3& c : colours) packed.push_back({pack(c.r), pack(c.g), pack(c.b), 65535});
-    return add_accessor(packed, kUnsignedShort, "VEC4", kVertexData, true);
+    return glb_.add_accessor(packed, Component::u16, kVec4, Target::vertices, true);
   }
 
   std::size_t add_triangles(const std::vector<Triangle>& triangles) {
@@ -88,7 +63,7 @@ class Writer {
     for (const Triangle& t : triangles) {
       for (const std::uint32_t v : t) indices.push_back(static_cast<std::uint16_t>(v));
     }
-    return add_accessor(indices, kUnsignedShort, "SCALAR", kIndexData);
+    return glb_.add_accessor(indices, Component::u16, kScalar, Target::indices);
   }
 
   void add_materials() {
@@ -149,10 +124,10 @@ class Writer {
       weights.push_back(w.weights);
     }
     Json attributes = {{"POSITION", add_positions(model.body.positions)},
-                       {"NORMAL", add_accessor(model.normals, kFloat, "VEC3", kVertexData)},
+                       {"NORMAL", glb_.add_accessor(model.normals, Component::f32, kVec3, Target::vertices)},
                        {"COLOR_0", add_colours(model.colours)},
-                       {"JOINTS_0", add_accessor(joints, kUnsignedByte, "VEC4", kVertexData)},
-                       {"WEIGHTS_0", add_accessor(weights, kUnsignedShort, "VEC4", kVertexData, true)}};
+                       {"JOINTS_0", glb_.add_accessor(joints, Component::u8, kVec4, Target::vertices)},
+                       {"WEIGHTS_0", glb_.add_accessor(weights, Component::u16, kVec4, Target::vertices, true)}};
     add_mesh("body", attributes, add_triangles(model.body.triangles), 0);
     std::vector<glm::mat4> inverses;
     Json list = Json::array();
@@ -165,7 +140,7 @@ class Writer {
       list.push_back(i);
     }
     json_["skins"].push_back({{"name", "newt"},
-                              {"inverseBindMatrices", add_accessor(inverses, kFloat, "MAT4", 0)},
+                              {"inverseBindMatrices", glb_.add_accessor(inverses, Component::f32, kMat4, Target::none)},
                               {"skeleton", kPelvis},
                               {"joints", list}});
     json_["nodes"].push_back({{"name", "body"}, {"mesh", 0}, {"skin", 0}});
@@ -179,7 +154,7 @@ class Writer {
   void add_face(const Model& model) {
     for (const RigidPart& part : model.face) {
       const Json attributes = {{"POSITION", add_positions(part.mesh.positions)},
-                               {"NORMAL", add_accessor(part.normals, kFloat, "VEC3", kVertexData)},
+                               {"NORMAL", glb_.add_accessor(part.normals, Component::f32, kVec3, Target::vertices)},
                                {"COLOR_0", add_colours(part.colours)}};
       const bool lid = part.name.rfind("lid", 0) == 0;
       add_mesh(part.name, attributes, add_triangles(part.mesh.triangles), lid ? 0 : 1);
@@ -196,7 +171,7 @@ class Writer {
     Json samplers = Json::array(), channels = Json::array();
     for (const Track& track : clip.tracks) {
       if (inputs.find(track.times) == inputs.end()) {
-        const std::size_t input = add_accessor(track.times, kFloat, "SCALAR", 0);
+        const std::size_t input = glb_.add_accessor(track.times, Component::f32, kScalar, Target::none);
         json_["accessors"][input]["min"] = {track.times.front()};
         json_["accessors"][input]["max"] = {track.times.back()};
         inputs[track.times] = input;
@@ -206,34 +181,18 @@ class Writer {
       const char* interpolation = track.interpolation == Interpolation::cubic  ? "CUBICSPLINE"
                                   : track.interpolation == Interpolation::step ? "STEP"
                                                                                : "LINEAR";
-      samplers.push_back({{"input", inputs[track.times]},
-                          {"interpolation", interpolation},
-                          {"output", add_accessor(track.values, kFloat, turns ? "VEC4" : "VEC3", 0)}});
+      samplers.push_back(
+          {{"input", inputs[track.times]},
+           {"interpolation", interpolation},
+           {"output", glb_.add_accessor(track.values, Component::f32, turns ? kVec4 : kVec3, Target::none)}});
       const int node = track.target < kFaceTarget ? track.target : track.target - kFaceTarget + kFaceNode;
       channels.push_back({{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
     }
     json_["animations"].push_back({{"name", clip.name}, {"channels", channels}, {"samplers", samplers}});
   }
 
-  std::string wrap() {
-    std::string text = json_.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    data_.resize((data_.size() + 3) / 4 * 4, '\0');
-    std::string file = "glTF";
-    const auto word = [&](std::size_t value) {
-      for (int shift = 0; shift < 32; shift += 8) file.push_back(static_cast<char>(value >> shift & 0xff));
-    };
-    word(2);
-    word(12 + 8 + text.size() + 8 + data_.size());
-    word(text.size());
-    file += "JSON" + text;
-    word(data_.size());
-    file.append("BIN\0", 4);
-    return file + data_;
-  }
-
-  Json json_;
-  std::string data_;
+  tools::Glb glb_{"Marrow sample generator"};
+  Json& json_ = glb_.json;
 };
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <fstream>
 
-#include "glb.h"
 #include "paint.h"
 #include "shape.h"
+#include "write_newt.h"
 
 namespace {
 

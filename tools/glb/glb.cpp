@@ -1,4 +1,4 @@
-#include "export/glb.h"
+#include "glb/glb.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,6 +24,10 @@ void append_chunk(std::string& to, std::uint32_t type, const std::string& data, 
   to.append(padded - data.size(), padding);
 }
 
+std::size_t bytes_of(Component component) {
+  return component == Component::u8 ? 1 : component == Component::u16 ? 2 : 4;
+}
+
 }  // namespace
 
 Json number(float value) {
@@ -40,8 +44,8 @@ Json numbers(const std::vector<float>& values) {
   return out;
 }
 
-Glb::Glb() {
-  json["asset"] = {{"version", "2.0"}, {"generator", "marrow export"}};
+Glb::Glb(const char* generator) {
+  json["asset"] = {{"version", "2.0"}, {"generator", generator}};
 }
 
 std::size_t Glb::add(const char* list, Json element) {
@@ -58,11 +62,11 @@ std::size_t Glb::add_view(const void* data, std::size_t bytes, Target target) {
   return add("bufferViews", view);
 }
 
-std::size_t Glb::add_bytes(const void* data, std::size_t bytes, std::size_t count, Component component,
-                           AccessorType type, Target target, bool normalised) {
+std::size_t Glb::add_bytes(const void* data, std::size_t bytes, Component component, AccessorType type, Target target,
+                           bool normalised) {
   Json accessor = {{"bufferView", add_view(data, bytes, target)},
                    {"componentType", static_cast<int>(component)},
-                   {"count", count},
+                   {"count", bytes / (bytes_of(component) * type.parts)},
                    {"type", type.name}};
   if (normalised) accessor["normalized"] = true;
   return add("accessors", accessor);

@@ -24,18 +24,18 @@ inline constexpr AccessorType kScalar{"SCALAR", 1}, kVec2{"VEC2", 2}, kVec3{"VEC
 
 class Glb {
  public:
-  Glb();
+  // generator: the program, as "asset" has it.
+  explicit Glb(const char* generator);
 
   // Appends to a list of the document, making it if it is not there yet, and returns the new element's number.
   std::size_t add(const char* list, Json element);
 
-  // An accessor with a buffer view of its own, on a boundary of four bytes. T is what `component` says, and values hold
-  // type.parts of it an element; elements of vertices must fill four bytes.
+  // An accessor with a buffer view of its own, on a boundary of four bytes. values: of `component`, type.parts an
+  // element, one or several a T; elements of vertices must fill four bytes.
   template <class T>
   std::size_t add_accessor(const std::vector<T>& values, Component component, AccessorType type, Target target,
                            bool normalised = false) {
-    return add_bytes(values.data(), values.size() * sizeof(T), values.size() / type.parts, component, type, target,
-                     normalised);
+    return add_bytes(values.data(), values.size() * sizeof(T), component, type, target, normalised);
   }
   // Floats with the smallest and largest of each part, where glTF wants them: positions and key times.
   std::size_t add_bounded(const std::vector<float>& values, AccessorType type, Target target);
@@ -52,8 +52,8 @@ class Glb {
   Json json;
 
  private:
-  std::size_t add_bytes(const void* data, std::size_t bytes, std::size_t count, Component component, AccessorType type,
-                        Target target, bool normalised);
+  std::size_t add_bytes(const void* data, std::size_t bytes, Component component, AccessorType type, Target target,
+                        bool normalised);
   std::string data_;
 };
 
