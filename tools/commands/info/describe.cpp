@@ -92,87 +92,117 @@ ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File:
           {"bytes_per_vertex", static_cast<double>(geometry.bytes) / g.vertex_count}};
 }
 
+ordered_json describe_sections(const LoadedFile& loaded) {
+  ordered_json out = ordered_json::array();
+  for (const File::Section& s : loaded.stored)
+    out.push_back({{"type", section_name(s.type)}, {"offset", s.offset}, {"bytes", s.bytes}, {"codec", s.codec}});
+  return out;
+}
+
+// Of a skeleton or of a reference to one.
+template <class Joints>
+ordered_json describe_joints(const File& file, const Joints& s) {
+  ordered_json out = ordered_json::array();
+  for (std::uint32_t j = 0; j < s.joint_count; ++j)
+    out.push_back(
+        {{"name", file.text(s.names[j])}, {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
+  return out;
+}
+
+ordered_json describe_skeletons(const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  const Character character(file);
+  const std::vector<File::Section> sections = sections_of(loaded, "SKEL");
+  ordered_json out = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
+    const Skeleton s = file.skeleton(i);
+    out.push_back({{"name", s.name},
+                   {"joints", s.joint_count},
+                   {"roots", s.root_count},
+                   {"limits", s.limits.size},
+                   {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
+                   {"diagonal_m", diagonal(character, i)},
+                   {"bytes", sections[i].bytes},
+                   {"joint_list", describe_joints(file, s)}});
+  }
+  return out;
+}
+
+ordered_json describe_references(const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  const std::vector<File::Section> sections = sections_of(loaded, "SREF");
+  ordered_json out = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.reference_count(); ++i) {
+    const SkeletonReference s = file.reference(i);
+    out.push_back({{"name", s.name},
+                   {"joints", s.joint_count},
+                   {"hash", fmt::format("{:016x}", s.hash)},
+                   {"bytes", sections[i].bytes},
+                   {"joint_list", describe_joints(file, s)}});
+  }
+  return out;
+}
+
+ordered_json describe_meshes(const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  const std::vector<File::Section> meshes = sections_of(loaded, "MESH"), geometries = sections_of(loaded, "GEOM");
+  ordered_json out = ordered_json::array();
+  std::vector<bool> counted(geometries.size(), false);
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
+    const Mesh mesh = file.mesh(i);
+    const std::uint32_t g = mesh.geometry_index;
+    out.push_back(describe_mesh(mesh, meshes[i].bytes, geometries[g], !counted[g]));
+    counted[g] = true;
+    for (std::uint32_t level = 1; level <= mesh.lods.size; ++level) {
+      const Geometry less = file.mesh(i, level).geometry;
+      out.back()["lods"].push_back({{"vertices", less.vertex_count},
+                                    {"triangles", less.index_count / 3},
+                                    {"bytes", geometries[mesh.lods[level - 1].geometry].bytes},
+                                    {"error_m", mesh.lods[level - 1].error_m}});
+    }
+  }
+  return out;
+}
+
+ordered_json describe_clips(const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  const std::vector<File::Section> sections = sections_of(loaded, "CLIP");
+  ordered_json out = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
+    const Clip c = file.clip(i);
+    const CodedTracks& coded = c.coded;
+    ordered_json channels = ordered_json::array();
+    for (const Channel& channel : c.channels) channels.push_back(file.text(channel.name));
+    out.push_back({{"name", c.name},
+                   {"duration_s", c.duration_s},
+                   {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
+                   {"codec", coded.frame_count > 0 ? "segments" : "raw"},
+                   {"frames", coded.frame_count},
+                   {"skeleton", c.skeleton},
+                   {"bytes", sections[i].bytes},
+                   {"additive", c.additive},
+                   {"reference", c.reference != nullptr ? "own" : "rest"},
+                   {"channels", channels}});
+  }
+  return out;
+}
+
 }  // namespace
 
 ordered_json describe(const std::string& path, const LoadedFile& loaded) {
-  const File& file = loaded.file;
-  const Character character(file);
   ordered_json r;
   r["file"] = path;
   r["version"] = 1;
   r["bytes"] = loaded.stored_bytes;
   r["packed"] = loaded.stored_bytes != loaded.bytes.size();
   r["totals"] = describe_totals(loaded);
-  r["sections"] = ordered_json::array();
-  for (const File::Section& s : loaded.stored)
-    r["sections"].push_back(
-        {{"type", section_name(s.type)}, {"offset", s.offset}, {"bytes", s.bytes}, {"codec", s.codec}});
-  const std::vector<File::Section> skeletons = sections_of(loaded, "SKEL"), clips = sections_of(loaded, "CLIP"),
-                                   meshes = sections_of(loaded, "MESH"), geometries = sections_of(loaded, "GEOM");
-  r["skeletons"] = ordered_json::array();
-  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
-    const Skeleton s = file.skeleton(i);
-    ordered_json joints = ordered_json::array();
-    for (std::uint32_t j = 0; j < s.joint_count; ++j)
-      joints.push_back({{"name", file.text(s.names[j])},
-                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
-    r["skeletons"].push_back({{"name", s.name},
-                              {"joints", s.joint_count},
-                              {"roots", s.root_count},
-                              {"limits", s.limits.size},
-                              {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
-                              {"diagonal_m", diagonal(character, i)},
-                              {"bytes", skeletons[i].bytes},
-                              {"joint_list", joints}});
-  }
-  r["references"] = ordered_json::array();
-  const std::vector<File::Section> references = sections_of(loaded, "SREF");
-  for (std::uint32_t i = 0; i < file.reference_count(); ++i) {
-    const SkeletonReference s = file.reference(i);
-    ordered_json joints = ordered_json::array();
-    for (std::uint32_t j = 0; j < s.joint_count; ++j)
-      joints.push_back({{"name", file.text(s.names[j])},
-                        {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
-    r["references"].push_back({{"name", s.name},
-                               {"joints", s.joint_count},
-                               {"hash", fmt::format("{:016x}", s.hash)},
-                               {"bytes", references[i].bytes},
-                               {"joint_list", joints}});
-  }
-  r["meshes"] = ordered_json::array();
-  std::vector<bool> counted(geometries.size(), false);
-  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
-    const Mesh mesh = file.mesh(i);
-    const std::uint32_t g = mesh.geometry_index;
-    r["meshes"].push_back(describe_mesh(mesh, meshes[i].bytes, geometries[g], !counted[g]));
-    counted[g] = true;
-    for (std::uint32_t level = 1; level <= mesh.lods.size; ++level) {
-      const Geometry less = file.mesh(i, level).geometry;
-      r["meshes"].back()["lods"].push_back({{"vertices", less.vertex_count},
-                                            {"triangles", less.index_count / 3},
-                                            {"bytes", geometries[mesh.lods[level - 1].geometry].bytes},
-                                            {"error_m", mesh.lods[level - 1].error_m}});
-    }
-  }
-  r["clips"] = ordered_json::array();
-  for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
-    const Clip c = file.clip(i);
-    const CodedTracks& coded = c.coded;
-    ordered_json channels = ordered_json::array();
-    for (const Channel& channel : c.channels) channels.push_back(file.text(channel.name));
-    r["clips"].push_back({{"name", c.name},
-                          {"duration_s", c.duration_s},
-                          {"tracks", c.tracks.size + coded.track_count + coded.constant_count},
-                          {"codec", coded.frame_count > 0 ? "segments" : "raw"},
-                          {"frames", coded.frame_count},
-                          {"skeleton", c.skeleton},
-                          {"bytes", clips[i].bytes},
-                          {"additive", c.additive},
-                          {"reference", c.reference != nullptr ? "own" : "rest"},
-                          {"channels", channels}});
-  }
-  describe_looks(file, r);
-  describe_nodes(file, r);
+  r["sections"] = describe_sections(loaded);
+  r["skeletons"] = describe_skeletons(loaded);
+  r["references"] = describe_references(loaded);
+  r["meshes"] = describe_meshes(loaded);
+  r["clips"] = describe_clips(loaded);
+  describe_looks(loaded.file, r);
+  describe_nodes(loaded.file, r);
   return r;
 }
 
