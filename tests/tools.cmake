@@ -90,7 +90,8 @@ add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_input_tests marrow_workf
 set_property(TEST fuzz.gltf input workflow APPEND PROPERTY LABELS hostile)
 
 # A JSON library costs seconds in every file that includes it.
-set_target_properties(marrow_reference PROPERTIES UNITY_BUILD ${MARROW_UNITY})
+set_target_properties(marrow_input_tests marrow_cook_tests marrow_cli_tests marrow_workflow_tests marrow_road_tests
+  marrow_deform_tests marrow_reference PROPERTIES UNITY_BUILD ${MARROW_UNITY} UNITY_BUILD_BATCH_SIZE 5)
 
 # The programs that documents show, as a game would build them.
 function(marrow_example name)
