@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,12 @@ struct Option {
   OptionKind kind;
   const char* shape;  // of a value, as --help prints it: "[JOINT=]E"
   const char* help;
-  std::vector<std::string> choices;  // of a text; the first is the default; empty: any
+  std::span<const char* const> choices;  // of a text; the first is the default; empty: any
   // Takes one value, of a flag "true" only. Throws tools::Failure (usage) at the value's origin.
   void (*set)(CookOptions& options, const Value& value);
 };
 
-// A new option is one more line there.
+// In the order of --help. A new option is one more entry of a list, in the files beside this one.
 const std::vector<Option>& option_table();
 
 // What was given, by option. An option that is given again is replaced whole, with all its values.

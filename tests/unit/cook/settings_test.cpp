@@ -56,7 +56,7 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
   for (const Option& option : option_table()) {
     const std::string name = option.name, shape = option.shape;
     const std::string value = option.kind == OptionKind::flag          ? "true"
-                              : !option.choices.empty()                ? '"' + option.choices.back() + '"'
+                              : !option.choices.empty()                ? '"' + std::string(option.choices.back()) + '"'
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
                               : shape == "STEPS" || shape == "EXAMPLES" || shape[0] == 'N' ? "\"3\""
                               : shape == "ENTRIES"                                         ? "\"256\""

@@ -57,8 +57,7 @@ Learnt as_it_is(const deform::SkinnedMesh& mesh) {
 }  // namespace
 
 const char* name_of(Truth truth) {
-  const char* const names[] = {"dqs", "cor", "delta-mush", "examples"};
-  return names[static_cast<std::size_t>(truth)];
+  return tools::name_of(kTruths, truth);
 }
 
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options) {

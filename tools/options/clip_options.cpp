@@ -1,0 +1,62 @@
+#include "options/option_lists.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr Named<bool> kClipCodecs[] = {{"segments", false}, {"raw", true}};
+
+// An amount; in front "JOINT=", or for all joints.
+void set_clip_error(CookOptions& options, const Value& given) {
+  const std::string& text = given.text;
+  const std::size_t divide = text.rfind('=');
+  ClipErrorRule rule;
+  if (divide != std::string::npos) rule.joints = text.substr(0, divide);
+  Amount amount;
+  if (!read_amount(std::string_view(text).substr(divide == std::string::npos ? 0 : divide + 1), amount) || divide == 0)
+    refuse(given, "\"" + text + "\" is not an error",
+           "give a length or a share of the skeleton, as in 0.1mm, 0.0001m, 0.05% or hand*=0.02mm");
+  rule.error = amount.value;
+  rule.is_share = amount.is_share;
+  rule.origin = given.origin;
+  options.clip_error.push_back(rule);
+}
+
+// "CLIP" or "CLIP=REFERENCE", divided at the last "=".
+void set_additive(CookOptions& options, const Value& given) {
+  const std::size_t divide = given.text.rfind('=');
+  AdditiveRule rule;
+  rule.clips = given.text.substr(0, divide);
+  if (divide != std::string::npos) rule.reference = given.text.substr(divide + 1);
+  if (rule.clips.empty() || rule.reference.empty())
+    refuse(given, "\"" + given.text + "\" names no clip or no reference",
+           "give CLIP or CLIP=REFERENCE, as in aim=rest");
+  rule.origin = given.origin;
+  options.additive.push_back(rule);
+}
+
+constexpr Option kClipOptions[] = {
+    {"clip-error",
+     OptionKind::list,
+     "[JOINT=]E",
+     "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm (the default), 0.0001m or 0.05% of the "
+     "skeleton; with JOINT= for some joints only, JOINT may have * and ?; repeatable, the last that fits counts",
+     {},
+     set_clip_error},
+    {"clip-codec", OptionKind::text, "TEXT", "segments: compressed within --clip-error; raw: without loss",
+     names_in<kClipCodecs>, [](CookOptions& o, const Value& v) { o.raw_clips = *value_of(kClipCodecs, v.text); }},
+    {"additive",
+     OptionKind::list,
+     "CLIP[=REFERENCE]",
+     "make clips additive, as changes from a reference: first (their first frame, the default), rest, or another "
+     "clip's first frame; CLIP may have * and ?; repeatable",
+     {},
+     set_additive},
+};
+
+}  // namespace
+
+std::span<const Option> clip_options() {
+  return kClipOptions;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,98 @@
+#include "options/option_lists.h"
+
+#include <charconv>
+#include <string_view>
+
+#include "marrow/file.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr Named<AnimationSpace> kAnimationSpaces[] = {
+    {"lift", AnimationSpace::lift}, {"smooth", AnimationSpace::smooth}, {"fit", AnimationSpace::fit}};
+constexpr Named<int> kHalfJoints[] = {{"0", 0}, {"1", 1}, {"2", 2}};
+
+// "N", "N,STEP" or "N,STEP,cotangent".
+void set_delta_mush(CookOptions& options, const Value& given) {
+  deform::DeltaMushOptions& mush = options.learn.delta_mush;
+  const char* at = given.text.data();
+  const char* const end = at + given.text.size();
+  auto read = std::from_chars(at, end, mush.iterations);
+  bool good = read.ec == std::errc() && mush.iterations >= 1 && mush.iterations <= 1000;
+  if (good && read.ptr != end && *read.ptr == ',') {
+    read = std::from_chars(read.ptr + 1, end, mush.step);
+    good = read.ec == std::errc() && mush.step > 0 && mush.step <= 1;
+  }
+  const std::string_view rest(read.ptr, static_cast<std::size_t>(end - read.ptr));
+  if (rest == ",cotangent") mush.weights = deform::EdgeWeights::cotangent;
+  if (!good || !(rest.empty() || rest == ",cotangent"))
+    refuse(given, "\"" + given.text + "\" does not say how to smooth",
+           "give iterations, 1 to 1000, and a step up to 1, as in 10,0.5 or 30,1,cotangent");
+}
+
+void set_pose_space(CookOptions& options, const Value& given) {
+  options.learn.pose_examples = whole_number(given, 0, kMaxPoseExamples);
+}
+
+constexpr Option kLearnOptions[] = {
+    {"as", OptionKind::text, "TEXT",
+     "animation space, what `skin_as` deforms by: lift: the same as linear blend skinning; smooth: delta mush in "
+     "closed form; fit: learnt from --truth in the poses of all clips (docs/deformers.md)",
+     names_in<kAnimationSpaces>,
+     [](CookOptions& o, const Value& v) { o.learn.animation_space = *value_of(kAnimationSpaces, v.text); }},
+    {"truth", OptionKind::text, "TEXT",
+     "what --as fit, --mwe and --psd learn from: cor: optimised centres of rotation; dqs: dual quaternions; "
+     "delta-mush; examples: what an artist has shown, --examples",
+     names_in<kTruths>, [](CookOptions& o, const Value& v) { o.learn.truth = *value_of(kTruths, v.text); }},
+    {"examples",
+     OptionKind::text,
+     "FILE",
+     "glTF of --truth examples: the character with corrective morph targets that clips drive, or posed meshes "
+     "(docs/deformers.md)",
+     {},
+     [](CookOptions& o, const Value& v) { o.learn.examples_file = v.text; }},
+    {"delta-mush",
+     OptionKind::text,
+     "N[,STEP[,cotangent]]",
+     "how --truth delta-mush and --as smooth smooth: iterations, how far each goes, edges by cotangents instead of "
+     "all alike; the default is 10,0.5",
+     {},
+     set_delta_mush},
+    {"half-joints", OptionKind::text, "N", "helpers that --as fit may put between a joint and its parent",
+     names_in<kHalfJoints>,
+     [](CookOptions& o, const Value& v) { o.learn.half_joints = *value_of(kHalfJoints, v.text); }},
+    {"influences",
+     OptionKind::text,
+     "N",
+     "joints that a vertex may follow in animation space, 1 to 8, the most important ones; those that it has weights "
+     "of it follows anyway; the default is 4, with half-joints 5",
+     {},
+     [](CookOptions& o, const Value& v) { o.learn.influences = whole_number(v, 1, kMaxInfluences); }},
+    {"keep-bind-pose",
+     OptionKind::flag,
+     "",
+     "--as fit leaves the bind pose exactly as it is",
+     {},
+     [](CookOptions& o, const Value&) { o.learn.keep_bind_pose = true; }},
+    {"mwe",
+     OptionKind::flag,
+     "",
+     "also multi-weight enveloping, what `skin_mwe` deforms by, learnt from --truth as --as fit is",
+     {},
+     [](CookOptions& o, const Value&) { o.learn.multi_weights = true; }},
+    {"psd",
+     OptionKind::text,
+     "EXAMPLES",
+     "also pose-space deformation, what `skin_psd` deforms by, learnt from --truth: how many examples it may have, "
+     "up to 32; 8 is a good start; 0: none",
+     {},
+     set_pose_space},
+};
+
+}  // namespace
+
+std::span<const Option> learn_options() {
+  return kLearnOptions;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,46 @@
+#include "options/option_lists.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr Named<Images> kImages[] = {
+    {"reference", Images::reference}, {"embed", Images::embed}, {"none", Images::none}};
+
+constexpr Option kSceneOptions[] = {
+    {"images", OptionKind::text, "TEXT",
+     "reference: materials name their images as the source does; embed: the PNG or JPEG files as they are; none: "
+     "neither",
+     names_in<kImages>, [](CookOptions& o, const Value& v) { o.images = *value_of(kImages, v.text); }},
+    {"keep",
+     OptionKind::list,
+     "GLOB",
+     "keep nodes by name, as sockets, and their extras; GLOB may have * and ?; repeatable",
+     {},
+     [](CookOptions& options, const Value& value) { options.keep.push_back(value.text); }},
+    {"clips-only",
+     OptionKind::flag,
+     "",
+     "a clip pack: only the clips, for the skeletons of this file or of --skeleton",
+     {},
+     [](CookOptions& options, const Value&) { options.clips_only = true; }},
+    {"skeleton",
+     OptionKind::text,
+     "CHARACTER",
+     "the character, cooked or glTF, that a clip pack is for; nodes are matched with its joints by name",
+     {},
+     [](CookOptions& options, const Value& value) { options.skeleton_file = value.text; }},
+    {"keep-vertex-order",
+     OptionKind::flag,
+     "",
+     "remember the source's vertex order, for `marrow pose` and for comparing with other evaluators",
+     {},
+     [](CookOptions& options, const Value&) { options.keep_vertex_order = true; }},
+};
+
+}  // namespace
+
+std::span<const Option> scene_options() {
+  return kSceneOptions;
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,58 @@
+#include "options/option_lists.h"
+
+#include "deform/weights/auto_weights.h"
+#include "deform/weights/smooth_weights.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr Named<std::optional<deform::WeightMethod>> kWeightMethods[] = {{"none", std::nullopt},
+                                                                         {"geodesic", deform::WeightMethod::geodesic},
+                                                                         {"gaussian", deform::WeightMethod::gaussian},
+                                                                         {"nearest", deform::WeightMethod::nearest}};
+
+void set_auto_weights(CookOptions& options, const Value& given) {
+  options.weights.make_origin = given.origin;
+  options.weights.make = *value_of(kWeightMethods, given.text);
+}
+
+void set_smooth_weights(CookOptions& options, const Value& given) {
+  options.weights.smooth_steps = whole_number(given, 0, deform::kMostSmoothSteps);
+  options.weights.smooth_origin = given.origin;
+}
+
+// "JOINT=MASK.png", divided at the last "=".
+void set_paint(CookOptions& options, const Value& given) {
+  const std::size_t divide = given.text.rfind('=');
+  if (divide == std::string::npos || divide == 0 || divide + 1 == given.text.size())
+    refuse(given, "\"" + given.text + "\" names no joint or no mask", "give JOINT=MASK.png, as in head=head.png");
+  options.weights.paint.push_back({given.text.substr(0, divide), given.text.substr(divide + 1), given.origin});
+}
+
+constexpr Option kWeightOptions[] = {
+    {"auto-weights", OptionKind::text, "TEXT",
+     "skin weights for meshes that come without; geodesic: by the way to the bones through the mesh, which is "
+     "recommended; gaussian and nearest: straight through the air",
+     names_in<kWeightMethods>, set_auto_weights},
+    {"smooth-weights",
+     OptionKind::text,
+     "STEPS",
+     "even out skin weights over the surface, those of the file too, in so many Laplacian steps",
+     {},
+     set_smooth_weights},
+    {"paint",
+     OptionKind::list,
+     "JOINT=MASK.png",
+     "a joint's weight from a grey-scale picture, read at the UVs, white for 1; other joints share what is left; "
+     "repeatable",
+     {},
+     set_paint},
+};
+
+}  // namespace
+
+std::span<const Option> weight_options() {
+  return kWeightOptions;
+}
+
+}  // namespace marrow::cook
