@@ -39,9 +39,9 @@ TEST(Reach, EverySolverBringsJointsToTheirGoals) {
   ASSERT_TRUE(model);
   tools::ReachArguments arguments;
   arguments.goals = {"hand.L=0.44,0.88,0.25", "hand.R=-0.44,0.88,0.25"};
-  EXPECT_EQ(tools::ik_solver_names().size(), 5u);
-  for (const std::string& solver : tools::ik_solver_names()) {
-    arguments.solver = solver;
+  EXPECT_EQ(std::size(tools::kIkSolvers), 5u);
+  for (const auto& [solver, method] : tools::kIkSolvers) {
+    arguments.solver = method;
     EXPECT_LT(worst_distance(model->file, tools::Reach(model->file, arguments)), 1e-3) << solver;
   }
 }

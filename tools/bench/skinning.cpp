@@ -6,7 +6,7 @@
 namespace marrow::tools {
 namespace {
 
-constexpr const char* kDeformers[] = {"rigid", "ssd", "as"};
+constexpr const char* kKernels[] = {"rigid", "ssd", "as"};
 constexpr const char* kAttributes[] = {"p", "pn", "pnt"};    // positions, normals, tangents
 constexpr const char* kSurfaceAttributes[] = {"ps", "pst"};  // normals, and tangents, of the surface
 constexpr std::uint32_t kInfluences[] = {1, 2, 3, 4, 8};
@@ -73,7 +73,7 @@ RowGroup skinning_rows() {
   const auto add_rows = [&group](const char* deformer, const char* attributes) {
     for (const std::uint32_t influences : kInfluences) {
       for (const std::uint32_t vertices : kVertices) {
-        const SkinningShape shape = {*parse_deformer(deformer), attributes, influences, vertices};
+        const SkinningShape shape = {*value_of(kDeformers, deformer), attributes, influences, vertices};
         group.rows.push_back({fmt::format("skin/{}/{}/{}/{}", deformer, attributes, influences, vertices),
                               nullptr,
                               {},
@@ -81,11 +81,11 @@ RowGroup skinning_rows() {
       }
     }
   };
-  for (const char* const deformer : kDeformers)
+  for (const char* const deformer : kKernels)
     for (const char* const attributes : kAttributes) add_rows(deformer, attributes);
   for (const char* const attributes : kSurfaceAttributes) add_rows("as", attributes);
   group.names =
-      fmt::format("skin/{}/{}/{}/{}\nskin/as/{}/{}/{}\n", choice(kDeformers), choice(kAttributes), choice(kInfluences),
+      fmt::format("skin/{}/{}/{}/{}\nskin/as/{}/{}/{}\n", choice(kKernels), choice(kAttributes), choice(kInfluences),
                   choice(kVertices), choice(kSurfaceAttributes), choice(kInfluences), choice(kVertices));
   return group;
 }

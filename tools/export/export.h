@@ -8,13 +8,6 @@
 
 namespace marrow::tools {
 
-struct ExportArguments {
-  std::string in, out;
-};
-
-// Throws Failure.
-void run_export(const ExportArguments& arguments);
-
 struct Exported {
   std::string glb;
   std::vector<std::string> warnings;  // one sentence each: what glTF could not take

@@ -10,6 +10,10 @@ namespace {
 
 constexpr Named<AnimationSpace> kAnimationSpaces[] = {
     {"lift", AnimationSpace::lift}, {"smooth", AnimationSpace::smooth}, {"fit", AnimationSpace::fit}};
+constexpr Named<Truth> kTruths[] = {{"cor", Truth::centres_of_rotation},
+                                    {"dqs", Truth::dual_quaternions},
+                                    {"delta-mush", Truth::delta_mush},
+                                    {"examples", Truth::examples}};
 constexpr Named<int> kHalfJoints[] = {{"0", 0}, {"1", 1}, {"2", 2}};
 
 // "N", "N,STEP" or "N,STEP,cotangent".

@@ -9,19 +9,6 @@ void check(Status status) {
   if (status != Status::ok) throw Failure(Exit::internal, "marrow", "", to_string(status), "please report this");
 }
 
-std::optional<Deformer> parse_deformer(const std::string& name) {
-  if (name == "rigid") return Deformer::rigid;
-  if (name == "ssd") return Deformer::ssd;
-  if (name == "as") return Deformer::as;
-  return std::nullopt;
-}
-
-std::optional<AsNormals> parse_as_normals(const std::string& name) {
-  if (name == "blended") return AsNormals::blended;
-  if (name == "tangents") return AsNormals::tangents;
-  return std::nullopt;
-}
-
 std::vector<std::vector<float>> tangents_of(const File& file, std::uint32_t level) {
   std::vector<Mesh> meshes;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) meshes.push_back(file.mesh(i, level));

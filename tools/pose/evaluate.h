@@ -11,21 +11,21 @@
 #include <vector>
 
 #include "common/aligned_bytes.h"
+#include "common/choices.h"
 #include "marrow/marrow.h"
 
 namespace marrow::tools {
 
 enum class Deformer { rigid, ssd, as };
 
-// "rigid", "ssd" or "as"; nullopt for anything else.
-std::optional<Deformer> parse_deformer(const std::string& name);
+inline constexpr Named<Deformer> kDeformers[] = {
+    {"rigid", Deformer::rigid}, {"ssd", Deformer::ssd}, {"as", Deformer::as}};
 
 // What normals go through in animation space: the blended matrix, or tangents of the deformed surface. Meshes with
 // morph targets have the blend's either way.
 enum class AsNormals { blended, tangents };
 
-// "blended" or "tangents"; nullopt for anything else.
-std::optional<AsNormals> parse_as_normals(const std::string& name);
+inline constexpr Named<AsNormals> kAsNormals[] = {{"tangents", AsNormals::tangents}, {"blended", AsNormals::blended}};
 
 // as_tangents() of every mesh of a file as one surface; empty for meshes without normals or with morph targets.
 std::vector<std::vector<float>> tangents_of(const File& file, std::uint32_t level = 0);

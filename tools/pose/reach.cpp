@@ -10,14 +10,6 @@
 namespace marrow::tools {
 namespace {
 
-struct NamedMethod {
-  const char* name;
-  IkMethod method;
-};
-constexpr NamedMethod kMethods[] = {{"fabrik", IkMethod::fabrik},
-                                    {"ccd", IkMethod::ccd},
-                                    {"dls", IkMethod::damped_least_squares},
-                                    {"gauss_newton", IkMethod::gauss_newton}};
 constexpr std::uint16_t kIterations = 64;
 
 [[noreturn]] void refuse(const std::string& goal, std::string rule) {
@@ -47,14 +39,8 @@ void check_solved(Status status, const Skeleton& skeleton) {
 
 }  // namespace
 
-std::vector<std::string> ik_solver_names() {
-  std::vector<std::string> out = {"two_bone"};
-  for (const NamedMethod& m : kMethods) out.emplace_back(m.name);
-  return out;
-}
-
 Reach::Reach(const File& file, const ReachArguments& arguments)
-    : file_(file), solver_(arguments.solver), joints_(arguments.solver == "two_bone" ? 2 : arguments.joints) {
+    : file_(file), solver_(arguments.solver), joints_(arguments.solver ? arguments.joints : 2) {
   for (const std::string& text : arguments.goals) {
     const std::size_t equals = text.rfind('=');
     Goal goal;
@@ -74,7 +60,7 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
         goal.skeleton = s;
         goal.joint = j;
         found = true;
-        const std::size_t least = solver_ == "two_bone" ? 2 : 1;
+        const std::size_t least = solver_ ? 1 : 2;
         if (above(file_, skeleton, j, joints_).size() < least) refuse(text, "too few joints above it");
       }
     }
@@ -85,7 +71,7 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
 
 void Reach::apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const {
   if (std::ranges::find(goals_, skeleton, &Goal::skeleton) == goals_.end()) return;
-  if (solver_ == "two_bone") return solve_limbs(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
+  if (!solver_) return solve_limbs(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
   solve_chains(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
 }
 
@@ -119,7 +105,7 @@ void Reach::solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<Soa
   problem.joints = joints;
   problem.limits = skeleton.limits;
   IkOptions options;
-  options.method = std::ranges::find(kMethods, solver_, [](const NamedMethod& m) { return m.name; })->method;
+  options.method = *solver_;
   options.max_iterations = kIterations;
   std::vector<std::byte> scratch(ik_scratch_bytes(skeleton, problem, options));
   check_solved(solve_ik(skeleton, local, scene, problem, options, scratch), skeleton);

@@ -3,21 +3,26 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/choices.h"
 #include "marrow/marrow.h"
 
 namespace marrow::tools {
 
 struct ReachArguments {
   std::vector<std::string> goals;  // "JOINT=X,Y,Z"
-  std::string solver = "two_bone";
+  std::optional<IkMethod> solver;  // none: two bones, in closed form
   std::uint32_t joints = 3;  // above each goal's joint that turn, but for those that twist; of two_bone always two
 };
 
-// Names that ReachArguments::solver may have.
-std::vector<std::string> ik_solver_names();
+inline constexpr Named<std::optional<IkMethod>> kIkSolvers[] = {{"two_bone", std::nullopt},
+                                                                {"fabrik", IkMethod::fabrik},
+                                                                {"ccd", IkMethod::ccd},
+                                                                {"dls", IkMethod::damped_least_squares},
+                                                                {"gauss_newton", IkMethod::gauss_newton}};
 
 class Reach {
  public:
@@ -42,7 +47,7 @@ class Reach {
 
   File file_;
   std::vector<Goal> goals_;
-  std::string solver_;
+  std::optional<IkMethod> solver_;
   std::uint32_t joints_;
 };
 

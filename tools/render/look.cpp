@@ -28,8 +28,9 @@ std::pair<int, int> parse_size(const std::string& text) {
 std::optional<DeformerPair> parse_pair(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const std::size_t colon = text.find(':');
-  const std::optional<Deformer> a = parse_deformer(text.substr(0, colon));
-  const std::optional<Deformer> b = colon == std::string::npos ? std::nullopt : parse_deformer(text.substr(colon + 1));
+  const std::optional<Deformer> a = value_of(kDeformers, text.substr(0, colon));
+  const std::optional<Deformer> b =
+      colon == std::string::npos ? std::nullopt : value_of(kDeformers, text.substr(colon + 1));
   if (!a || !b) {
     throw Failure(Exit::usage, "--heatmap", "", "\"" + text + "\" is not a pair of deformers",
                   "give two of rigid, ssd and as, as in ssd:as");

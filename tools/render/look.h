@@ -15,9 +15,9 @@ namespace marrow::tools {
 struct LookArguments {
   std::string file, heatmap;
   std::string images_from;  // empty: the file's folder
-  std::string deformer = "ssd";
-  std::string path = "ubo";
-  std::string normals = "tangents";
+  Deformer deformer = Deformer::ssd;
+  SkinPath path = SkinPath::ubo;
+  AsNormals normals = AsNormals::tangents;
   std::string size = "960x720";
   std::uint32_t lod = 0;
   Choice choice;

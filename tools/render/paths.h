@@ -4,34 +4,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 #include <span>
-#include <string_view>
 
 namespace marrow::tools {
 
 enum class SkinPath : std::uint8_t { cpu, ubo, texture, feedback, compute, crowd };
 
 struct NamedSkinPath {
-  SkinPath path;
-  const char* name;   // as on the command line
+  const char* name;  // as on the command line
+  SkinPath value;
   const char* about;  // of --help
 };
 inline constexpr NamedSkinPath kSkinPaths[] = {
-    {SkinPath::cpu, "cpu", "by the processor"},
-    {SkinPath::ubo, "ubo", "vertex shader, uniforms"},
-    {SkinPath::texture, "texture", "the same, a texture"},
-    {SkinPath::feedback, "feedback", "once, by feedback"},
-    {SkinPath::compute, "compute", "once, GLES 3.1"},
-    {SkinPath::crowd, "crowd", "as crowds are, baked"},
+    {"cpu", SkinPath::cpu, "by the processor"},
+    {"ubo", SkinPath::ubo, "vertex shader, uniforms"},
+    {"texture", SkinPath::texture, "the same, a texture"},
+    {"feedback", SkinPath::feedback, "once, by feedback"},
+    {"compute", SkinPath::compute, "once, GLES 3.1"},
+    {"crowd", SkinPath::crowd, "as crowds are, baked"},
 };
 // Those that take any pose, as a window's blends want it: all but the last.
 inline constexpr std::span<const NamedSkinPath> kPosedPaths(kSkinPaths, std::size(kSkinPaths) - 1);
-
-constexpr std::optional<SkinPath> parse_skin_path(std::string_view name) {
-  for (const NamedSkinPath& named : kSkinPaths)
-    if (name == named.name) return named.path;
-  return std::nullopt;
-}
 
 }  // namespace marrow::tools

@@ -42,8 +42,9 @@ ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
                     {"ns_per_vertex", or_null(r.ns_per_vertex)},
                     {"instructions_per_vertex", or_null(r.instructions_per_vertex)}});
   }
-  return {{"truth", truth_of(a)}, {"holdout", a.holdout},     {"trained_poses", c.trained},
-          {"held_poses", c.held}, {"diagonal", c.diagonal_m}, {"rows", rows}};
+  return {{"truth", truth_of(a)},       {"holdout", name_of(kHoldouts, a.holdout)},
+          {"trained_poses", c.trained}, {"held_poses", c.held},
+          {"diagonal", c.diagonal_m},   {"rows", rows}};
 }
 
 // SSD, and the best fits without and with half-joints.
@@ -101,8 +102,7 @@ void run_compare(const CompareArguments& a) {
     options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
   if (!a.sample.empty() && options.truth == cook::Truth::examples)
     throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
-  Study study = a.sample.empty() ? study_file(a.in, a.holdout == "clips" ? Holdout::clips : Holdout::frames, options)
-                                 : study_cylinder();
+  Study study = a.sample.empty() ? study_file(a.in, a.holdout, options) : study_cylinder();
   drop_unusable_poses(cook::make_truth(study.source, options), study);
   const DeformerComparison comparison = compare_deformers(study, options);
   if (a.json) {

@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "commands/compare/study.h"
 #include "options/options.h"
 
 namespace marrow::tools {
 
 struct CompareArguments {
   std::string in, sample;
-  std::string holdout = "frames";
+  Holdout holdout = Holdout::frames;
   std::string out;       // HTML; empty: none
   std::string pictures;  // folder of the page's pictures; empty: none
   bool json = false;

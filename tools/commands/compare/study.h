@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "common/choices.h"
 #include "cook/learn/learn.h"
 #include "cook/skin/deform_source.h"
 
 namespace marrow::tools {
 
 enum class Holdout { frames, clips };
+inline constexpr Named<Holdout> kHoldouts[] = {{"frames", Holdout::frames}, {"clips", Holdout::clips}};
 
 struct HeldPose {
   deform::Pose pose;

@@ -8,20 +8,21 @@
 
 namespace marrow::tools {
 
-void run_diff(DiffArguments& arguments) {
+bool run_diff(const DiffArguments& arguments) {
   const LoadedFile a = load_mrw(arguments.a), b = load_mrw(arguments.b);
-  arguments.differs =
-      a.bytes.size() != b.bytes.size() || std::memcmp(a.bytes.data(), b.bytes.data(), a.bytes.size()) != 0;
+  const bool equal =
+      a.bytes.size() == b.bytes.size() && std::memcmp(a.bytes.data(), b.bytes.data(), a.bytes.size()) == 0;
   const nlohmann::ordered_json differences = compare(a, b);
   if (arguments.json) {
     const nlohmann::ordered_json r = {
-        {"a", arguments.a},          {"b", arguments.b},          {"equal", !arguments.differs},
+        {"a", arguments.a},          {"b", arguments.b},          {"equal", equal},
         {"a_bytes", a.bytes.size()}, {"b_bytes", b.bytes.size()}, {"differences", differences}};
     fmt::print("{}\n", r.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    return;
+    return equal;
   }
-  if (arguments.differs) fmt::print("bytes: {}, now {}\n", a.bytes.size(), b.bytes.size());
+  if (!equal) fmt::print("bytes: {}, now {}\n", a.bytes.size(), b.bytes.size());
   for (const auto& d : differences) fmt::print("{}: {}\n", d["in"].get<std::string>(), d["text"].get<std::string>());
+  return equal;
 }
 
 }  // namespace marrow::tools

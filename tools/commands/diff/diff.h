@@ -11,10 +11,9 @@ inline constexpr int kFilesDiffer = 6;
 struct DiffArguments {
   std::string a, b;
   bool json = false;
-  bool differs = false;  // the result: whether any byte differs
 };
 
-// Throws Failure.
-void run_diff(DiffArguments& arguments);
+// Whether both are the same byte by byte. Throws Failure.
+bool run_diff(const DiffArguments& arguments);
 
 }  // namespace marrow::tools

@@ -1,17 +1,24 @@
-// The sub-command: file in, file out, warnings on stderr.
 #include <fmt/format.h>
 
+#include "commands/arguments.h"
+#include "commands/command.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
 #include "export/export.h"
 
 namespace marrow::tools {
 
-void run_export(const ExportArguments& a) {
-  const LoadedFile loaded = load_mrw(a.in);
-  const Exported exported = export_file(loaded.file, a.in);
-  for (const std::string& warning : exported.warnings) fmt::print(stderr, "{}: warning: {}\n", a.in, warning);
-  write_file_atomically(a.out, exported.glb);
+void add_export(CLI::App& app, int&) {
+  static std::string in, out;  // as long as the options that point at them
+  CLI::App* const command = app.add_subcommand("export", "Write a cooked file back as plain glTF 2.0");
+  add_input(command, in);
+  command->add_option("-o,--output", out, "the file to write")->required()->type_name("OUT.glb");
+  command->callback([] {
+    const LoadedFile loaded = load_mrw(in);
+    const Exported exported = export_file(loaded.file, in);
+    for (const std::string& warning : exported.warnings) fmt::print(stderr, "{}: warning: {}\n", in, warning);
+    write_file_atomically(out, exported.glb);
+  });
 }
 
 }  // namespace marrow::tools

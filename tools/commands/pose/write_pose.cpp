@@ -79,7 +79,6 @@ std::string to_obj(const File& file, const Character& character, Deformer deform
 }  // namespace
 
 void run_pose(const PoseArguments& a) {
-  const std::optional<Deformer> deformer = parse_deformer(a.deformer);
   const bool obj = a.out.ends_with(".obj");
   if (!obj && !a.out.ends_with(".bin"))
     throw Failure(Exit::usage, a.out, "", "unknown format", "the output's name ends with .obj or .bin");
@@ -88,7 +87,7 @@ void run_pose(const PoseArguments& a) {
   Character character(loaded.file);
   character.pose(chosen.play, a.choice.time_s);
   write_file_atomically(a.out,
-                        obj ? to_obj(loaded.file, character, *deformer) : to_bin(loaded.file, character, *deformer));
+                        obj ? to_obj(loaded.file, character, a.deformer) : to_bin(loaded.file, character, a.deformer));
 }
 
 }  // namespace marrow::tools

@@ -8,7 +8,8 @@
 namespace marrow::tools {
 
 struct PoseArguments {
-  std::string in, out, deformer = "ssd";
+  std::string in, out;
+  Deformer deformer = Deformer::ssd;
   Choice choice;
 };
 

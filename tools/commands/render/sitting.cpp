@@ -18,8 +18,8 @@ constexpr float kFrameMargin = 0.09f;
 Sitting::Sitting(const LookArguments& arguments)
     : arguments_(arguments),
       size_(parse_size(arguments.size)),
-      manner_{*parse_deformer(arguments.deformer), *parse_skin_path(arguments.path), parse_pair(arguments.heatmap)},
-      normals_(*parse_as_normals(arguments.normals)),
+      manner_{arguments.deformer, arguments.path, parse_pair(arguments.heatmap)},
+      normals_(arguments.normals),
       loaded_(load_mrw(arguments.file)),
       chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
       reach_(loaded_.file, arguments.reach),

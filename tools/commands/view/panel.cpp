@@ -15,10 +15,6 @@ namespace {
 
 constexpr float kPanelWidth = 316;
 constexpr float kLabelWidth = 82;
-constexpr struct {
-  Deformer deformer;
-  const char* name;
-} kDeformers[] = {{Deformer::rigid, "rigid"}, {Deformer::ssd, "ssd"}, {Deformer::as, "as"}};
 
 // A label, and room for a widget that fills the rest of the line.
 void label(const char* text, float scale) {
@@ -70,8 +66,8 @@ bool slider(const char* id, float& value, float least, float most, const char* f
 
 void deformers(const char* id, Deformer& chosen) {
   ImGui::PushID(id);
-  for (const auto& [deformer, name] : kDeformers) {
-    if (deformer != kDeformers[0].deformer) ImGui::SameLine();
+  for (const auto& [name, deformer] : kDeformers) {
+    if (deformer != kDeformers[0].value) ImGui::SameLine();
     if (ImGui::RadioButton(name, chosen == deformer)) chosen = deformer;
   }
   ImGui::PopID();
@@ -123,8 +119,8 @@ void skinning_section(const Actor& actor, float scale, Settings& s) {
   const auto path = [](std::size_t i) { return fmt::format("{}: {}", kPosedPaths[i].name, kPosedPaths[i].about); };
   const SkinPath used = actor.cpu_only() || s.colours != Colours::surface ? SkinPath::cpu : s.path;
   auto chosen =
-      static_cast<std::size_t>(std::ranges::find(kPosedPaths, used, &NamedSkinPath::path) - kPosedPaths.begin());
-  if (combo("##path", kPosedPaths.size(), path, chosen)) s.path = kPosedPaths[chosen].path;
+      static_cast<std::size_t>(std::ranges::find(kPosedPaths, used, &NamedSkinPath::value) - kPosedPaths.begin());
+  if (combo("##path", kPosedPaths.size(), path, chosen)) s.path = kPosedPaths[chosen].value;
   ImGui::EndDisabled();
   if (actor.cpu_only()) quiet("A mesh has more joints than one uniform block holds.");
   ImGui::BeginDisabled(s.deformer != Deformer::as || s.colours != Colours::surface);

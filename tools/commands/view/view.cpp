@@ -55,9 +55,9 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   const float duration_s = actor.plays()[s.clip].play.duration_s;
   s.playback.time_s = static_cast<double>(std::clamp(arguments.choice.time_s, 0.0f, duration_s));
   s.playing = !arguments.held;
-  s.deformer = *parse_deformer(arguments.deformer);
-  s.path = *parse_skin_path(arguments.path);
-  s.normals = *parse_as_normals(arguments.normals);
+  s.deformer = arguments.deformer;
+  s.path = arguments.path;
+  s.normals = arguments.normals;
   s.lod = static_cast<int>(std::min(arguments.lod, static_cast<std::uint32_t>(actor.coarsest_lod())));
   s.bones = arguments.bones;
   if (pair) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "common/choices.h"
 #include "deform/deformers.h"
 #include "deform/fit/progress.h"
 #include "marrow/file.h"
@@ -64,10 +63,6 @@ struct WeightOptions {
 
 enum class AnimationSpace { lift, smooth, fit };
 enum class Truth { dual_quaternions, centres_of_rotation, delta_mush, examples };
-inline constexpr tools::Named<Truth> kTruths[] = {{"cor", Truth::centres_of_rotation},
-                                                  {"dqs", Truth::dual_quaternions},
-                                                  {"delta-mush", Truth::delta_mush},
-                                                  {"examples", Truth::examples}};
 
 // Of animation space, and of what else is learnt.
 struct LearnOptions {

@@ -1,44 +1,8 @@
-#include "commands/cook/command_line.h"
-
-#include <algorithm>
-
+#include "commands/command.h"
 #include "commands/cook/run_cook.h"
+#include "commands/cook_options.h"
 
 namespace marrow::tools {
-namespace {
-
-// One option of the table, as on the command line.
-void add_option(CLI::App* command, const cook::Option& option, cook::Given& given) {
-  const std::string flag = std::string("--") + option.name;
-  const auto value_of = [flag](const std::string& text) { return cook::Value{text, {flag, ""}}; };
-  if (option.kind == cook::OptionKind::flag) {
-    command->add_flag_function(
-        flag,
-        [&given, &option, value_of](std::int64_t n) { given[option.name] = {value_of(n > 0 ? "true" : "false")}; },
-        option.help);
-    return;
-  }
-  const auto take = [&given, &option, value_of](const std::vector<std::string>& texts) {
-    std::vector<cook::Value>& values = given[option.name];
-    values.clear();
-    for (const std::string& text : texts) values.push_back(value_of(text));
-  };
-  CLI::Option* const added = command->add_option_function<std::vector<std::string>>(flag, take, option.help);
-  added->type_name(option.shape)->allow_extra_args(false);
-  if (option.kind == cook::OptionKind::list) {
-    added->take_all();
-  } else {
-    added->take_last()->expected(1);
-  }
-  if (!option.choices.empty()) added->check(CLI::IsMember(option.choices))->default_str(option.choices.front());
-}
-
-}  // namespace
-
-void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Given& given) {
-  for (const cook::Option& option : cook::option_table())
-    if (std::ranges::find(names, option.name) != names.end()) add_option(command, option, given);
-}
 
 void add_cook(CLI::App& app, int& exit_code) {
   static CookArguments a;  // as long as the options that point at it
@@ -70,7 +34,7 @@ void add_cook(CLI::App& app, int& exit_code) {
       ->default_str("1GiB")
       ->type_name("BYTES");
   command->add_option("--jobs", a.jobs, "threads; without it one a core")->check(CLI::Range(1u, 1024u))->type_name("N");
-  for (const cook::Option& option : cook::option_table()) add_option(command, option, a.given);
+  add_cook_options(command, {}, a.given);
   command->callback([&exit_code] { exit_code = run_cook(a); });
 }
 

@@ -1,0 +1,39 @@
+#include "commands/arguments.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace marrow::tools {
+
+void add_input(CLI::App* command, std::string& to) {
+  command->add_option("file", to, "the cooked file")->required()->type_name("FILE");
+}
+
+void add_choice(CLI::App* command, Choice& choice) {
+  command
+      ->add_option("--clip", choice.clip,
+                   "clip by name: all of that name, one a skeleton; or one clip by index; without it the rest pose")
+      ->type_name("C");
+  command->add_option("--clips", choice.clips, "take the clip from this clip pack")->type_name("PACK.mrw");
+  command
+      ->add_option("--time", choice.time_s, "seconds from the clip's start; outside the clip its first or last moment")
+      ->type_name("S")
+      ->check(finite("seconds"));
+}
+
+void add_deformer(CLI::App* command, Deformer& to) {
+  add_one_of(command, "--deformer", kDeformers, to, "how vertices follow joints");
+}
+
+CLI::Validator finite(const std::string& unit) {
+  const auto check = [unit](const std::string& text) {
+    float value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool good = error == std::errc() && stop == end && std::isfinite(value);
+    return good ? std::string() : "not a finite number of " + unit + ": " + text;
+  };
+  return {check, ""};
+}
+
+}  // namespace marrow::tools

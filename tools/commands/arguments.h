@@ -1,0 +1,34 @@
+// Arguments that several sub-commands have.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "common/choices.h"
+#include "pose/choose.h"
+
+namespace marrow::tools {
+
+void add_input(CLI::App* command, std::string& to);
+void add_choice(CLI::App* command, Choice& choice);
+void add_deformer(CLI::App* command, Deformer& to);
+
+// For CLI::Option::check.
+CLI::Validator finite(const std::string& unit);
+
+// An option that takes one of the names of `table` (common/choices.h) and sets `to`, whose value is the default. What
+// the table views must outlive the command.
+template <class Table, class Value>
+CLI::Option* add_one_of(CLI::App* command, const std::string& name, const Table& table, Value& to,
+                        const std::string& help) {
+  const auto set = [view = std::span(table), &to](const std::string& text) {
+    if (const auto value = value_of(view, text)) to = *value;
+  };
+  return command->add_option_function<std::string>(name, set, help)
+      ->check(CLI::IsMember(names_of(table)))
+      ->default_str(name_of(table, to));
+}
+
+}  // namespace marrow::tools

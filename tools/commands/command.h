@@ -1,0 +1,26 @@
+// The sub-commands of `marrow`. Each has a folder here, and in it a file NAME_command.cpp that declares its command
+// line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace marrow::tools {
+
+// Adds a sub-command to the program, with what it does when it is called. `exit_code` is the process's, 0 before.
+using AddCommand = void (*)(CLI::App& app, int& exit_code);
+
+void add_cook(CLI::App& app, int& exit_code);
+void add_info(CLI::App& app, int& exit_code);
+void add_diff(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
+void add_pose(CLI::App& app, int& exit_code);
+void add_bench(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
+void add_sample(CLI::App& app, int& exit_code);
+// With MARROW_HAS_GLES.
+void add_render(CLI::App& app, int& exit_code);
+void add_demo(CLI::App& app, int& exit_code);
+// With MARROW_HAS_VIEW.
+void add_view(CLI::App& app, int& exit_code);
+
+}  // namespace marrow::tools

@@ -1,0 +1,31 @@
+#include "commands/arguments.h"
+#include "commands/command.h"
+#include "commands/compare/compare.h"
+#include "commands/cook_options.h"
+
+namespace marrow::tools {
+
+void add_compare(CLI::App& app, int&) {
+  static CompareArguments a;  // as long as the options that point at it
+  CLI::App* const command = app.add_subcommand("compare", "Say which deformer a character should use");
+  command->add_option("file", a.in, "a glTF file with a skin and clips")->type_name("IN.glb");
+  command->add_option("--sample", a.sample, "instead of a file, a mesh that deformers are commonly shown on")
+      ->check(CLI::IsMember({"cylinder"}));
+  add_cook_options(command, {"truth", "examples", "delta-mush", "influences", "keep-bind-pose"}, a.given);
+  add_one_of(command, "--holdout", kHoldouts, a.holdout,
+             "what is not learnt from but judged by: alternate frames of every clip, or whole clips in turn");
+  command->add_flag(
+      "--json", a.json,
+      "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
+      "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, blended_normal_deg, bytes_per_vertex, "
+      "ns_per_vertex, instructions_per_vertex}]}, "
+      "lengths in metres");
+  command->add_option("-o,--output", a.out, "also a page with pictures and charts, in one file")->type_name("OUT.html");
+#ifdef MARROW_HAS_GLES
+  command->add_option("--pictures", a.pictures, "also the page's pictures, each a PNG in this folder")
+      ->type_name("FOLDER");
+#endif
+  command->callback([] { run_compare(a); });
+}
+
+}  // namespace marrow::tools

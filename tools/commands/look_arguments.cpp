@@ -1,0 +1,55 @@
+#include "commands/look_arguments.h"
+
+#include "commands/arguments.h"
+
+namespace marrow::tools {
+namespace {
+
+void add_skin_path(CLI::App* command, SkinPath& to, std::span<const NamedSkinPath> paths) {
+  std::string about;
+  for (const NamedSkinPath& path : paths)
+    about.append(about.empty() ? "" : "; ").append(path.name).append(": ").append(path.about);
+  add_one_of(command, "--path", paths, to, about);
+}
+
+}  // namespace
+
+void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath> paths) {
+  add_input(command, a.file);
+  add_choice(command, a.choice);
+  add_deformer(command, a.deformer);
+  add_skin_path(command, a.path, paths);
+  add_one_of(command, "--normals", kAsNormals, a.normals,
+             "in animation space: of the deformed surface, through its tangents, or, cheaper, through the blended "
+             "matrix, as meshes with morph targets and, by the vertex shader, with more than four influences");
+  command->add_option("--size", a.size, "pixels")->type_name("WxH")->capture_default_str();
+  command->add_option("--lod", a.lod, "level of detail; 0: in full")->type_name("N")->capture_default_str();
+  command->add_option("--heatmap", a.heatmap, "colour the distance between two deformers, as in ssd:as")
+      ->type_name("A:B");
+  command
+      ->add_option("--images-from", a.images_from,
+                   "where images by reference are looked for, here and below; without it, the cooked file's folder")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
+}
+
+void add_reach(CLI::App* command, ReachArguments& a) {
+  CLI::Option* const goal =
+      command->add_option("--ik", a.goals, "bring a joint to a point of the scene, metres; may be given several times")
+          ->type_name("JOINT=X,Y,Z")
+          ->expected(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_one_of(command, "--ik-solver", kIkSolvers, a.solver,
+             "two_bone: the two joints above, in closed form; others: by iteration, within the limits that the file "
+             "has")
+      ->needs(goal);
+  command
+      ->add_option("--ik-joints", a.joints,
+                   "how many joints above turn, not counting those called twist or roll; two_bone: two")
+      ->type_name("N")
+      ->check(CLI::Range(1, 32767))
+      ->capture_default_str()
+      ->needs(goal);
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,44 @@
+#include "commands/arguments.h"
+#include "commands/command.h"
+#include "commands/look_arguments.h"
+#include "commands/render/render.h"
+
+namespace marrow::tools {
+namespace {
+
+void add_movie(CLI::App* command, RenderArguments& a) {
+  CLI::Option* const movie =
+      command->add_flag("--movie", a.movie,
+                        "a moving picture that loops: the clip, or with --time, or of what does not move, a turntable; "
+                        "an animated PNG, or, with -o FOLDER/ or -o NAME%04d.png, numbered frames");
+  command->add_option("--fps", a.fps, "frames a second of a movie")
+      ->type_name("N")
+      ->check(CLI::Range(1, 60))
+      ->capture_default_str()
+      ->needs(movie);
+  command
+      ->add_option("--turn", a.turn_deg,
+                   "degrees that the camera and the lights walk round the character over the movie, at most 60 a "
+                   "second: a shorter clip is repeated; a turntable's default is 360")
+      ->type_name("DEGREES")
+      ->check(finite("degrees"))
+      ->check(CLI::Range(-3600.0f, 3600.0f))
+      ->needs(movie);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, int&) {
+  static RenderArguments a;  // as long as the options that point at it
+  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
+  add_look(command, a, kSkinPaths);
+  add_reach(command, a.reach);
+  add_movie(command, a);
+  command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
+  command->callback([command] {
+    a.held = command->count("--time") > 0;
+    run_render(a);
+  });
+}
+
+}  // namespace marrow::tools
