@@ -158,7 +158,7 @@ bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::u
   };
   for (const Track& t : Span<const Track>{at<Track>(s, l.tracks), h.track_count}) {
     if (t.joint >= joint_count) return fail(&t, "track's joint outside the skeleton");
-    if (t.path > Path::scale) return fail(&t, "unknown path");
+    if (t.path > TrackPath::scale) return fail(&t, "unknown path");
     if (!keys(h, t, format::floats_per_key(t.path, t.interpolation)) || !in_order(t)) return false;
   }
   for (const Channel& c : Span<const Channel>{at<Channel>(s, l.channels), h.channel_count}) {

@@ -172,6 +172,18 @@ std::uint32_t File::find_skeleton(const char* name) const {
   return i;
 }
 
+std::uint32_t File::find_joint(const Skeleton& skeleton, const char* name) const {
+  std::uint32_t joint = 0;
+  while (joint < skeleton.joint_count && std::strcmp(text(skeleton.names[joint]), name) != 0) ++joint;
+  return joint;
+}
+
+std::uint32_t File::find_mesh(const char* name) const {
+  std::uint32_t i = 0;
+  while (i < mesh_count() && std::strcmp(mesh(i).name, name) != 0) ++i;
+  return i;
+}
+
 std::uint32_t File::find_clip(const char* name, std::uint32_t of_skeleton) const {
   std::uint32_t i = 0;
   while (i < clip_count() && (clip(i).skeleton != of_skeleton || std::strcmp(clip(i).name, name) != 0)) ++i;

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "marrow/file.h"
-#include "marrow/limits.h"
 
 namespace marrow::format {
 
@@ -411,8 +410,8 @@ constexpr LimitLayout layout(const LimitHeader& h) {
 }
 
 // How many values a track's key has in Clip::values.
-constexpr std::uint32_t floats_per_key(Path path, Interpolation interpolation) {
-  return (path == Path::rotation ? 4u : 3u) * (interpolation == Interpolation::cubic_spline ? 3u : 1u);
+constexpr std::uint32_t floats_per_key(TrackPath path, Interpolation interpolation) {
+  return (path == TrackPath::rotation ? 4u : 3u) * (interpolation == Interpolation::cubic_spline ? 3u : 1u);
 }
 
 constexpr std::uint32_t floats_per_key(Interpolation of_channel) {

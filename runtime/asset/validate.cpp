@@ -3,6 +3,7 @@
 
 #include "asset/checker.h"
 #include "core/check.h"
+#include "marrow/memory.h"
 
 namespace marrow {
 
@@ -128,8 +129,9 @@ DataError check_container(Span<const std::byte> block) {
 }  // namespace
 
 Status load(Span<const std::byte> block, File& out, DataError* error) {
+  if (error != nullptr) *error = {Status::bad_argument, 0, "a block on a boundary of 16 bytes, see marrow/memory.h"};
   MARROW_REQUIRE(block.data != nullptr);
-  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(block.data) % 16 == 0);
+  MARROW_REQUIRE(is_on_boundary(block.data));
   DataError found = check_container(block);
   if (found.status == Status::ok) {
     const auto* header = reinterpret_cast<const format::Header*>(block.data);

@@ -11,7 +11,7 @@ bool same(const ProgramKey& a, const ProgramKey& b) {
          a.palettes == b.palettes;
 }
 
-Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSet::Entry& entry) {
+Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSetEntry& entry) {
   if (entry.role < kMostRoles)
     return build_program(api, entry.key, set.roles[entry.role], set.palette_binding, entry.program, set.log);
   if (entry.role == kBlendingRole) return build_crowd_program(api, entry.program, set.log);
@@ -23,7 +23,7 @@ Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSet
 
 const Program* find_program(const ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
   for (std::uint32_t i = 0; i < programs.count; ++i) {
-    const ProgramSet::Entry& entry = programs.entries[i];
+    const ProgramSetEntry& entry = programs.entries[i];
     if (entry.role == role && same(entry.key, key)) return &entry.program;
   }
   return nullptr;
@@ -32,7 +32,7 @@ const Program* find_program(const ProgramSet& programs, const ProgramKey& key, s
 Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
   if (find_program(programs, key, role) != nullptr) return Status::ok;
   if (programs.count == kMostPrograms) return Status::unsupported;
-  ProgramSet::Entry& entry = programs.entries[programs.count];
+  ProgramSetEntry& entry = programs.entries[programs.count];
   entry = {key, role, {}};
   const Status status = build(api, caps, programs, entry);
   if (status == Status::ok) ++programs.count;
@@ -50,7 +50,7 @@ void on_context_lost(ProgramSet& programs) {
 
 Status on_context_restored(const Api& api, const Caps& caps, ProgramSet& programs) {
   for (std::uint32_t i = 0; i < programs.count; ++i) {
-    ProgramSet::Entry& entry = programs.entries[i];
+    ProgramSetEntry& entry = programs.entries[i];
     if (entry.program.id != 0) continue;  // from an attempt before
     const Status status = build(api, caps, programs, entry);
     if (status != Status::ok) return status;

@@ -44,7 +44,7 @@ std::size_t more(std::size_t a, std::size_t b) {
   return a > b ? a : b;
 }
 
-SkinnerOptions skinner_options(Path path, Deformer deformer, std::uint32_t characters) {
+SkinnerOptions skinner_options(SkinningPath path, Deformer deformer, std::uint32_t characters) {
   SkinnerOptions out;
   out.path = path;
   out.deformer = deformer;
@@ -59,7 +59,7 @@ void lay_out_probe(Memory& memory, Probe& p) {
     const Mesh& mesh = p.meshes[m] = make_probe_mesh(probe_shape(m), memory);
     const std::uint32_t characters = m == kTimedShape ? kTimedCharacters : kProbeCharacters;
     for (std::uint32_t i = 0; i < kPathCount; ++i) {
-      const Path path = static_cast<Path>(i);
+      const SkinningPath path = static_cast<SkinningPath>(i);
       skinner = more(skinner, skinner_bytes(mesh, skinner_options(path, Deformer::ssd, characters)));
       skinner = more(skinner, skinner_bytes(mesh, skinner_options(path, Deformer::as, characters)));
     }
@@ -101,7 +101,7 @@ Status draw_points(const Probe& p, const Skinner& s, std::uint32_t part, float r
   const Program& program = program_of(s, p.programs[0], 0);
   p.api.UseProgram(program.id);
   const int location = p.api.GetUniformLocation(program.id, "self_test");
-  const bool together = s.options.path == Path::texture;
+  const bool together = s.options.path == SkinningPath::texture;
   Status status = Status::ok;
   for (std::uint32_t i = 0; i < characters && status == Status::ok; i += together ? characters : 1) {
     const float values[4] = {row + static_cast<float>(i), static_cast<float>(part), static_cast<float>(p.target.width),
@@ -157,7 +157,7 @@ Verdict make_skinner(Probe& p, const Mesh& mesh, const SkinnerOptions& options, 
   return made == Status::ok ? Verdict::usable : made == Status::unsupported ? Verdict::unsupported : Verdict::refused;
 }
 
-Verdict try_mesh(Probe& p, const Mesh& mesh, Path path, Deformer deformer, PathResult& result) {
+Verdict try_mesh(Probe& p, const Mesh& mesh, SkinningPath path, Deformer deformer, PathResult& result) {
   Skinner s;
   Verdict verdict = make_skinner(p, mesh, skinner_options(path, deformer, kProbeCharacters), s);
   if (verdict != Verdict::usable) return verdict;
@@ -169,7 +169,7 @@ Verdict try_mesh(Probe& p, const Mesh& mesh, Path path, Deformer deformer, PathR
 
 // The fastest of some frames, each waited for: what else the device does only adds. Points fall outside, so that it is
 // skinning that takes the time.
-Verdict time_path(Probe& p, Path path, PathResult& result) {
+Verdict time_path(Probe& p, SkinningPath path, PathResult& result) {
   const Mesh& mesh = p.meshes[kTimedShape];
   Skinner s;
   const Deformer deformer = p.options.ssd ? Deformer::ssd : Deformer::as;
@@ -195,11 +195,11 @@ Verdict time_path(Probe& p, Path path, PathResult& result) {
   return verdict;
 }
 
-Verdict try_path(Probe& p, Path path, PathResult& result) {
+Verdict try_path(Probe& p, SkinningPath path, PathResult& result) {
   const SelfTestOptions& o = p.options;
   if ((o.paths & bit_of(path)) == 0) return Verdict::not_tried;
   if ((o.crashed & bit_of(path)) != 0) return Verdict::crashed;
-  if (path == Path::compute && !p.caps.compute) return Verdict::unsupported;
+  if (path == SkinningPath::compute && !p.caps.compute) return Verdict::unsupported;
   if (o.about_to_try != nullptr) o.about_to_try(o.user, path);
   ProgramSet& programs = p.programs[0];
   programs = {};
@@ -221,7 +221,7 @@ void find_slow(const SelfTestOptions& options, SelfTest& test) {
   float fastest = kFar;
   const auto counts = [&](std::uint32_t i) {
     const PathResult& result = test.paths[i];
-    return static_cast<Path>(i) != Path::cpu && result.verdict == Verdict::usable && result.ns_per_vertex > 0;
+    return static_cast<SkinningPath>(i) != SkinningPath::cpu && result.verdict == Verdict::usable && result.ns_per_vertex > 0;
   };
   for (std::uint32_t i = 0; i < kPathCount; ++i)
     if (counts(i) && test.paths[i].ns_per_vertex < fastest) fastest = test.paths[i].ns_per_vertex;
@@ -234,7 +234,7 @@ Status try_paths(Probe& p, SelfTest& test) {
   if (!can_read_probe(p.api, p.target, p.words)) return Status::gl_error;
   for (std::uint32_t i = 0; i < kPathCount; ++i) {
     PathResult& result = test.paths[i];
-    result.verdict = try_path(p, static_cast<Path>(i), result);
+    result.verdict = try_path(p, static_cast<SkinningPath>(i), result);
     if (result.verdict != Verdict::usable && !can_read_probe(p.api, p.target, p.words)) return Status::gl_error;
   }
   return Status::ok;

@@ -17,13 +17,13 @@ namespace {
 // Which path is better, the best first; docs/architecture.md says why.
 struct Preference {
   bool many_characters, several_passes;
-  Path order[kPathCount];
+  SkinningPath order[kPathCount];
 };
 constexpr Preference kPreferences[] = {
-    {false, false, {Path::ubo, Path::texture, Path::compute, Path::feedback, Path::cpu}},
-    {false, true, {Path::compute, Path::feedback, Path::ubo, Path::texture, Path::cpu}},
-    {true, false, {Path::texture, Path::ubo, Path::compute, Path::feedback, Path::cpu}},
-    {true, true, {Path::texture, Path::compute, Path::feedback, Path::ubo, Path::cpu}},
+    {false, false, {SkinningPath::ubo, SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
+    {false, true, {SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::texture, SkinningPath::cpu}},
+    {true, false, {SkinningPath::texture, SkinningPath::ubo, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
+    {true, true, {SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::cpu}},
 };
 
 constexpr std::uint32_t kSavedMagic = 0x53544D4Du;
@@ -93,12 +93,12 @@ std::uint64_t self_test_key(const Api& api, const Caps& caps, const SelfTestOpti
   return format::checksum(reinterpret_cast<const std::byte*>(parts), sizeof(parts));
 }
 
-Status choose(const SelfTest& test, const PathNeed& need, Path& out) {
+Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out) {
   const bool many = need.characters >= kManyCharacters, several = need.passes > 1;
   for (const Preference& preference : kPreferences) {
     if (preference.many_characters != many || preference.several_passes != several) continue;
-    for (const Path path : preference.order) {
-      const bool has_room = path == Path::texture || path == Path::cpu || need.joints <= kPaletteJoints;
+    for (const SkinningPath path : preference.order) {
+      const bool has_room = path == SkinningPath::texture || path == SkinningPath::cpu || need.joints <= kPaletteJoints;
       if (!has_room || test.paths[static_cast<std::size_t>(path)].verdict != Verdict::usable) continue;
       out = path;
       return Status::ok;

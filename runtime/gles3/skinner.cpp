@@ -15,12 +15,12 @@
 namespace marrow::gles3 {
 namespace {
 
-bool skins_once(Path path) {
-  return path != Path::ubo && path != Path::texture;
+bool skins_once(SkinningPath path) {
+  return path != SkinningPath::ubo && path != SkinningPath::texture;
 }
 
 PrepareOptions prepare_options(const SkinnerOptions& options) {
-  const bool on_gpu = options.path != Path::cpu, as = options.deformer == Deformer::as;
+  const bool on_gpu = options.path != SkinningPath::cpu, as = options.deformer == Deformer::as;
   return {on_gpu && !as, on_gpu && as, as && on_gpu ? options.as_tangents : Span<const float>()};
 }
 
@@ -33,7 +33,7 @@ void lay_out(Memory& memory, Skinner& s, Span<std::byte>& morphed) {
   s.offsets = memory.take<std::uint32_t>(count);
   s.scratch = memory.take<std::byte>(prepare_scratch_bytes(s.mesh, prepare_options(s.options)));
   if (skins_once(s.options.path)) s.skinned = memory.take<SkinnedMesh>(count);
-  if (s.options.path != Path::cpu) return;
+  if (s.options.path != SkinningPath::cpu) return;
   const std::size_t slots = g.slot_count;
   s.positions = memory.take<float>(3 * slots);
   if (g.normals != nullptr) s.normals = memory.take<float>(3 * slots);
@@ -47,7 +47,7 @@ ProgramKey skinning_key(const Skinner& s) {
   // What the mesh needs is no choice.
   features |= s.gpu.features & (kMorphs | kSurfaceNormals);
   if (s.options.deformer != Deformer::as) features &= ~kSurfaceNormals;
-  const Palettes palettes = s.options.path == Path::texture ? Palettes::texture : Palettes::uniform_block;
+  const Palettes palettes = s.options.path == SkinningPath::texture ? Palettes::texture : Palettes::uniform_block;
   return {s.options.deformer, s.gpu.influences, static_cast<std::uint8_t>(features), palettes};
 }
 
@@ -64,8 +64,8 @@ ProgramKey preskin_key(const Skinner& s) {
   return key;
 }
 
-std::uint32_t preskin_role(Path path) {
-  return pre_skinning(path == Path::compute ? Preskin::compute : Preskin::feedback);
+std::uint32_t preskin_role(SkinningPath path) {
+  return pre_skinning(path == SkinningPath::compute ? Preskin::compute : Preskin::feedback);
 }
 
 Status build_programs(const Api& api, const Caps& caps, const Skinner& s, ProgramSet& programs) {
@@ -73,7 +73,7 @@ Status build_programs(const Api& api, const Caps& caps, const Skinner& s, Progra
     const Status status = need_program(api, caps, programs, drawing_key(s), role);
     if (status != Status::ok) return status;
   }
-  if (s.options.path != Path::feedback && s.options.path != Path::compute) return Status::ok;
+  if (s.options.path != SkinningPath::feedback && s.options.path != SkinningPath::compute) return Status::ok;
   return need_program(api, caps, programs, preskin_key(s), preskin_role(s.options.path));
 }
 
@@ -82,8 +82,8 @@ Status make_objects(const Api& api, const Caps& caps, Skinner& s) {
   const SkinnerOptions& o = s.options;
   Status status = prepare(api, caps, s.mesh, prepare_options(o), s.scratch, s.bind, s.gpu);
   const std::uint32_t joints = o.instances * s.mesh.palette_size();
-  if (status == Status::ok && o.path == Path::texture) status = create_palette_texture(api, caps, joints, s.texture);
-  if (status == Status::ok && (o.path == Path::ubo || o.path == Path::feedback || o.path == Path::compute))
+  if (status == Status::ok && o.path == SkinningPath::texture) status = create_palette_texture(api, caps, joints, s.texture);
+  if (status == Status::ok && (o.path == SkinningPath::ubo || o.path == SkinningPath::feedback || o.path == SkinningPath::compute))
     status = create_palette_ring(api, caps, joints, o.instances, s.ring);
   for (std::size_t i = 0; i < s.skinned.size && status == Status::ok; ++i)
     status = make_skinned(api, s.gpu, label_of(s.mesh), s.skinned[i]);
@@ -93,8 +93,8 @@ Status make_objects(const Api& api, const Caps& caps, Skinner& s) {
 Status check_options(const Caps& caps, const Mesh& mesh, const SkinnerOptions& o, const ProgramSet& programs) {
   if (o.instances == 0 || o.deformer == Deformer::none) return Status::bad_argument;
   if (programs.role_count == 0 || programs.role_count > kMostRoles) return Status::bad_argument;
-  if (o.path == Path::compute && !caps.compute) return Status::unsupported;
-  const bool in_block = o.path != Path::cpu && o.path != Path::texture;
+  if (o.path == SkinningPath::compute && !caps.compute) return Status::unsupported;
+  const bool in_block = o.path != SkinningPath::cpu && o.path != SkinningPath::texture;
   return in_block && mesh.palette_size() > kPaletteJoints ? Status::unsupported : Status::ok;
 }
 
@@ -137,7 +137,7 @@ Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint
 
 }  // namespace
 
-const char* to_string(Path path) {
+const char* to_string(SkinningPath path) {
   const char* const names[] = {"ubo", "texture", "feedback", "compute", "cpu"};
   return names[static_cast<std::size_t>(path)];
 }
@@ -167,7 +167,7 @@ Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const 
   std::memset(memory.data, 0, pieces.used);
   Status status = Status::ok;
   if (!made.coordinates.empty()) status = as_coordinates(mesh.geometry, made.coordinates);
-  if (status == Status::ok && options.path == Path::cpu) status = make_morphed(mesh.geometry, morphed, made.morphed);
+  if (status == Status::ok && options.path == SkinningPath::cpu) status = make_morphed(mesh.geometry, morphed, made.morphed);
   if (status == Status::ok) status = make_objects(api, caps, made);
   if (status == Status::ok) status = build_programs(api, caps, made, programs);
   if (status != Status::ok) {
@@ -190,7 +190,7 @@ void destroy(const Api& api, Skinner& s) {
 
 Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_joint, Span<const float> weights) {
   if (instance >= s.options.instances || weights.size < s.mesh.geometry.targets.size) return Status::bad_argument;
-  const Span<const Affine> bind = s.options.path == Path::cpu
+  const Span<const Affine> bind = s.options.path == SkinningPath::cpu
                                       ? Span<const Affine>(s.mesh.inverse_bind, s.mesh.joint_count)
                                       : Span<const Affine>(s.bind);
   for (std::size_t t = 0; t < s.mesh.geometry.targets.size; ++t)
@@ -204,11 +204,11 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
   if (count > s.options.instances) return Status::bad_argument;
   s.updated = 0;
   Status status = Status::ok;
-  if (s.options.path == Path::texture && count > 0) {
+  if (s.options.path == SkinningPath::texture && count > 0) {
     api.ActiveTexture(kGlTexture0 + s.options.texture_unit);
     status = upload_palettes(api, s.texture, {s.palettes.data, std::size_t{count} * s.mesh.palette_size()});
   }
-  const Program* const before = !skins_once(s.options.path) || s.options.path == Path::cpu
+  const Program* const before = !skins_once(s.options.path) || s.options.path == SkinningPath::cpu
                                     ? nullptr
                                     : find_program(programs, preskin_key(s), preskin_role(s.options.path));
   if (s.ring.buffer != 0) begin_frame(api, s.ring);
@@ -230,7 +230,7 @@ Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const 
   if (s.lost) return Status::gl_error;
   if (first > s.updated || count > s.updated - first) return Status::bad_argument;
   const std::uint32_t joints = s.mesh.palette_size(), unit = s.options.texture_unit;
-  const bool together = s.options.path == Path::texture && s.weights.empty();
+  const bool together = s.options.path == SkinningPath::texture && s.weights.empty();
   if (together && count > 0) {
     const Status status = bind_palette(api, s.texture, first * joints, joints, unit, program);
     return status == Status::ok ? draw(api, s.gpu, s.options.deformer, program, count) : status;
@@ -241,7 +241,7 @@ Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const 
       continue;
     }
     Status status = Status::ok;
-    if (s.options.path == Path::texture) {
+    if (s.options.path == SkinningPath::texture) {
       status = bind_palette(api, s.texture, i * joints, joints, unit, program);
     } else {
       bind_palette(api, s.ring, s.offsets[i], programs.palette_binding);
@@ -264,7 +264,7 @@ void on_context_lost(Skinner& s) {
 }
 
 Status on_context_restored(const Api& api, const Caps& caps, Skinner& s) {
-  const Status good = s.options.path == Path::compute && !caps.compute ? Status::unsupported : Status::ok;
+  const Status good = s.options.path == SkinningPath::compute && !caps.compute ? Status::unsupported : Status::ok;
   Status status = good == Status::ok ? make_objects(api, caps, s) : good;
   if (status == Status::ok) {
     s.lost = false;

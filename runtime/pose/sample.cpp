@@ -20,7 +20,7 @@ void mix(const float* a, const float* b, float wa, float wb, int n, float* out) 
 void linear(const Track& track, const Moment& m, const float* keys, int n, float* out) {
   const float* const a = keys + m.key * static_cast<std::size_t>(n);
   const float* const b = track.key_count > 1 ? a + n : a;
-  if (track.path != Path::rotation) return mix(a, b, 1.0f - m.u, m.u, n, out);
+  if (track.path != TrackPath::rotation) return mix(a, b, 1.0f - m.u, m.u, n, out);
   float chord_squared = 0.0f;
   for (int i = 0; i < 4; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
   const SlerpWeights<float> w = slerp_weights(chord_squared, m.u);
@@ -40,7 +40,7 @@ void cubic_spline(const Track& track, const Moment& m, const float* keys, int n,
   const float* const b = track.key_count > 1 ? a + 3 * n : a;
   const HermiteWeights w = weights_at(m);
   for (int i = 0; i < n; ++i) out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
-  if (track.path != Path::rotation) return;
+  if (track.path != TrackPath::rotation) return;
   const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
   const float inverse = squared > 0.0f ? 1.0f / __builtin_sqrtf(squared) : 0.0f;
   for (int i = 0; i < 4; ++i) out[i] *= inverse;
@@ -48,7 +48,7 @@ void cubic_spline(const Track& track, const Moment& m, const float* keys, int n,
 
 void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTransform* out) {
   const float* const keys = clip.values + track.first_value;
-  const int n = track.path == Path::rotation ? 4 : 3;
+  const int n = track.path == TrackPath::rotation ? 4 : 3;
   float value[4];
   switch (track.interpolation) {
     case Interpolation::step: {
@@ -64,8 +64,8 @@ void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTran
       break;
   }
   SoaTransform& four = out[track.joint / 4];
-  float(*const lanes)[4] = track.path == Path::translation ? four.translation
-                           : track.path == Path::rotation  ? four.rotation
+  float(*const lanes)[4] = track.path == TrackPath::translation ? four.translation
+                           : track.path == TrackPath::rotation  ? four.rotation
                                                            : four.scale;
   for (int i = 0; i < n; ++i) lanes[i][track.joint % 4] = value[i];
 }

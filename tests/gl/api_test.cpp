@@ -121,7 +121,7 @@ TEST(Api, AMeshWithoutVerticesIsRefused) {
   std::vector<SoaTransform> memory;
   for (std::uint32_t i = 0; i < gles3::kPathCount; ++i) {
     gles3::SkinnerOptions options;
-    options.path = static_cast<gles3::Path>(i);
+    options.path = static_cast<gles3::SkinningPath>(i);
     gles3::Skinner skinner;
     const Span<std::byte> room = room_for(memory, gles3::skinner_bytes(mesh, options));
     gles3::Caps caps;
@@ -167,7 +167,7 @@ TEST(Api, APaletteTooShortIsRefused) {
   // Of a skinner; what was posed before is there still.
   gles3::ProgramSet programs;
   programs.roles[0] = feedback_source();
-  for (const gles3::Path path : {gles3::Path::ubo, gles3::Path::texture, gles3::Path::feedback, gles3::Path::cpu}) {
+  for (const gles3::SkinningPath path : {gles3::SkinningPath::ubo, gles3::SkinningPath::texture, gles3::SkinningPath::feedback, gles3::SkinningPath::cpu}) {
     gles3::SkinnerOptions options;
     options.path = path;
     std::vector<SoaTransform> memory;

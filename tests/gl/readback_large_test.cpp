@@ -49,7 +49,7 @@ std::size_t read_back_cpu(const Model& model) {
     gles3::ProgramSet programs;
     programs.roles[0] = feedback_source();
     gles3::SkinnerOptions options;
-    options.path = gles3::Path::cpu;
+    options.path = gles3::SkinningPath::cpu;
     std::vector<SoaTransform> memory;
     gles3::Skinner skinner;
     EXPECT_EQ(gles3::create_skinner(gl(), {}, mesh, options, programs,

@@ -184,7 +184,7 @@ TEST(Noise, OneJointMoreGoesIntoATextureAlone) {
   std::uint32_t offset = 0;
   EXPECT_EQ(gles3::push_palette(gl(), ring, palette, offset), Status::bad_argument);
   gles3::destroy(gl(), ring);
-  for (const gles3::Path path : {gles3::Path::ubo, gles3::Path::texture, gles3::Path::cpu}) {
+  for (const gles3::SkinningPath path : {gles3::SkinningPath::ubo, gles3::SkinningPath::texture, gles3::SkinningPath::cpu}) {
     gles3::ProgramSet programs;
     programs.roles[0] = {"void main() { gl_Position = vec4(marrow_skin().position, 1.0); }",
                          "precision highp float; out vec4 colour; void main() { colour = vec4(1.0); }",
@@ -196,7 +196,7 @@ TEST(Noise, OneJointMoreGoesIntoATextureAlone) {
     EXPECT_EQ(gles3::create_skinner(gl(), {}, mesh, options, programs,
                                     {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)},
                                     skinner),
-              path == gles3::Path::ubo ? Status::unsupported : Status::ok)
+              path == gles3::SkinningPath::ubo ? Status::unsupported : Status::ok)
         << gles3::to_string(path);
     gles3::destroy(gl(), skinner);
     gles3::destroy(gl(), programs);

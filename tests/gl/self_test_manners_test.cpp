@@ -27,7 +27,7 @@ Outcome run_timed(const FakeTime& time, double (*seconds)(void*)) {
   gles3::SelfTestOptions options = one_deformer();
   options.seconds = seconds;
   options.user = &fake;
-  options.about_to_try = [](void* user, Path path) {
+  options.about_to_try = [](void* user, SkinningPath path) {
     static_cast<FakeTime*>(user)->path = static_cast<std::size_t>(path);
   };
   return run(api, gl().caps(), options);
@@ -46,8 +46,8 @@ TEST(SelfTest, SlowIsFourTimesTheFastest) {
   const Outcome outcome = run_timed(time, fake_seconds);
   expect(outcome, kFeedback, Verdict::slow, "feedback");
   // Four characters of 2048 slots: 0.001 s / 8192 = 122.07 ns.
-  EXPECT_NEAR(outcome.of(Path::ubo).ns_per_vertex, 122.07f, 0.01f);
-  EXPECT_NEAR(outcome.of(Path::cpu).ns_per_vertex, 12207.03f, 1.0f);
+  EXPECT_NEAR(outcome.of(SkinningPath::ubo).ns_per_vertex, 122.07f, 0.01f);
+  EXPECT_NEAR(outcome.of(SkinningPath::cpu).ns_per_vertex, 12207.03f, 1.0f);
   time.frame[4] = 1e-6;
   expect(run_timed(time, fake_seconds), kFeedback, Verdict::slow, "a fast CPU rules nothing out");
   time.frame[2] = 0.0009;
@@ -78,7 +78,7 @@ TEST(SelfTest, TakesTimeByARealClock) {
   ASSERT_EQ(outcome.status, Status::ok);
   for (std::uint32_t i = 0; i < gles3::kPathCount; ++i) {
     const gles3::PathResult& result = outcome.test.paths[i];
-    std::printf("%-8s %.5f %.5f %6.0f ns %s\n", to_string(static_cast<Path>(i)), double{result.position_error},
+    std::printf("%-8s %.5f %.5f %6.0f ns %s\n", to_string(static_cast<SkinningPath>(i)), double{result.position_error},
                 double{result.normal_error}, double{result.ns_per_vertex}, to_string(result.verdict));
     EXPECT_TRUE(result.verdict != Verdict::usable || result.ns_per_vertex > 0.1f);
   }
@@ -86,19 +86,19 @@ TEST(SelfTest, TakesTimeByARealClock) {
 
 // What the game would find stored if the process came to its end in the middle of a path.
 TEST(SelfTest, SaysWhatItIsAboutToTry) {
-  static std::vector<Path> tried;
+  static std::vector<SkinningPath> tried;
   static int calls_seen = 0;
   tried.clear();
   calls_seen = 0;
   gles3::Api api = faulty_api(gl());
   api.BeginTransformFeedback = [](unsigned mode) {
-    EXPECT_EQ(tried.back(), Path::feedback);
+    EXPECT_EQ(tried.back(), SkinningPath::feedback);
     ++calls_seen;
     driver().real.BeginTransformFeedback(mode);
   };
   api.TexSubImage2D = [](unsigned target, int level, int x, int y, int width, int height, unsigned format,
                          unsigned type, const void* texels) {
-    EXPECT_EQ(tried.back(), Path::texture);
+    EXPECT_EQ(tried.back(), SkinningPath::texture);
     ++calls_seen;
     driver().real.TexSubImage2D(target, level, x, y, width, height, format, type, texels);
   };
@@ -107,15 +107,15 @@ TEST(SelfTest, SaysWhatItIsAboutToTry) {
     driver().real.CompileShader(shader);
   };
   gles3::SelfTestOptions options = one_deformer();
-  options.about_to_try = [](void*, Path path) { tried.push_back(path); };
+  options.about_to_try = [](void*, SkinningPath path) { tried.push_back(path); };
   options.paths = kUbo | kTexture | kFeedback | kCpu;
   options.crashed = kUbo;
   const Outcome outcome = run(api, gl().caps(), options);
-  EXPECT_EQ(tried, (std::vector<Path>{Path::texture, Path::feedback, Path::cpu}));
+  EXPECT_EQ(tried, (std::vector<SkinningPath>{SkinningPath::texture, SkinningPath::feedback, SkinningPath::cpu}));
   EXPECT_GT(calls_seen, 4);
-  EXPECT_EQ(outcome.of(Path::ubo).verdict, Verdict::crashed);
-  EXPECT_EQ(outcome.of(Path::texture).verdict, Verdict::usable);
-  EXPECT_EQ(outcome.of(Path::compute).verdict, Verdict::not_tried);
+  EXPECT_EQ(outcome.of(SkinningPath::ubo).verdict, Verdict::crashed);
+  EXPECT_EQ(outcome.of(SkinningPath::texture).verdict, Verdict::usable);
+  EXPECT_EQ(outcome.of(SkinningPath::compute).verdict, Verdict::not_tried);
 }
 
 TEST(SelfTest, RefusesBadCalls) {
@@ -213,8 +213,8 @@ TEST(SelfTest, LeavesTheStateAsItWas) {
 TEST(SelfTest, RunsOutOfMemoryAnywhere) {
   int failures = 0;
   for (std::uint32_t i = 0; i < gles3::kPathCount; ++i) {
-    const Path path = static_cast<Path>(i);
-    if (path == Path::compute && !gl().caps().compute) continue;
+    const SkinningPath path = static_cast<SkinningPath>(i);
+    if (path == SkinningPath::compute && !gl().caps().compute) continue;
     gles3::SelfTestOptions options = one_deformer();
     options.paths = bit_of(path);
     for (std::int64_t room = 0;; ++room) {

@@ -14,7 +14,7 @@
 namespace marrow::test {
 namespace {
 
-using gles3::Path;
+using gles3::SkinningPath;
 using gles3::Verdict;
 
 gles3::SelfTest usable(std::uint32_t paths) {
@@ -49,10 +49,10 @@ TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
         const std::size_t end = std::min(order.find(' ', at), order.size());
         const std::string name = order.substr(at, end - at);
         for (std::uint32_t i = 0; i < gles3::kPathCount; ++i)
-          if (name == to_string(static_cast<Path>(i)) && (paths >> i & 1) != 0) expected = name;
+          if (name == to_string(static_cast<SkinningPath>(i)) && (paths >> i & 1) != 0) expected = name;
         at = end + 1;
       }
-      Path path = Path::feedback;
+      SkinningPath path = SkinningPath::feedback;
       const Status status = gles3::choose(usable(paths), row.need, path);
       EXPECT_EQ(status, expected.empty() ? Status::unsupported : Status::ok);
       EXPECT_EQ(to_string(path), expected.empty() ? "feedback" : expected) << row.order << ", usable " << paths;
@@ -60,9 +60,9 @@ TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
 }
 
 TEST(SelfTestResult, NothingIsChosenBeforeATest) {
-  Path path = Path::compute;
+  SkinningPath path = SkinningPath::compute;
   EXPECT_EQ(gles3::choose({}, {}, path), Status::unsupported);
-  EXPECT_EQ(path, Path::compute);
+  EXPECT_EQ(path, SkinningPath::compute);
 }
 
 TEST(SelfTestResult, EveryVerdictHasAReason) {
@@ -120,7 +120,7 @@ gles3::Api hollow_driver() {
 Kept kept() {
   Kept out;
   out.api = hollow_driver();
-  out.options.crashed = gles3::bit_of(Path::feedback);
+  out.options.crashed = gles3::bit_of(SkinningPath::feedback);
   std::vector<SoaTransform> memory(gles3::self_test_bytes(out.options) / sizeof(SoaTransform) + 1);
   EXPECT_EQ(
       gles3::self_test(out.api, out.caps, out.options,

@@ -12,18 +12,18 @@
 namespace marrow::test {
 
 using gles3::bit_of;
-using gles3::Path;
+using gles3::SkinningPath;
 using gles3::Verdict;
 
-inline constexpr std::uint32_t kUbo = bit_of(Path::ubo), kTexture = bit_of(Path::texture),
-                               kFeedback = bit_of(Path::feedback), kCompute = bit_of(Path::compute),
-                               kCpu = bit_of(Path::cpu);
+inline constexpr std::uint32_t kUbo = bit_of(SkinningPath::ubo), kTexture = bit_of(SkinningPath::texture),
+                               kFeedback = bit_of(SkinningPath::feedback), kCompute = bit_of(SkinningPath::compute),
+                               kCpu = bit_of(SkinningPath::cpu);
 
 struct Outcome {
   Status status = Status::ok;
   gles3::SelfTest test;
 
-  const gles3::PathResult& of(Path path) const { return test.paths[static_cast<std::size_t>(path)]; }
+  const gles3::PathResult& of(SkinningPath path) const { return test.paths[static_cast<std::size_t>(path)]; }
 };
 
 inline Outcome run(const gles3::Api& api, const gles3::Caps& caps, const gles3::SelfTestOptions& options) {
@@ -39,9 +39,9 @@ inline Outcome run(const gles3::Api& api, const gles3::Caps& caps, const gles3::
 inline void expect(const Outcome& outcome, std::uint32_t broken, Verdict verdict, const char* what) {
   ASSERT_EQ(outcome.status, Status::ok) << what;
   for (std::uint32_t i = 0; i < gles3::kPathCount; ++i) {
-    const Path path = static_cast<Path>(i);
+    const SkinningPath path = static_cast<SkinningPath>(i);
     Verdict expected = (broken & bit_of(path)) != 0 ? verdict : Verdict::usable;
-    if (path == Path::compute && !gl().caps().compute) expected = Verdict::unsupported;
+    if (path == SkinningPath::compute && !gl().caps().compute) expected = Verdict::unsupported;
     EXPECT_EQ(outcome.of(path).verdict, expected)
         << what << ": " << to_string(path) << " " << to_string(outcome.of(path).verdict);
   }

@@ -9,19 +9,19 @@ namespace {
 TEST(SelfTest, EveryPathIsUsableHere) {
   const Outcome all = run(faulty_api(gl()), gl().caps(), {});
   expect(all, 0, Verdict::usable, "this driver");
-  for (const Path path : {Path::ubo, Path::texture, Path::feedback, Path::compute}) {
-    if (path == Path::compute && !gl().caps().compute) continue;
+  for (const SkinningPath path : {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute}) {
+    if (path == SkinningPath::compute && !gl().caps().compute) continue;
     // Something was compared, and the rounding of 16 bits is in it: half a step of a metre is 1.5e-5.
     EXPECT_GT(all.of(path).position_error, 1e-5f);
     EXPECT_LT(all.of(path).position_error, 1e-4f);
     EXPECT_GT(all.of(path).normal_error, 1e-5f);
     EXPECT_LT(all.of(path).normal_error, 5e-4f);
   }
-  EXPECT_EQ(all.of(Path::cpu).position_error, 0.0f) << "the same arithmetic";
-  EXPECT_EQ(all.of(Path::cpu).ns_per_vertex, 0.0f) << "no clock";
+  EXPECT_EQ(all.of(SkinningPath::cpu).position_error, 0.0f) << "the same arithmetic";
+  EXPECT_EQ(all.of(SkinningPath::cpu).ns_per_vertex, 0.0f) << "no clock";
   gles3::Caps old = gl().caps();
   old.compute = false;
-  EXPECT_EQ(run(faulty_api(gl()), old, one_deformer()).of(Path::compute).verdict, Verdict::unsupported);
+  EXPECT_EQ(run(faulty_api(gl()), old, one_deformer()).of(SkinningPath::compute).verdict, Verdict::unsupported);
 }
 
 // A compiler that reads something else than what stands there, in texts with all of the words.
@@ -202,7 +202,7 @@ TEST(SelfTest, NothingCanBeReadBack) {
   api.ReadPixels = [](int, int, int, int, unsigned, unsigned, void*) {};
   const Outcome outcome = run(api, gl().caps(), {});
   EXPECT_EQ(outcome.status, Status::gl_error);
-  EXPECT_EQ(outcome.of(Path::cpu).verdict, Verdict::not_tried) << "written on failure";
+  EXPECT_EQ(outcome.of(SkinningPath::cpu).verdict, Verdict::not_tried) << "written on failure";
   EXPECT_EQ(driver().live, 0);
 }
 

@@ -16,7 +16,7 @@
 namespace marrow::test {
 namespace {
 
-using gles3::Path;
+using gles3::SkinningPath;
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::int64_t kLossesOfAPath = 4;
@@ -24,7 +24,7 @@ constexpr std::int64_t kLossesOfAPath = 4;
 constexpr std::int64_t kLossesOfAPath = 19;  // at least, if a frame has as many calls
 #endif
 constexpr std::uint32_t kCharacters = 3;
-constexpr Path kPaths[] = {Path::ubo, Path::texture, Path::feedback, Path::compute, Path::cpu};
+constexpr SkinningPath kPaths[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute, SkinningPath::cpu};
 static_assert(std::size(kPaths) == gles3::kPathCount);
 
 // Colours by normal, so that pictures tell more than outlines. The camera looks along -z at a box of its own.
@@ -139,8 +139,8 @@ TEST(Skinner, EveryPathDrawsTheSame) {
       const Scene scene(path);
       for (const gles3::Deformer deformer : {gles3::Deformer::rigid, gles3::Deformer::ssd, gles3::Deformer::as}) {
         std::vector<std::uint8_t> first;
-        for (const Path way : kPaths) {
-          if (way == Path::compute && !stage.caps().compute) continue;
+        for (const SkinningPath way : kPaths) {
+          if (way == SkinningPath::compute && !stage.caps().compute) continue;
           Player player(stage.real(), stage.caps(), scene, {way, deformer});
           ASSERT_EQ(player.status, Status::ok) << to_string(way) << player.log.data();
           player.pose_all();
@@ -167,8 +167,8 @@ TEST(Skinner, AFrameUploadsPalettesAlone) {
     const Stage stage;
     const Scene scene(model_paths().front());
     int paths = 0;
-    for (const Path way : kPaths) {
-      if (way == Path::compute && !stage.caps().compute) continue;
+    for (const SkinningPath way : kPaths) {
+      if (way == SkinningPath::compute && !stage.caps().compute) continue;
       const gles3::Api api = faulty_api(stage.real());
       Player player(api, stage.caps(), scene, {way});
       ASSERT_EQ(player.status, Status::ok);
@@ -179,7 +179,7 @@ TEST(Skinner, AFrameUploadsPalettesAlone) {
       EXPECT_EQ(player.frame(api), Status::ok);
       const std::int64_t slots = scene.mesh.geometry.slot_count;
       EXPECT_EQ(driver().uploaded_bytes,
-                kCharacters * (way == Path::cpu ? slots * (scene.mesh.geometry.tangents != nullptr ? 40 : 24)
+                kCharacters * (way == SkinningPath::cpu ? slots * (scene.mesh.geometry.tangents != nullptr ? 40 : 24)
                                                 : std::int64_t{48} * scene.mesh.palette_size()));
       for (const char* const name : {"Gen", "Delete", "CreateShader", "CreateProgram", "CompileShader", "LinkProgram",
                                      "GetIntegerv", "GetProgramiv", "GetShaderiv", "GetString", "ObjectLabel"})
@@ -199,8 +199,8 @@ TEST(Skinner, LabelsEveryObjectOnce) {
     const Scene scene(kFace);
     ASSERT_FALSE(scene.mesh.targets.empty());
     std::set<std::string> texts;
-    for (const Path way : kPaths) {
-      if (way == Path::compute && !stage.caps().compute) continue;
+    for (const SkinningPath way : kPaths) {
+      if (way == SkinningPath::compute && !stage.caps().compute) continue;
       for (const gles3::Deformer deformer : {gles3::Deformer::ssd, gles3::Deformer::as}) {
         gles3::Api api = faulty_api(stage.real());
         record_labels(api);
@@ -240,8 +240,8 @@ TEST(Skinner, LabelsReachTheDriver) {
     ASSERT_TRUE(!known || api.ObjectLabel != nullptr);
     using GetObjectLabel = void (*)(GLenum kind, GLuint name, GLsizei size, GLsizei * length, char* text);
     const auto get = reinterpret_cast<GetObjectLabel>(egl::load_proc("glGetObjectLabelKHR"));
-    for (const Path way : kPaths) {
-      if (way == Path::compute && !stage.caps().compute) continue;
+    for (const SkinningPath way : kPaths) {
+      if (way == SkinningPath::compute && !stage.caps().compute) continue;
       Player player(api, stage.caps(), scene, {way});
       ASSERT_EQ(player.status, Status::ok);
       EXPECT_EQ(stage.error(), 0u) << to_string(way);
@@ -254,7 +254,7 @@ TEST(Skinner, LabelsReachTheDriver) {
       gles3::destroy(api, player.programs);
     }
     api.ObjectLabel = nullptr;
-    Player player(api, stage.caps(), scene, {Path::ubo});
+    Player player(api, stage.caps(), scene, {SkinningPath::ubo});
     EXPECT_EQ(player.status, Status::ok);
     gles3::destroy(api, player.skinner);
     gles3::destroy(api, player.programs);
@@ -267,8 +267,8 @@ TEST(Skinner, CausesNoErrorOnAnyPath) {
     const Stage stage;
     for (const std::string& path : {model_paths().front(), kFace}) {
       const Scene scene(path);
-      for (const Path way : kPaths) {
-        if (way == Path::compute && !stage.caps().compute) continue;
+      for (const SkinningPath way : kPaths) {
+        if (way == SkinningPath::compute && !stage.caps().compute) continue;
         std::vector<Report> reports;
         gles3::ErrorWatch watch = watch_into(reports);
         gles3::Api api = stage.real();
@@ -292,9 +292,9 @@ TEST(Skinner, SurvivesTheLossOfTheContextAnywhere) {
   on_a_thread([] {
     const Scene scene(model_paths().front());
     int losses = 0;
-    for (const Path way : kPaths) {
+    for (const SkinningPath way : kPaths) {
       auto stage = std::make_unique<Stage>();
-      if (way == Path::compute && !stage->caps().compute) continue;
+      if (way == SkinningPath::compute && !stage->caps().compute) continue;
       gles3::Api api = faulty_api(stage->real());
       Player player(api, stage->caps(), scene, {way, gles3::Deformer::as});
       ASSERT_EQ(player.status, Status::ok);
@@ -336,8 +336,8 @@ TEST(Skinner, RunsOutOfMemoryAnywhere) {
     const Stage stage;
     const Scene scene(kFace);
     int failures = 0;
-    for (const Path way : kPaths) {
-      if (way == Path::compute && !stage.caps().compute) continue;
+    for (const SkinningPath way : kPaths) {
+      if (way == SkinningPath::compute && !stage.caps().compute) continue;
       for (std::int64_t room = 0;; ++room) {
         const gles3::Api api = faulty_api(stage.real());
         driver().full_after = room;
@@ -363,9 +363,9 @@ TEST(Skinner, RefusesBadCalls) {
     const gles3::Api& api = stage.real();
     gles3::Caps caps = stage.caps();
     caps.compute = false;
-    EXPECT_EQ(Player(api, caps, scene, {Path::compute}).status, Status::unsupported);
-    EXPECT_EQ(Player(api, caps, scene, {Path::ubo, gles3::Deformer::none}).status, Status::bad_argument);
-    Player player(api, caps, scene, {Path::ubo});
+    EXPECT_EQ(Player(api, caps, scene, {SkinningPath::compute}).status, Status::unsupported);
+    EXPECT_EQ(Player(api, caps, scene, {SkinningPath::ubo, gles3::Deformer::none}).status, Status::bad_argument);
+    Player player(api, caps, scene, {SkinningPath::ubo});
     ASSERT_EQ(player.status, Status::ok);
     gles3::Skinner other;
     const auto make = [&](std::uint32_t instances, std::size_t bytes, std::size_t shift) {

@@ -57,8 +57,8 @@ TEST_F(Smoke, EveryPathIsUsable) {
   gles3::SelfTest test;
   ASSERT_EQ(gles3::self_test(api_, caps_, options, room(gles3::self_test_bytes(options)), test), Status::ok);
   for (std::uint32_t i = 0; i < gles3::kPathCount; ++i) {
-    const auto path = static_cast<gles3::Path>(i);
-    const bool can = path != gles3::Path::compute || caps_.compute;
+    const auto path = static_cast<gles3::SkinningPath>(i);
+    const bool can = path != gles3::SkinningPath::compute || caps_.compute;
     const gles3::PathResult& result = test.paths[i];
     std::printf("%-8s position %.5f normal %.5f\n", to_string(path), static_cast<double>(result.position_error),
                 static_cast<double>(result.normal_error));
@@ -119,8 +119,8 @@ TEST_F(Smoke, AMeshReadBackIsTheCpus) {
                        "precision highp float; out vec4 colour; void main() { colour = vec4(1.0); }",
                        {}};
   int paths = 0;
-  for (const gles3::Path path : {gles3::Path::feedback, gles3::Path::compute, gles3::Path::cpu}) {
-    if (path == gles3::Path::compute && !caps_.compute) continue;
+  for (const gles3::SkinningPath path : {gles3::SkinningPath::feedback, gles3::SkinningPath::compute, gles3::SkinningPath::cpu}) {
+    if (path == gles3::SkinningPath::compute && !caps_.compute) continue;
     gles3::SkinnerOptions options;
     options.path = path;
     gles3::Skinner skinner;

@@ -17,7 +17,7 @@ std::vector<TestJoint> make_joints(Random& random, std::size_t count) {
   return joints;
 }
 
-void add_track(Random& random, TestClip& clip, std::uint16_t joint, Path path, Interpolation interpolation) {
+void add_track(Random& random, TestClip& clip, std::uint16_t joint, TrackPath path, Interpolation interpolation) {
   std::vector<float> times, values;
   const std::size_t keys = 1 + random.below(9);
   double time = random.between(0, 0.125);
@@ -26,8 +26,8 @@ void add_track(Random& random, TestClip& clip, std::uint16_t joint, Path path, I
     const Quat rotation = random.rotation();
     for (int part = 0; part < (interpolation == Interpolation::cubic_spline ? 3 : 1); ++part) {
       const bool tangent = interpolation == Interpolation::cubic_spline && part != 1;
-      for (std::size_t i = 0; i < (path == Path::rotation ? 4u : 3u); ++i) {
-        const double value = path == Path::rotation ? rotation[i] : random.between(0.5, 1.5);
+      for (std::size_t i = 0; i < (path == TrackPath::rotation ? 4u : 3u); ++i) {
+        const double value = path == TrackPath::rotation ? rotation[i] : random.between(0.5, 1.5);
         values.push_back(static_cast<float>(tangent ? random.between(-2, 2) : value));
       }
     }
@@ -38,7 +38,7 @@ void add_track(Random& random, TestClip& clip, std::uint16_t joint, Path path, I
 TestClip make_clip(Random& random, std::size_t joint_count) {
   TestClip clip;
   for (std::size_t j = 0; j < joint_count; ++j) {
-    for (const Path path : {Path::translation, Path::rotation, Path::scale}) {
+    for (const TrackPath path : {TrackPath::translation, TrackPath::rotation, TrackPath::scale}) {
       if (random.below(8) == 0) continue;  // stays at rest
       add_track(random, clip, static_cast<std::uint16_t>(j), path, static_cast<Interpolation>(random.below(3)));
     }

@@ -3,7 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include "support/call_errors.h"
+
+namespace {
+marrow::CallErrorHandler first_handler;
+}
+
+marrow::CallErrorHandler marrow::test::first_call_error_handler() {
+  return first_handler;
+}
+
 int main(int argc, char** argv) {
+  // Tests make bad calls on purpose; those that ask what is said of them listen themselves.
+  first_handler = marrow::set_call_error_handler(nullptr);
   ::testing::InitGoogleTest(&argc, argv);
   const int result = RUN_ALL_TESTS();
   if (::testing::GTEST_FLAG(list_tests)) return result;

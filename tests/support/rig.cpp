@@ -41,7 +41,7 @@ Skeleton TestSkeleton::view() const {
   return s;
 }
 
-void TestClip::add(std::uint16_t joint, Path path, Interpolation interpolation, const std::vector<float>& times_s,
+void TestClip::add(std::uint16_t joint, TrackPath path, Interpolation interpolation, const std::vector<float>& times_s,
                    const std::vector<float>& values_) {
   tracks.push_back({joint, path, interpolation, static_cast<std::uint32_t>(times_s.size()),
                     static_cast<std::uint32_t>(times.size()), static_cast<std::uint32_t>(values.size())});

@@ -31,7 +31,7 @@ struct TestSkeleton {
 
 struct TestClip {
   // values: floats a key times keys; see Track::first_value.
-  void add(std::uint16_t joint, Path path, Interpolation interpolation, const std::vector<float>& times_s,
+  void add(std::uint16_t joint, TrackPath path, Interpolation interpolation, const std::vector<float>& times_s,
            const std::vector<float>& values_);
   Clip view() const;
 

@@ -46,14 +46,15 @@ const fs::path kTools = marrow::test::in_source("tools");
 
 // Which folder stands behind a public header: where its functions are implemented.
 const std::map<std::string, std::string> kHeaders = {
-    {"marrow/status.h", "core"},  {"marrow/span.h", "core"},           {"marrow/pose.h", "core"},
-    {"marrow/glm.h", "math"},     {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
-    {"marrow/sample.h", "pose"},  {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
-    {"marrow/limits.h", "asset"}, {"marrow/transition.h", "pose"},     {"marrow/playback.h", "pose"},
-    {"marrow/ik.h", "ik"},        {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
-    {"marrow/morph.h", "skin"},   {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
-    {"marrow/draco.h", "draco"},  {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "springs"},
-    {"marrow/feet.h", "ik"},      {"marrow/ik_solve.h", "ik"},         {"marrow/character.h", "character"}};
+    {"marrow/status.h", "core"},   {"marrow/span.h", "core"},           {"marrow/pose.h", "core"},
+    {"marrow/glm.h", "math"},      {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
+    {"marrow/sample.h", "pose"},   {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
+    {"marrow/limits.h", "limits"}, {"marrow/transition.h", "pose"},     {"marrow/playback.h", "pose"},
+    {"marrow/ik.h", "ik"},         {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
+    {"marrow/morph.h", "skin"},    {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
+    {"marrow/draco.h", "draco"},   {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "springs"},
+    {"marrow/feet.h", "ik"},       {"marrow/ik_solve.h", "ik"},         {"marrow/call_error.h", "core"},
+    {"marrow/memory.h", "core"},   {"marrow/character.h", "character"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
@@ -228,8 +229,11 @@ TEST(Includes, TheRuntimeKnowsNoFilesNoJsonNoStreams) {
   const std::set<std::string> heavy = {"vector",     "string",    "map",       "unordered_map", "functional",
                                        "memory",     "exception", "stdexcept", "iostream",      "fstream",
                                        "filesystem", "cstdio",    "stdio.h",   "span"};
+  // In debug builds a bad call that nobody handles prints a line.
+  const fs::path prints = kRuntime / "core" / "call_error.cpp";
   for (const Include& include : all) {
-    EXPECT_FALSE(heavy.count(include.name)) << include.file << " includes " << include.name;
+    EXPECT_TRUE(!heavy.count(include.name) || (include.file == prints && include.name == "cstdio"))
+        << include.file << " includes " << include.name;
     for (const char* banned : {"tiny_gltf", "json", "cook/", "common/", "fmt/", "CLI"})
       EXPECT_EQ(include.name.find(banned), std::string::npos) << include.file << " includes " << include.name;
   }

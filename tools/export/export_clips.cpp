@@ -17,12 +17,12 @@ namespace {
 constexpr const char* kPaths[] = {"translation", "rotation", "scale"};
 constexpr const char* kInterpolations[] = {"STEP", "LINEAR", "CUBICSPLINE"};
 
-const float (*lanes_of(const SoaTransform& four, Path path))[4] {
-  return path == Path::translation ? four.translation : path == Path::rotation ? four.rotation : four.scale;
+const float (*lanes_of(const SoaTransform& four, TrackPath path))[4] {
+  return path == TrackPath::translation ? four.translation : path == TrackPath::rotation ? four.rotation : four.scale;
 }
 
-std::size_t components_of(Path path) {
-  return path == Path::rotation ? 4 : 3;
+std::size_t components_of(TrackPath path) {
+  return path == TrackPath::rotation ? 4 : 3;
 }
 
 class ClipExport {
@@ -65,10 +65,10 @@ class ClipExport {
     channels_.push_back({{"sampler", samplers_.size() - 1}, {"target", std::move(target)}});
   }
 
-  void add_path(std::uint32_t joint, Path path, const std::vector<float>& seconds, const std::vector<float>& values,
+  void add_path(std::uint32_t joint, TrackPath path, const std::vector<float>& seconds, const std::vector<float>& values,
                 Interpolation interpolation) {
     add_channel({{"node", scene_.joint_nodes[clip_.skeleton][joint]}, {"path", kPaths[static_cast<std::size_t>(path)]}},
-                seconds, values, path == Path::rotation ? kVec4 : kVec3, interpolation);
+                seconds, values, path == TrackPath::rotation ? kVec4 : kVec3, interpolation);
   }
 
   // Keys as they stand. Of two tracks that move the same the last counts, as when sampled.
@@ -114,10 +114,10 @@ class ClipExport {
   }
 
   // One value a frame; neighbouring rotations in one hemisphere.
-  static void append(const SoaTransform& four, std::size_t lane, Path path, std::vector<float>& values) {
+  static void append(const SoaTransform& four, std::size_t lane, TrackPath path, std::vector<float>& values) {
     const auto lanes = lanes_of(four, path);
     float sign = 1, dot = 0;
-    if (path == Path::rotation && !values.empty()) {
+    if (path == TrackPath::rotation && !values.empty()) {
       for (std::size_t c = 0; c < 4; ++c) dot += lanes[c][lane] * values[values.size() - 4 + c];
       sign = dot < 0 ? -1.0f : 1.0f;
     }
@@ -129,7 +129,7 @@ class ClipExport {
     std::vector<std::vector<SoaTransform>> frames;
     for (const float time_s : seconds) frames.push_back(pose(time_s));
     // Bits of the masks: rotations first.
-    constexpr std::array kOrder = {Path::rotation, Path::translation, Path::scale};
+    constexpr std::array kOrder = {TrackPath::rotation, TrackPath::translation, TrackPath::scale};
     for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j) {
       const GroupMasks& masks = clip_.coded.masks[j / 4];
       for (std::uint32_t p = 0; p < 3; ++p) {
@@ -190,8 +190,8 @@ class ClipExport {
     while (joint < skeleton_.joint_count && moves(joint)) ++joint;
     if (joint == skeleton_.joint_count) return;  // every translation moves, and has its own end
     std::vector<float> values;
-    append(skeleton_.rest[joint / 4], joint % 4, Path::translation, values);
-    add_path(joint, Path::translation, {clip_.duration_s}, values, Interpolation::linear);
+    append(skeleton_.rest[joint / 4], joint % 4, TrackPath::translation, values);
+    add_path(joint, TrackPath::translation, {clip_.duration_s}, values, Interpolation::linear);
   }
   bool moves(std::uint32_t joint) const {
     const std::string path = kPaths[0];
@@ -207,7 +207,7 @@ class ClipExport {
     Json out = Json::array();
     for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j) {
       Json joint = {{"node", scene_.joint_nodes[clip_.skeleton][j]}};
-      for (const Path path : {Path::translation, Path::rotation, Path::scale}) {
+      for (const TrackPath path : {TrackPath::translation, TrackPath::rotation, TrackPath::scale}) {
         std::vector<float> values;
         append(clip_.reference[j / 4], j % 4, path, values);
         joint[kPaths[static_cast<std::size_t>(path)]] = numbers(values);
@@ -221,7 +221,7 @@ class ClipExport {
   const Clip& clip_;
   Skeleton skeleton_;
   Json channels_ = Json::array(), samplers_ = Json::array();
-  std::map<std::pair<std::uint16_t, Path>, const Track*> last_;
+  std::map<std::pair<std::uint16_t, TrackPath>, const Track*> last_;
   std::map<std::vector<float>, std::size_t> time_accessors_;
   std::set<std::uint32_t> drives_target_;  // channels
   float longest_s_ = 0;

@@ -15,11 +15,11 @@ inline constexpr float kRestThreshold = 0.1f;
 
 // A pose and how much of it.
 struct BlendLayer {
-  Span<const SoaTransform> pose;  // at least skeleton.soa_size()
-  float weight = 1.0f;            // 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
+  Span<const SoaTransform> pose = {};  // at least skeleton.soa_size()
+  float weight = 1.0f;                 // 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
   // A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint;
   // else at least 4 · skeleton.soa_size() floats, in joint order, so that a group's factors are read at once.
-  Span<const float> mask;
+  Span<const float> mask = {};
 };
 
 // out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
@@ -44,9 +44,9 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
 Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
 
 struct AdditiveLayer {
-  Span<const AdditiveTransform> change;  // at least skeleton.soa_size()
-  float weight = 1.0f;                   // 0 … 1
-  Span<const float> mask;                // as in BlendLayer
+  Span<const AdditiveTransform> change = {};  // at least skeleton.soa_size()
+  float weight = 1.0f;                        // 0 … 1
+  Span<const float> mask = {};                // as in BlendLayer
 };
 
 // out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of

@@ -15,8 +15,8 @@ enum class Misfit : std::uint8_t {
 };
 
 struct JointMisfit {
-  Misfit how;
-  std::uint32_t joint;  // of the pack's reference; `extra`: of the skeleton
+  Misfit how = Misfit::missing;
+  std::uint32_t joint = 0;  // of the pack's reference; `extra`: of the skeleton
 };
 
 // A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).

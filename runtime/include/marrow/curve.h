@@ -35,9 +35,9 @@ struct Curve {
   // nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
   // A blend that has no direction gives the earlier key's.
   bool rotation = false;
-  std::uint32_t components = 1;  // floats a value: 1 … 4
-  Span<const float> times_s;     // one a key, strictly increasing; seconds, or whatever the curve runs over
-  Span<const float> values;      // curve_value_count() floats
+  std::uint32_t components = 1;    // floats a value: 1 … 4
+  Span<const float> times_s = {};  // one a key, strictly increasing; seconds, or whatever the curve runs over
+  Span<const float> values = {};   // curve_value_count() floats
 };
 
 // How many floats `key_count` keys of `components` hold.
@@ -109,7 +109,7 @@ Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t c
 // The table holds the length of the path up to each of `steps` equal parts of every key interval.
 struct ArcLength {
   std::uint32_t steps = 0;  // a key interval, at least 1
-  Span<const float> lengths;
+  Span<const float> lengths = {};
 };
 
 constexpr std::size_t arc_length_count(std::size_t key_count, std::uint32_t steps) {

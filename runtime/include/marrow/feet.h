@@ -16,7 +16,7 @@ struct Foot {
 
 // Two legs or more. The clips have been made for level ground, through the scene's origin.
 struct Feet {
-  Span<const Foot> feet;
+  Span<const Foot> feet = {};
   std::uint32_t pelvis = kNoJoint;  // moved up and down, with all that hangs on it, the hips too; none: stays
   float lower_m = 0.5f;             // ≥ 0: by how much at most it goes down, or up; world
   float reach = 0.99f;     // 0 … 1: it goes down, too, where a leg would be longer than this share of its bones
@@ -32,19 +32,19 @@ struct FootGround {
   bool planted = false;         // the sole stays at its place until this is false again
 };
 
-// The motion of one foot, plain numbers; zeroed: begins where the animation has it. World; on a moving platform, let
-// the world be the platform.
+// The motion of one foot: plain numbers. A new one, or one set to `{}`, begins where the animation has the foot. World;
+// on a moving platform, let the world be the platform.
 struct FootMotion {
-  float place[3];                      // of the sole, as shown last
-  float offset[3], offset_speed[3];    // of the sole from its target
-  float lean[3], lean_speed[3];        // of the ground's normal that the foot leans by from the ground's own
-  float point[3], normal[3];           // the ground, last
-  float heading[3];                    // level: of the ankle's axis `axis` when it was planted
-  float turn[4];                       // about up, from the animated to the planted heading
-  float turn_share, turn_share_speed;  // how much of it is left
-  std::uint8_t axis, planted, begun;
-  std::uint8_t hit;
-  std::uint8_t reached;  // whether the leg was long enough
+  float place[3] = {};                         // of the sole, as shown last
+  float offset[3] = {}, offset_speed[3] = {};  // of the sole from its target
+  float lean[3] = {}, lean_speed[3] = {};      // of the ground's normal that the foot leans by from the ground's own
+  float point[3] = {}, normal[3] = {};         // the ground, last
+  float heading[3] = {};                       // level: of the ankle's axis `axis` when it was planted
+  float turn[4] = {};                          // about up, from the animated to the planted heading
+  float turn_share = 0, turn_share_speed = 0;  // how much of it is left
+  std::uint8_t axis = 0, planted = 0, begun = 0;
+  std::uint8_t hit = 0;
+  std::uint8_t reached = 0;  // whether the leg was long enough
 };
 
 struct FeetFrame {

@@ -13,9 +13,62 @@ inline constexpr std::uint32_t kMaxInfluences = 8;
 inline constexpr std::uint16_t kNoParent = 0xFFFF;
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 
+enum class LimitKind : std::uint8_t {
+  none,   // turns freely; for joints that have a rate limit alone
+  hinge,  // about one axis, between two angles: knees, elbows, fingers
+  cone,   // swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
+  euler,  // three angles about three axes, each between two: rigs whose limits came so
+};
+
+// The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
+enum class AxisOrder : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx };
+
+// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
+// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
+// angle_range() in limits.h.
+struct AngleRange {
+  float middle = 0;      // -1 … 1: -180° … 180°
+  float half_width = 0;  // 0 … 1; 1: any angle
+};
+
+// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
+struct RateLimit {
+  float speed = 0;
+  float acceleration = 0;
+};
+
+// How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
+//
+// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
+// rotation. A local rotation q (parent_from_joint) is seen in them as
+//   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
+// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
+//
+// hinge: t is a turn about x, by an angle in angles[0].
+// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
+//   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
+//   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
+//   90° this is within 2.3° of an ellipse in the angles themselves.
+// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
+//   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
+//
+// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+struct JointLimit {
+  std::uint16_t joint = 0;  // of the skeleton
+  LimitKind kind = LimitKind::none;
+  AxisOrder order = AxisOrder::xyz;           // of euler; else xyz
+  float limit_from_parent[4] = {0, 0, 0, 1};  // unit quaternion
+  float joint_from_limit[4] = {0, 0, 0, 1};   // unit quaternion
+  AngleRange angles[3] = {};  // of a cone the middles of the second and third are 0; of a hinge both are 0
+  RateLimit rate = {};        // of the local rotation, see follow_pose()
+};
+static_assert(sizeof(JointLimit) == 68);
+
+// Whether a limit keeps these rules, as those of make_limit() and load() do.
+bool is_valid(const JointLimit& limit);
+
 // The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 // comes before its children and the roots come first.
-struct JointLimit;  // see limits.h
 struct Skeleton {
   const char* name = "";
   std::uint32_t joint_count = 0;
@@ -24,7 +77,7 @@ struct Skeleton {
   const SoaTransform* rest = nullptr;       // soa_count(joint_count); the pose of joints that a clip leaves alone
   const std::uint16_t* parents = nullptr;   // joint_count; kNoParent for roots
   const std::uint32_t* names = nullptr;     // joint_count; see File::text
-  Span<const JointLimit> limits;            // ascending by joint; those that the asset came with
+  Span<const JointLimit> limits = {};       // ascending by joint; those that the asset came with
 
   std::size_t soa_size() const { return soa_count(joint_count); }
 };
@@ -39,38 +92,39 @@ struct SkeletonReference {
   const std::uint16_t* parents = nullptr;      // joint_count; kNoParent for roots
 };
 
-enum class Path : std::uint8_t { translation, rotation, scale };
+enum class TrackPath : std::uint8_t { translation, rotation, scale };
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
 // One channel of a clip stored without loss: the source's own keys at the source's own times.
 struct Track {
-  std::uint16_t joint;
-  Path path;
-  Interpolation interpolation;
-  std::uint32_t key_count;    // ≥ 1
-  std::uint32_t first_time;   // into Clip::times; tracks with the same keys share them
-  std::uint32_t first_value;  // into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+  std::uint16_t joint = 0;
+  TrackPath path = TrackPath::translation;
+  Interpolation interpolation = Interpolation::step;
+  std::uint32_t key_count = 0;   // ≥ 1
+  std::uint32_t first_time = 0;  // into Clip::times; tracks with the same keys share them
+  std::uint32_t first_value =
+      0;  // into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
 };
 static_assert(sizeof(Track) == 16);
 
 // Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
 // stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
 struct GroupMasks {
-  std::uint16_t moving;
-  std::uint16_t constant;
+  std::uint16_t moving = 0;
+  std::uint16_t constant = 0;
 };
 static_assert(sizeof(GroupMasks) == 4);
 
 // A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
 // that keys on a straight line between others may have been left out (docs/architecture.md).
 struct Channel {
-  std::uint32_t name;         // see File::text
-  float rest;                 // the number where no clip drives it
-  std::uint32_t key_count;    // ≥ 1
-  std::uint32_t first_time;   // as in Track
-  std::uint32_t first_value;  // into Clip::values; one float a key, three for cubic_spline (in, value, out)
-  Interpolation interpolation;
-  std::uint8_t reserved[3];
+  std::uint32_t name = 0;         // see File::text
+  float rest = 0;                 // the number where no clip drives it
+  std::uint32_t key_count = 0;    // ≥ 1
+  std::uint32_t first_time = 0;   // as in Track
+  std::uint32_t first_value = 0;  // into Clip::values; one float a key, three for cubic_spline (in, value, out)
+  Interpolation interpolation = Interpolation::step;
+  std::uint8_t reserved[3] = {};
 };
 static_assert(sizeof(Channel) == 24);
 
@@ -102,9 +156,9 @@ struct Clip {
   float duration_s = 0;                     // time of the last key; ≥ 0
   bool additive = false;                    // for sample_additive(), not for sample()
   const SoaTransform* reference = nullptr;  // additive: the pose that changes are taken from; null: the rest pose
-  CodedTracks coded;
-  Span<const Track> tracks;
-  Span<const Channel> channels;
+  CodedTracks coded = {};
+  Span<const Track> tracks = {};
+  Span<const Channel> channels = {};
   const float* times_s = nullptr;
   const float* values = nullptr;
 };
@@ -112,8 +166,8 @@ struct Clip {
 // Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
 // fill up its last block repeat its last vertex.
 struct Run {
-  std::uint32_t vertex_count;  // ≥ 1
-  std::uint32_t influences;    // 1 … kMaxInfluences
+  std::uint32_t vertex_count = 0;  // ≥ 1
+  std::uint32_t influences = 0;    // 1 … kMaxInfluences
 };
 static_assert(sizeof(Run) == 8);
 
@@ -121,14 +175,14 @@ static_assert(sizeof(Run) == 8);
 // blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
 enum MorphAttributes : std::uint32_t { kMorphsPositions = 1, kMorphsNormals = 2, kMorphsTangents = 4 };
 struct MorphTarget {
-  std::uint32_t first_block;  // into Geometry::target_blocks
-  std::uint32_t block_count;
-  std::uint32_t first_record;  // into Geometry::target_records
-  std::uint32_t attributes;    // MorphAttributes; 0 if it moves nothing
-  float position_step;         // metres, mesh space
-  float normal_step;
-  float tangent_step;
-  std::uint32_t reserved;
+  std::uint32_t first_block = 0;  // into Geometry::target_blocks
+  std::uint32_t block_count = 0;
+  std::uint32_t first_record = 0;  // into Geometry::target_records
+  std::uint32_t attributes = 0;    // MorphAttributes; 0 if it moves nothing
+  float position_step = 0;         // metres, mesh space
+  float normal_step = 0;
+  float tangent_step = 0;
+  std::uint32_t reserved = 0;
 };
 static_assert(sizeof(MorphTarget) == 32);
 
@@ -137,7 +191,7 @@ static_assert(sizeof(MorphTarget) == 32);
 inline constexpr std::uint32_t kMaxPoseExamples = 32;
 struct PoseSpace {
   float sigma = 0;                          // width of the Gaussian, a share of 1: sin of half an angle
-  Span<const MorphTarget> examples;         // positions alone; empty: none
+  Span<const MorphTarget> examples = {};    // positions alone; empty: none
   const void* blocks = nullptr;             // as Geometry::target_blocks
   const std::int16_t* records = nullptr;    // as Geometry::target_records
   const std::int16_t* rotations = nullptr;  // for each example and palette entry x y z w, up to a positive factor
@@ -153,7 +207,7 @@ struct Geometry {
   std::uint32_t index_bytes = 2;   // 2 or 4
   std::uint32_t joint_count = 0;   // how many palette entries the sets refer to
   const void* indices = nullptr;   // slots
-  Span<const Run> runs;
+  Span<const Run> runs = {};
   const std::uint16_t* sets = nullptr;    // for each run its k palette entries, run after run
   const float* skin = nullptr;            // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
   const float* normals = nullptr;         // a block: x[4] y[4] z[4]; unit; null if absent
@@ -165,20 +219,21 @@ struct Geometry {
   const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
   // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
   // part of a primitive in parts.
-  Span<const std::uint32_t> source_slots;
-  Span<const MorphTarget> targets;
+  Span<const std::uint32_t> source_slots = {};
+  Span<const MorphTarget> targets = {};
   const void* target_blocks = nullptr;           // as wide as indices; for each target the blocks it moves, ascending
   const std::int16_t* target_records = nullptr;  // twelve a record
-  PoseSpace pose_space;
+  PoseSpace pose_space = {};
   float box_min[3] = {};  // of the bind positions, mesh space
   float box_max[3] = {};
 };
 
 // A morph target of a mesh: what it is called and what drives it.
 struct MeshTarget {
-  std::uint32_t name;     // see File::text; may be empty
-  std::uint32_t channel;  // name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
-  float weight;           // where no clip does
+  std::uint32_t name = 0;  // see File::text; may be empty
+  std::uint32_t channel =
+      0;             // name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+  float weight = 0;  // where no clip does
 };
 static_assert(sizeof(MeshTarget) == 12);
 
@@ -201,12 +256,12 @@ enum class MinFilter : std::uint8_t {
 // An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour and emissive images are sRGB, others
 // linear; (0, 0) of the UVs is the image's upper left corner.
 struct Texture {
-  std::uint16_t image;  // which image of the file
-  TextureRole role;     // none twice in a material
-  Wrap wrap_u, wrap_v;
-  MagFilter mag;
-  MinFilter min;
-  std::uint8_t reserved;
+  std::uint16_t image = 0;                      // which image of the file
+  TextureRole role = TextureRole::base_colour;  // none twice in a material
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  MagFilter mag = MagFilter::any;
+  MinFilter min = MinFilter::any;
+  std::uint8_t reserved = 0;
 };
 static_assert(sizeof(Texture) == 8);
 
@@ -214,7 +269,7 @@ struct Material {
   const char* name = "";
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;  // mask: what is less opaque is not drawn
-  Span<const Texture> textures;
+  Span<const Texture> textures = {};
 };
 
 // A picture by reference, or as the source's own PNG or JPEG bytes. They are not checked: whoever decodes them must.
@@ -223,17 +278,17 @@ struct Image {
   const char* name = "";
   const char* uri = "";  // relative to the source file and percent-encoded, as it stood there; empty if it had none
   ImageFormat format = ImageFormat::unknown;
-  Span<const std::byte> bytes;  // empty: by reference
+  Span<const std::byte> bytes = {};  // empty: by reference
 };
 
 // A number, a truth or a text that an artist gave a node.
 enum class PropertyType : std::uint8_t { number, boolean, text };
 struct Property {
-  std::uint32_t name;  // see File::text; of nested ones the path, as in "door/hinges/0"
-  PropertyType type;
-  std::uint8_t reserved[3];
+  std::uint32_t name = 0;  // see File::text; of nested ones the path, as in "door/hinges/0"
+  PropertyType type = PropertyType::number;
+  std::uint8_t reserved[3] = {};
   union {
-    double number;       // finite; of a boolean 1 or 0
+    double number = 0;   // finite; of a boolean 1 or 0
     std::uint32_t text;  // see File::text
   };
 };
@@ -247,20 +302,20 @@ struct Node {
   std::uint32_t skeleton = 0;  // which skeleton of the file
   std::uint16_t joint = kNoJoint;
   const Affine* joint_from_node = nullptr;
-  Span<const Property> properties;
+  Span<const Property> properties = {};
 };
 
 // A helper between two joints of a palette, for what bends or twists there: see build_palette().
 struct HalfJoint {
-  std::uint16_t parent, joint;  // palette entries, below Mesh::joint_count, not the same
-  float share;                  // of the way from parent to joint; above 0, below 1
+  std::uint16_t parent = 0, joint = 0;  // palette entries, below Mesh::joint_count, not the same
+  float share = 0;                      // of the way from parent to joint; above 0, below 1
 };
 static_assert(sizeof(HalfJoint) == 8);
 
 // A level of detail: another geometry over the same palette.
 struct MeshLod {
-  std::uint32_t geometry;  // which of the file
-  float error_m;           // the farthest that a vertex of the full mesh is from it, in the clips it was made with
+  std::uint32_t geometry = 0;  // which of the file
+  float error_m = 0;           // the farthest that a vertex of the full mesh is from it, in the clips it was made with
 };
 static_assert(sizeof(MeshLod) == 8);
 
@@ -279,10 +334,10 @@ struct Mesh {
   // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
   // vertex order needs to know: see Geometry::source_slots.
   bool is_next_part = false;
-  Span<const HalfJoint> half_joints;  // palette entries behind those of the joints
-  Span<const MeshTarget> targets;     // as many as the geometry's
-  Span<const MeshLod> lods;           // levels 1, 2, …, ever coarser; level 0 is the mesh in full
-  Geometry geometry;                  // of the level asked for
+  Span<const HalfJoint> half_joints = {};  // palette entries behind those of the joints
+  Span<const MeshTarget> targets = {};     // as many as the geometry's
+  Span<const MeshLod> lods = {};           // levels 1, 2, …, ever coarser; level 0 is the mesh in full
+  Geometry geometry = {};                  // of the level asked for
 
   // How many matrices build_palette() writes.
   std::uint32_t palette_size() const { return joint_count + static_cast<std::uint32_t>(half_joints.size); }
@@ -311,6 +366,12 @@ class File {
 
   // Index of the first skeleton with this name, or skeleton_count().
   std::uint32_t find_skeleton(const char* name) const;
+  // The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
+  // frame.
+  std::uint32_t find_joint(const Skeleton& skeleton, const char* name) const;
+  // Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
+  // same name.
+  std::uint32_t find_mesh(const char* name) const;
   // Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
   // of several skeletons is a clip each, with the same name and duration.
   std::uint32_t find_clip(const char* name) const;
@@ -327,10 +388,10 @@ class File {
 
   // For tools: the sections as they stand in the file.
   struct Section {
-    std::uint32_t type;  // four characters, first in the lowest byte
-    std::uint32_t offset;
-    std::uint32_t bytes;
-    std::uint32_t codec;
+    std::uint32_t type = 0;  // four characters, first in the lowest byte
+    std::uint32_t offset = 0;
+    std::uint32_t bytes = 0;
+    std::uint32_t codec = 0;
   };
   Span<const Section> sections() const { return sections_; }
 
@@ -340,17 +401,17 @@ class File {
   const std::byte* section(std::uint32_t kind, std::uint32_t index) const;
 
   const std::byte* block_ = nullptr;
-  Span<const Section> sections_;
+  Span<const Section> sections_ = {};
   std::uint32_t first_[10] = {};  // first section of each kind, in the order of format::Kind
   std::uint32_t counts_[10] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.
 //
-// The block must be 16-byte aligned (bad_argument otherwise) and may come from anywhere: nothing is read outside it,
-// whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of bounds.
-// `out` is written only on success. `error`, if not null, gets the place and the broken rule on failure.
-// Cost: one pass over the block; no allocation. Thread-safe.
+// The block must be 16-byte aligned (bad_argument otherwise; memory.h helps) and may come from anywhere: nothing is
+// read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
+// bounds. `out` is written only on success. `error`, if not null, gets the place and the broken rule on failure. Cost:
+// one pass over the block; no allocation. Thread-safe.
 Status load(Span<const std::byte> block, File& out, DataError* error = nullptr);
 
 }  // namespace marrow

@@ -141,7 +141,7 @@ struct GpuMesh {
   float morph_unit = 1;            // 1 / half-extent, see prepare()
   // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   float coordinate_scale = 1;
-  VertexLayout layout;
+  VertexLayout layout = {};
 };
 
 struct PrepareOptions {
@@ -196,7 +196,7 @@ struct ProgramKey {
 struct ProgramSource {
   const char* vertex = nullptr;
   const char* fragment = nullptr;
-  Span<const char* const> feedback_varyings;  // for transform feedback, interleaved; empty otherwise
+  Span<const char* const> feedback_varyings = {};  // for transform feedback, interleaved; empty otherwise
 };
 
 struct Program {

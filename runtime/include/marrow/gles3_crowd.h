@@ -19,7 +19,7 @@ namespace marrow::gles3 {
 
 // What is baked, and how it ends.
 struct CrowdSource {
-  Clip clip;
+  Clip clip = {};
   bool loops = true;  // its last pose is followed by its first; otherwise it stays in the last
 };
 
@@ -33,8 +33,8 @@ struct CrowdClip {
 
 // Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
 struct CrowdFrames {
-  Span<const CrowdClip> clips;
-  Span<const Affine> character_from_joint;  // frame after frame
+  Span<const CrowdClip> clips = {};
+  Span<const Affine> character_from_joint = {};  // frame after frame
   std::uint32_t joint_count = 0;
   std::uint32_t frame_count = 0;
 };
@@ -68,8 +68,8 @@ struct CrowdPlay {
 // One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
 struct CrowdInstance {
   Affine scene_from_character = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-  CrowdPlay a;                     // must have a clip
-  CrowdPlay b;                     // kNoCrowdClip: a alone
+  CrowdPlay a = {};                // must have a clip
+  CrowdPlay b = {};                // kNoCrowdClip: a alone
   double blend_start_s = 0;        // until then a alone
   float blend_s = 0;               // and b alone so much later
   float colour[4] = {1, 1, 1, 1};  // marrow_instance_colour() in the vertex shader
@@ -92,7 +92,7 @@ std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
 // A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
 // (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
 struct CrowdMesh {
-  GpuMesh gpu;  // what draw() takes
+  GpuMesh gpu = {};  // what draw() takes
   std::uint32_t frames_texture = 0;
   std::uint32_t blended_texture = 0;
   std::uint32_t framebuffer = 0;  // around the blended texture
@@ -102,11 +102,11 @@ struct CrowdMesh {
   bool lost = false;
 
   // What it is put on the next context from.
-  Mesh mesh;
-  PrepareOptions options;
-  CrowdFrames frames;
-  Span<Affine> bind;        // what palettes are built with
-  Span<std::byte> scratch;  // of prepare(), and of palettes on their way up
+  Mesh mesh = {};
+  PrepareOptions options = {};
+  CrowdFrames frames = {};
+  Span<Affine> bind = {};        // what palettes are built with
+  Span<std::byte> scratch = {};  // of prepare(), and of palettes on their way up
 };
 
 // Bytes of memory that create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and prepare_scratch_bytes().
@@ -132,7 +132,7 @@ struct Crowd {
   std::uint32_t count = 0;        // that have been set
   std::uint32_t frame_count = 0;  // of the frames that they play
   bool lost = false;
-  Span<std::byte> records;  // as the texture has them
+  Span<std::byte> records = {};  // as the texture has them
 };
 
 // Bytes of memory an instance for create_crowd().

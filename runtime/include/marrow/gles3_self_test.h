@@ -41,11 +41,11 @@ inline constexpr float kMostPositionError = 0.001f;
 inline constexpr float kMostNormalError = 0.005f;
 
 struct SelfTest {
-  PathResult paths[kPathCount];  // by Path
-  std::uint64_t key = 0;         // of driver, caps, options and this library's shader texts
+  PathResult paths[kPathCount] = {};  // by SkinningPath
+  std::uint64_t key = 0;              // of driver, caps, options and this library's shader texts
 };
 
-constexpr std::uint32_t bit_of(Path path) {
+constexpr std::uint32_t bit_of(SkinningPath path) {
   return 1u << static_cast<std::uint32_t>(path);
 }
 inline constexpr std::uint32_t kAllPaths = (1u << kPathCount) - 1;
@@ -62,16 +62,16 @@ struct SelfTestOptions {
   // Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
   // forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
   // with what has been there before.
-  void (*about_to_try)(void* user, Path path) = nullptr;
+  void (*about_to_try)(void* user, SkinningPath path) = nullptr;
   void* user = nullptr;
 };
 
 // Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
 std::size_t self_test_bytes(const SelfTestOptions& options);
 
-// Tries the paths, in the order of Path. memory: at least self_test_bytes(), 16-byte aligned, free again afterwards.
-// Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing can be read
-// back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+// Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
+// afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
+// can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
 //
 // Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
 // framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
@@ -97,7 +97,7 @@ inline constexpr std::uint32_t kManyCharacters = 8;
 //
 // More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
 // Errors: unsupported (none is usable). `out` is written only on success.
-Status choose(const SelfTest& test, const PathNeed& need, Path& out);
+Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out);
 
 // A result as bytes that a game stores. Errors: bad_argument (too short).
 inline constexpr std::size_t kSavedSelfTestBytes = 104;

@@ -15,7 +15,7 @@
 namespace marrow::gles3 {
 
 // Where vertices are skinned.
-enum class Path : std::uint8_t {
+enum class SkinningPath : std::uint8_t {
   ubo,       // vertex shader, every pass; palettes in a uniform block, a draw call a character
   texture,   // vertex shader, every pass; palettes in a texture, one draw call for all characters
   feedback,  // once a frame, by transform feedback
@@ -24,24 +24,28 @@ enum class Path : std::uint8_t {
 };
 inline constexpr std::uint32_t kPathCount = 5;
 // "ubo", …
-const char* to_string(Path path);
+const char* to_string(SkinningPath path);
 
 inline constexpr std::uint32_t kMostRoles = 4;
 inline constexpr std::uint32_t kMostPrograms = 192;
 
+// One of a set, filled in by Marrow.
+struct ProgramSetEntry {
+  ProgramSetEntry() = default;
+
+  ProgramKey key = {};
+  std::uint32_t role = 0;  // kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
+  Program program = {};
+};
+
 // The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first four members.
 struct ProgramSet {
-  ProgramSource roles[kMostRoles];  // texts that live as long as the set
+  // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
+  ProgramSource roles[kMostRoles] = {{}, {}, {}, {}};
   std::uint32_t role_count = 1;
   std::uint32_t palette_binding = 0;  // uniform buffer binding of the palettes
   Span<char> log = {};                // what the driver says of a text that does not compile
-
-  struct Entry {
-    ProgramKey key;
-    std::uint32_t role = 0;  // kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
-    Program program;
-  };
-  Entry entries[kMostPrograms];
+  ProgramSetEntry entries[kMostPrograms] = {};
   std::uint32_t count = 0;
 };
 
@@ -49,7 +53,7 @@ struct ProgramSet {
 void destroy(const Api& api, ProgramSet& programs);
 
 struct SkinnerOptions {
-  Path path = Path::ubo;
+  SkinningPath path = SkinningPath::ubo;
   Deformer deformer = Deformer::ssd;  // rigid, ssd or as
   std::uint32_t instances = 1;        // characters, at most
   std::uint32_t texture_unit = 0;     // palettes in a texture; morph targets take the next one
@@ -59,23 +63,23 @@ struct SkinnerOptions {
 };
 
 struct Skinner {
-  Mesh mesh;
-  SkinnerOptions options;
-  GpuMesh gpu;
-  PaletteRing ring;
-  PaletteTexture texture;
+  Mesh mesh = {};
+  SkinnerOptions options = {};
+  GpuMesh gpu = {};
+  PaletteRing ring = {};
+  PaletteTexture texture = {};
   std::uint32_t updated = 0;  // characters that the last update() brought up
   bool lost = false;
 
   // In the caller's memory.
-  Span<Affine> bind;                                      // what palettes are built with
-  Span<Affine> palettes;                                  // characters after each other
-  Span<float> weights;                                    // of morph targets, characters after each other
-  Span<std::uint32_t> offsets;                            // in the ring, a character each
-  Span<SkinnedMesh> skinned;                              // a character each, of paths that skin once a frame
-  Span<float> positions, normals, tangents, coordinates;  // path cpu: one character's
-  MorphedGeometry morphed;
-  Span<std::byte> scratch;  // of prepare(), kept for the next context
+  Span<Affine> bind = {};            // what palettes are built with
+  Span<Affine> palettes = {};        // characters after each other
+  Span<float> weights = {};          // of morph targets, characters after each other
+  Span<std::uint32_t> offsets = {};  // in the ring, a character each
+  Span<SkinnedMesh> skinned = {};    // a character each, of paths that skin once a frame
+  Span<float> positions = {}, normals = {}, tangents = {}, coordinates = {};  // path cpu: one character's
+  MorphedGeometry morphed = {};
+  Span<std::byte> scratch = {};  // of prepare(), kept for the next context
 };
 
 // Bytes of memory that create_skinner() wants.

@@ -46,9 +46,9 @@ struct alignas(16) TwoBoneTurns {
 
 // The scene matrices of a limb's joints. mid is start's child or further below, end mid's.
 struct TwoBoneJoints {
-  const Affine* start;
-  const Affine* mid;
-  const Affine* end;
+  const Affine* start = nullptr;
+  const Affine* mid = nullptr;
+  const Affine* end = nullptr;
 };
 
 // Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
@@ -68,7 +68,7 @@ Status two_bone_x4(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4], 
 
 // Joints of a skeleton; other joints may lie between them.
 struct TwoBoneLimb {
-  std::uint32_t start, mid, end;
+  std::uint32_t start = 0, mid = 0, end = 0;
 };
 
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "marrow/file.h"
-#include "marrow/limits.h"
 
 namespace marrow {
 
@@ -22,10 +21,11 @@ struct IkGoal {
 };
 
 struct IkProblem {
-  Span<const IkGoal> goals;
-  Span<const std::uint16_t> joints;  // that may turn: ascending, so that parents come first. Others are stiff
-  Span<const float> stiffness;       // one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
-  Span<const JointLimit> limits;  // joints ascending, as in a skeleton; those of joints that do not turn are left out
+  Span<const IkGoal> goals = {};
+  Span<const std::uint16_t> joints = {};  // that may turn: ascending, so that parents come first. Others are stiff
+  Span<const float> stiffness = {};  // one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
+  Span<const JointLimit> limits =
+      {};  // joints ascending, as in a skeleton; those of joints that do not turn are left out
   // Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
   // as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
   float pole[3] = {};  // scene space, metres

@@ -1,62 +1,9 @@
 // Joint limits: how far a joint may turn from its parent, and the nearest rotation where it has turned farther.
 #pragma once
 
-#include "marrow/pose.h"
-#include "marrow/span.h"
-#include "marrow/status.h"
+#include "marrow/file.h"
 
 namespace marrow {
-
-enum class LimitKind : std::uint8_t {
-  none,   // turns freely; for joints that have a rate limit alone
-  hinge,  // about one axis, between two angles: knees, elbows, fingers
-  cone,   // swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
-  euler,  // three angles about three axes, each between two: rigs whose limits came so
-};
-
-// The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
-enum class AxisOrder : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx };
-
-// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
-// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
-// angle_range().
-struct AngleRange {
-  float middle;      // -1 … 1: -180° … 180°
-  float half_width;  // 0 … 1; 1: any angle
-};
-
-// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
-struct RateLimit {
-  float speed;
-  float acceleration;
-};
-
-// A joint's limit, as it lies in a cooked file; make one with make_limit().
-//
-// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
-// rotation. A local rotation q (parent_from_joint) is seen in them as
-//   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
-// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
-//
-// hinge: t is a turn about x, by an angle in angles[0].
-// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
-//   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
-//   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
-//   90° this is within 2.3° of an ellipse in the angles themselves.
-// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
-//   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
-//
-// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
-struct JointLimit {
-  std::uint16_t joint;  // of the skeleton
-  LimitKind kind;
-  AxisOrder order;             // of euler; else xyz
-  float limit_from_parent[4];  // unit quaternion
-  float joint_from_limit[4];   // unit quaternion
-  AngleRange angles[3];        // of a cone the middles of the second and third are 0; of a hinge both are 0
-  RateLimit rate;              // of the local rotation, see follow_pose()
-};
-static_assert(sizeof(JointLimit) == 68);
 
 // Rotations no farther outside than this keep their bits.
 inline constexpr float kLimitTolerance_rad = 1e-5f;
@@ -87,9 +34,6 @@ AngleRange angle_range(float least_rad, float most_rad);
 // euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
 Status make_limit(const LimitDescription& description, std::uint16_t joint, JointLimit& out);
 
-// Whether `limit` keeps the rules that stand in JointLimit, as make_limit() and load() give them.
-bool is_valid(const JointLimit& limit);
-
 // local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
 //
 // What is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes nothing.
@@ -119,21 +63,21 @@ Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local);
 // The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
 const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
 
-// Limits over time. What follows a target with limited speed and acceleration; the memory is the caller's, one for each
-// rotation or point that follows. Zeroed, `= {}`, it begins anew: the next call takes its target as it is, at rest.
+// Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
+// point that follows. A new one, or one set to `{}`, begins anew: the next call takes its target as it is, at rest.
 struct RotationFollower {
-  float rotation[4];  // where it is: x y z w
-  float target[4];    // of the last call
-  float velocity[3];  // radians a second, about the parent's axes
-  float frame_s;      // of the last call
-  std::uint32_t mode;
+  float rotation[4] = {};  // where it is: x y z w
+  float target[4] = {};    // of the last call
+  float velocity[3] = {};  // radians a second, about the parent's axes
+  float frame_s = 0;       // of the last call
+  std::uint32_t mode = 0;
 };
 struct PointFollower {
-  float point[3];
-  float target[3];
-  float velocity[3];
-  float frame_s;
-  std::uint32_t mode;
+  float point[3] = {};
+  float target[3] = {};
+  float velocity[3] = {};
+  float frame_s = 0;
+  std::uint32_t mode = 0;
 };
 
 // Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result

@@ -1,22 +1,26 @@
 // The whole runtime, in the order in which a frame goes through it.
 #pragma once
 
-#include "marrow/blend.h"           //    between them    several poses → one
-#include "marrow/character.h"       // 2. to 4.         all of a file: animations by name, every skeleton and mesh
-#include "marrow/clip_pack.h"       //    beside it       clips of another file
-#include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
-#include "marrow/feet.h"            //    after 3        soles on the ground
+// clang-format off
+#include "marrow/status.h"          //    everywhere      how calls fail
+#include "marrow/call_error.h"      //    everywhere      who is told of bad calls
+#include "marrow/memory.h"          //    everywhere      memory on 16-byte boundaries
+#include "marrow/unpack.h"          // 0. unpack          packed file → .mrw in memory
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh
+#include "marrow/clip_pack.h"       //    beside it       clips of another file
+#include "marrow/playback.h"        //    before 2        a playing clip: time, speed, loop
+#include "marrow/sample.h"          // 2. sample          Clip, time → local pose
+#include "marrow/curve.h"           //    beside it       keys, easings, patches → numbers
+#include "marrow/blend.h"           //    between 2 and 3 several poses → one
+#include "marrow/transition.h"      //    between 2 and 3 one clip → the next
+#include "marrow/local_to_model.h"  // 3. local to model  local pose → scene-space joints
+#include "marrow/limits.h"          //    after 3         how far and how fast joints turn
 #include "marrow/ik.h"              //    after 3         limbs reach, heads look
 #include "marrow/ik_solve.h"        //    after 3         chains and whole bodies reach goals
-#include "marrow/limits.h"          //    after 3         how far and how fast joints turn
-#include "marrow/local_to_model.h"  // 3. local to model  local pose → scene-space joints
-#include "marrow/morph.h"           //    before skinning weights → bind vertices moved
-#include "marrow/palette.h"         // 4. palette         joints → skinning matrices
-#include "marrow/playback.h"        //    before it       a playing clip: time, speed, loop
-#include "marrow/sample.h"          // 2. sample          Clip, time → local pose
-#include "marrow/skin.h"            // 5. skin            rigid, SSD, animation space
+#include "marrow/feet.h"            //    after 3         soles on the ground
 #include "marrow/springs.h"         //    after 3         hair, tails and capes swing
-#include "marrow/status.h"          // how calls fail
-#include "marrow/transition.h"      //    between them    one clip → the next
-#include "marrow/unpack.h"          // 0. unpack          packed file → .mrw in memory
+#include "marrow/morph.h"           //    before 5        weights → bind vertices moved
+#include "marrow/palette.h"         // 4. palette         joints → skinning matrices
+#include "marrow/skin.h"            // 5. skin            rigid, SSD, animation space
+#include "marrow/character.h"       // 2. to 4.           all of a file: animations by name, every skeleton and mesh
+// clang-format on

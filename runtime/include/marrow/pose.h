@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "marrow/span.h"
+#include "marrow/status.h"
+
 namespace marrow {
 
 // Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
@@ -32,5 +35,17 @@ static_assert(sizeof(Affine) == 48);
 constexpr std::size_t soa_count(std::size_t joint_count) {
   return (joint_count + 3) / 4;
 }
+
+// The local transform of one joint.
+struct JointTransform {
+  float translation[3] = {0, 0, 0};  // metres
+  float rotation[4] = {0, 0, 0, 1};  // a unit quaternion x, y, z, w
+  float scale[3] = {1, 1, 1};
+};
+
+// Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+// is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+Status get_joint(Span<const SoaTransform> local, std::uint32_t joint, JointTransform& out);
+Status set_joint(Span<SoaTransform> local, std::uint32_t joint, const JointTransform& transform);
 
 }  // namespace marrow

@@ -23,12 +23,12 @@ enum class NormalTransform : std::uint8_t {
 };
 
 struct SkinOutput {
-  Span<float> positions;  // 3 a slot; required
-  Span<float> normals;    // 3 a slot; leave empty to skip
+  Span<float> positions = {};  // 3 a slot; required
+  Span<float> normals = {};    // 3 a slot; leave empty to skip
   // 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
   // ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
   // normals. Leave empty to skip.
-  Span<float> tangents;
+  Span<float> tangents = {};
   NormalTransform normal_transform = NormalTransform::inverse_transpose;
 };
 
@@ -61,8 +61,8 @@ Status as_coordinates(const Geometry& geometry, Span<float> out);
 // A mesh in animation space, for as_tangents().
 struct AsPart {
   const Mesh* mesh = nullptr;
-  Span<const float> coordinates;  // from as_coordinates()
-  Span<float> tangents;           // as_tangent_count() floats, to be written
+  Span<const float> coordinates = {};  // from as_coordinates()
+  Span<float> tangents = {};           // as_tangent_count() floats, to be written
 };
 
 // How many floats as_tangents() writes of a mesh: twice as_coordinate_count().

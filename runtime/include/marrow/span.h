@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 
 namespace marrow {
 
+// Views memory of the caller's, whatever that is in; const T takes what is T, too.
 template <class T>
 struct Span {
   T* data = nullptr;
@@ -22,6 +24,15 @@ struct Span {
   template <class U>
   requires requires(U* u, T*& p) { p = u; }
   constexpr Span(Span<U> other) : data(other.data), size(other.size) {}
+  // From an array, all of it: of a text with the zero that ends it.
+  template <std::size_t count>
+  constexpr Span(T (&array)[count]) : data(array), size(count) {}
+  // From a list in braces, to read: blend(skeleton, {{walk, 0.7f}, {run, 0.3f}}, out). The list is there until the call
+  // is over, so a Span that is kept, a variable or a member of one, must not be made from it.
+  constexpr Span(std::initializer_list<T> list) requires requires(const T* listed, T*& p) {
+    p = listed;
+  } : Span(list.begin(), list.size()) {
+  }
 
   constexpr T& operator[](std::size_t i) const { return data[i]; }
   constexpr T* begin() const { return data; }

@@ -18,7 +18,7 @@ struct SpringJoint {
 
 // Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
 struct SpringChain {
-  Span<const SpringJoint> joints;
+  Span<const SpringJoint> joints = {};
   float tip[3] = {0, 0, 0};  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
 };
 
@@ -74,7 +74,7 @@ struct SpringFrame {
   Affine world_from_scene = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   float gravity[3] = {0, -9.81f, 0};  // m/s², world
   float wind[3] = {0, 0, 0};          // m/s, world; acts by `drag`
-  Span<const SpringCollider> colliders;
+  Span<const SpringCollider> colliders = {};
   float teleport_m = 1.0f;  // chains whose first joint moves further than this in one frame are moved along …
   bool teleported = false;  // … and so are all if this is set
   float weight = 1.0f;      // 0 … 1, times each joint's

@@ -35,17 +35,17 @@ struct alignas(16) InertialOffset {
 
 // A transition under way; the memory is the caller's and can be used again for the next one.
 struct Inertia {
-  Span<InertialOffset> offsets;  // at least skeleton.soa_size()
-  float duration_s = 0.0f;       // 0: none, or over
+  Span<InertialOffset> offsets = {};  // at least skeleton.soa_size()
+  float duration_s = 0.0f;            // 0: none, or over
 };
 
 // What was shown in the last two frames, and what the new clip would show.
 struct InertialStart {
-  Span<const SoaTransform> before;      // shown one frame earlier
-  Span<const SoaTransform> now;         // shown last
-  Span<const SoaTransform> target;      // the new clip at the time of `now`
-  Span<const SoaTransform> target_was;  // the new clip one frame earlier; empty: taken to stand still
-  float frame_s = 0.0f;                 // between the two, > 0
+  Span<const SoaTransform> before = {};      // shown one frame earlier
+  Span<const SoaTransform> now = {};         // shown last
+  Span<const SoaTransform> target = {};      // the new clip at the time of `now`
+  Span<const SoaTransform> target_was = {};  // the new clip one frame earlier; empty: taken to stand still
+  float frame_s = 0.0f;                      // between the two, > 0
 };
 
 // Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is

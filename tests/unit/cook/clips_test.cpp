@@ -43,7 +43,7 @@ void add_rotation(BuiltClip& clip, std::size_t joint, const std::vector<float>& 
                   const std::vector<Quat>& keys) {
   if (clip.times_s.size() < times_s.size()) clip.times_s = times_s;
   clip.duration_s = std::max(clip.duration_s, times_s.back());
-  clip.tracks.push_back({static_cast<std::uint16_t>(joint), Path::rotation, Interpolation::linear,
+  clip.tracks.push_back({static_cast<std::uint16_t>(joint), TrackPath::rotation, Interpolation::linear,
                          static_cast<std::uint32_t>(times_s.size()), 0,
                          static_cast<std::uint32_t>(clip.values.size())});
   for (const Quat& q : keys)

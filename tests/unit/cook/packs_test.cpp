@@ -139,7 +139,7 @@ TEST(Packs, WhatStandsOtherwiseIsHeldThere) {
   ASSERT_EQ(built.clips.at(0).tracks.size(), 2u);
   const auto held = std::ranges::find(built.clips[0].tracks, 1, &Track::joint);
   ASSERT_NE(held, built.clips[0].tracks.end());
-  EXPECT_EQ(held->path, Path::translation);
+  EXPECT_EQ(held->path, TrackPath::translation);
   EXPECT_EQ(held->key_count, 1u);
   EXPECT_EQ(built.clips[0].values[held->first_value + 1], 0.75f);
 }

@@ -96,12 +96,12 @@ struct AdditiveClip {
   AdditiveClip(const Poses& p, const std::vector<SoaTransform>& pose, const std::vector<SoaTransform>* reference) {
     for (std::uint16_t j = 0; j < p.skeleton.joint_count; ++j) {
       const test::TestJoint joint = test::joint_of(pose.data(), j);
-      const auto add = [&](Path path, const auto& v) {
+      const auto add = [&](TrackPath path, const auto& v) {
         keys.add(j, path, Interpolation::step, {0}, {v.begin(), v.end()});
       };
-      add(Path::translation, floats(joint.translation));
-      add(Path::rotation, floats(joint.rotation));
-      add(Path::scale, floats(joint.scale));
+      add(TrackPath::translation, floats(joint.translation));
+      add(TrackPath::rotation, floats(joint.rotation));
+      add(TrackPath::scale, floats(joint.scale));
     }
     clip = keys.view();
     clip.joint_count = p.skeleton.joint_count;

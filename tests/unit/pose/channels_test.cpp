@@ -13,7 +13,7 @@ namespace {
 // Channels beside a track, lists of times shared and not.
 struct Rig {
   Rig() {
-    clip.add(0, Path::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 1, 1});
+    clip.add(0, TrackPath::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 1, 1});
     add(Interpolation::linear, {0, 1}, {2, 6});
     share(Interpolation::step, {5, 7});
     add(Interpolation::linear, {1, 2, 4}, {0, 10, -10});

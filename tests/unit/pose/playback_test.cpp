@@ -238,7 +238,7 @@ TEST(Playback, WhatIsNotFiniteIsRefusedAndChangesNothing) {
 // the seam, and after a whole number of rounds it is where it was.
 TEST(Playback, ALoopIsSeamless) {
   test::TestClip clip;
-  clip.add(0, Path::translation, Interpolation::linear, {0, 0.5f, 1}, {0, 0, 0, 1, 0, 0, 0, 0, 0});
+  clip.add(0, TrackPath::translation, Interpolation::linear, {0, 0.5f, 1}, {0, 0, 0, 1, 0, 0, 0, 0, 0});
   const test::TestSkeleton skeleton(std::vector<test::TestJoint>(1));
   std::vector<SoaTransform> pose(1);
   Playback p = at(0, PlayMode::loop);

@@ -64,7 +64,7 @@ std::vector<float> floats(std::initializer_list<Quat> quats) {
 
 TEST(Sample, JointsWithoutTracksKeepTheirRestPose) {
   TestClip clip;
-  clip.add(4, Path::translation, Interpolation::linear, {0, 1}, {7, 8, 9, 7, 8, 9});
+  clip.add(4, TrackPath::translation, Interpolation::linear, {0, 1}, {7, 8, 9, 7, 8, 9});
   const Sampled s(clip, 0.5f);
   ASSERT_EQ(s.status, Status::ok);
   for (std::size_t j = 0; j < 6; ++j) {
@@ -86,7 +86,7 @@ TEST(Sample, AClipWithoutTracksIsTheRestPose) {
 
 TEST(Sample, LinearTranslation) {
   TestClip clip;
-  clip.add(1, Path::translation, Interpolation::linear, {1, 2, 4}, {0, 0, 0, 10, -20, 30, 20, -20, 30});
+  clip.add(1, TrackPath::translation, Interpolation::linear, {1, 2, 4}, {0, 0, 0, 10, -20, 30, 20, -20, 30});
   const struct {
     float time_s;
     Vec3 want;
@@ -102,7 +102,7 @@ TEST(Sample, LinearTranslation) {
 
 TEST(Sample, StepHoldsUntilTheVeryKey) {
   TestClip clip;
-  clip.add(2, Path::scale, Interpolation::step, {0.1f, 0.7f, 1.3f}, {1, 1, 1, 2, 2, 2, 3, 3, 3});
+  clip.add(2, TrackPath::scale, Interpolation::step, {0.1f, 0.7f, 1.3f}, {1, 1, 1, 2, 2, 2, 3, 3, 3});
   const auto scale = [&](float time_s) { return joint_of(Sampled(clip, time_s).out.data(), 2).scale[0]; };
   EXPECT_EQ(scale(0.0f), 1);
   EXPECT_EQ(scale(0.1f), 1);
@@ -117,7 +117,7 @@ TEST(Sample, StepHoldsUntilTheVeryKey) {
 TEST(Sample, LinearRotationIsSpherical) {
   const Quat a = test::axis_angle({1, 2, 3}, 0.3), b = test::axis_angle({-1, 0.5, 2}, 2.6);
   TestClip clip;
-  clip.add(5, Path::rotation, Interpolation::linear, {0, 2}, floats({a, b}));
+  clip.add(5, TrackPath::rotation, Interpolation::linear, {0, 2}, floats({a, b}));
   ASSERT_GT(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3], 0) << "the file's keys are on the shorter arc";
   int cases = 0;
   for (int i = 0; i <= 32; ++i, ++cases) {
@@ -130,7 +130,7 @@ TEST(Sample, LinearRotationIsSpherical) {
 TEST(Sample, HalfOfAQuarterTurn) {
   const float h = 0.70710678f;
   TestClip clip;
-  clip.add(0, Path::rotation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 0, 0, h, h});
+  clip.add(0, TrackPath::rotation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 0, 0, h, h});
   const Quat q = Sampled(clip, 0.5f).rotation(0);
   EXPECT_NEAR(q[2], 0.38268343, 1e-6);
   EXPECT_NEAR(q[3], 0.92387953, 1e-6);
@@ -139,7 +139,7 @@ TEST(Sample, HalfOfAQuarterTurn) {
 // glTF 2.0 appendix C by hand: at t = ½ the weights are ½, ⅛ of the interval, ½ and -⅛ of the interval.
 TEST(Sample, CubicSplineTranslation) {
   TestClip clip;
-  clip.add(3, Path::translation, Interpolation::cubic_spline, {1, 3},
+  clip.add(3, TrackPath::translation, Interpolation::cubic_spline, {1, 3},
            {99, 99, 99, 1, 2, 3, 4, 0, -4, 8, -8, 0, 5, 6, 7, 99, 99, 99});
   expect_vec(Sampled(clip, 2).translation(3), {3 + 2 * (4 - 8) / 8.0, 4 + 2 * (0 + 8) / 8.0, 5 + 2 * -4 / 8.0});
   expect_vec(Sampled(clip, 1).translation(3), {1, 2, 3});
@@ -155,7 +155,7 @@ TEST(Sample, CubicSplineTranslation) {
 TEST(Sample, CubicSplineRotationIsNormalisedAndKeepsItsSigns) {
   const Quat a = {0, 0, 0, 1}, b = {0, 0, -0.6, -0.8};  // opposite hemispheres: the curve goes the long way, as drawn
   TestClip clip;
-  clip.add(0, Path::rotation, Interpolation::cubic_spline, {0, 1},
+  clip.add(0, TrackPath::rotation, Interpolation::cubic_spline, {0, 1},
            floats({{0, 0, 0, 0}, a, {0, 1, 0, 0}, {0.5, 0, 0, 0}, b, {0, 0, 0, 0}}));
   // t = ¼: (54 a + 9 out + 10 b - 3 in) / 64.
   Quat want = {-3 * 0.5, 9, 10 * -0.6, 54 - 8};
@@ -168,15 +168,15 @@ TEST(Sample, OneKeyHoldsForEver) {
     TestClip clip;
     std::vector<float> values = {4, 5, 6};
     if (i == Interpolation::cubic_spline) values = {9, 9, 9, 4, 5, 6, 9, 9, 9};
-    clip.add(1, Path::translation, i, {2}, values);
+    clip.add(1, TrackPath::translation, i, {2}, values);
     for (const float time_s : {0.0f, 2.0f, 3.0f}) expect_vec(Sampled(clip, time_s).translation(1), {4, 5, 6});
   }
 }
 
 TEST(Sample, TracksMayShareTimes) {
   TestClip clip;
-  clip.add(0, Path::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 1, 1});
-  clip.add(1, Path::translation, Interpolation::linear, {0, 2}, {0, 0, 0, 1, 1, 1});
+  clip.add(0, TrackPath::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 1, 1});
+  clip.add(1, TrackPath::translation, Interpolation::linear, {0, 2}, {0, 0, 0, 1, 1, 1});
   clip.tracks.push_back(clip.tracks.back());
   clip.tracks.back().joint = 2;
   const Sampled s(clip, 0.5f);
@@ -187,7 +187,7 @@ TEST(Sample, TracksMayShareTimes) {
 
 TEST(Sample, InfiniteTimesAreTheEnds) {
   TestClip clip;
-  clip.add(1, Path::translation, Interpolation::linear, {1, 2}, {0, 0, 0, 10, 10, 10});
+  clip.add(1, TrackPath::translation, Interpolation::linear, {1, 2}, {0, 0, 0, 10, 10, 10});
   expect_vec(Sampled(clip, std::numeric_limits<float>::infinity()).translation(1), {10, 10, 10});
   expect_vec(Sampled(clip, -std::numeric_limits<float>::infinity()).translation(1), {0, 0, 0});
 }
@@ -199,7 +199,7 @@ TEST(Sample, ManyKeysFindTheirInterval) {
     values.insert(values.end(), {static_cast<float>(i), 0, 0});
   }
   TestClip clip;
-  clip.add(0, Path::translation, Interpolation::linear, times, values);
+  clip.add(0, TrackPath::translation, Interpolation::linear, times, values);
   int cases = 0;
   for (int i = 0; i < 300; ++i, ++cases) {
     const float middle = (times[static_cast<std::size_t>(i)] + times[static_cast<std::size_t>(i) + 1]) / 2;

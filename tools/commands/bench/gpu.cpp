@@ -21,7 +21,7 @@
 namespace marrow::tools {
 namespace {
 
-using gles3::Path;
+using gles3::SkinningPath;
 
 constexpr double kGpuBatch_s = 0.03;
 constexpr std::size_t kGpuBatches = 9;
@@ -30,12 +30,12 @@ constexpr std::size_t kGpuBatches = 9;
 constexpr GpuCase kCases[] = {{"1000x3", 1000, 3, 1, nullptr},     {"2000x3", 2000, 3, 1, nullptr},
                               {"4000x5", 4000, 5, 1, nullptr},     {"8000x7", 8000, 7, 1, nullptr},
                               {"30000x60", 30000, 60, 1, nullptr}, {"1000_CesiumMan", 0, 0, 1000, "CesiumMan.glb"}};
-constexpr std::optional<Path> kPaths[] = {Path::ubo, Path::texture, Path::feedback, Path::compute, Path::cpu, {}};
+constexpr std::optional<SkinningPath> kPaths[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute, SkinningPath::cpu, {}};
 
 std::vector<GpuRow> gpu_rows() {
   std::vector<GpuRow> out;
   for (const GpuCase& of : kCases)
-    for (const std::optional<Path> path : kPaths)
+    for (const std::optional<SkinningPath> path : kPaths)
       for (const gles3::Deformer deformer : {gles3::Deformer::ssd, gles3::Deformer::as})
         for (const bool normals : {false, true}) {
           if (!path && of.model == nullptr) continue;  // nothing to play
@@ -115,7 +115,7 @@ std::vector<GpuRow> selected(const std::string& pattern, const Gl& gl, Models& m
     if (count > 0) fmt::print(stderr, "marrow: note: {}: rows left out: {}\n", why, count);
   };
   if (!gl.caps().compute)
-    leave_out("no compute shaders here", [](const GpuRow& row) { return row.path == Path::compute; });
+    leave_out("no compute shaders here", [](const GpuRow& row) { return row.path == SkinningPath::compute; });
   if (!models.has(kCesiumMan))
     leave_out("no CesiumMan.glb", [](const GpuRow& row) { return row.of->model != nullptr; });
   return rows;
@@ -168,14 +168,14 @@ void run_gpu_bench(const GpuBenchArguments& arguments) {
   write_file_atomically(arguments.chart, std::string_view(chart));
 }
 
-const char* path_name(std::optional<Path> path) {
+const char* path_name(std::optional<SkinningPath> path) {
   return path ? gles3::to_string(*path) : "crowd";
 }
 
 std::string gpu_row_names() {
   std::vector<const char*> cases, paths;
   for (const GpuCase& of : kCases) cases.push_back(of.name);
-  for (const std::optional<Path> path : kPaths)
+  for (const std::optional<SkinningPath> path : kPaths)
     if (path) paths.push_back(path_name(path));
   return fmt::format("gpu/{}/{{ssd,as}}/{{p,pn}}/{}\ngpu/crowd/{{ssd,as}}/{{p,pn}}/1000_CesiumMan\n", choice(paths),
                      choice(cases));

@@ -31,7 +31,7 @@ struct GpuCase {
 struct GpuRow {
   std::string name;
   const GpuCase* of = nullptr;
-  std::optional<gles3::Path> path;  // none: a crowd
+  std::optional<gles3::SkinningPath> path;  // none: a crowd
   gles3::Deformer deformer = gles3::Deformer::ssd;
   bool normals = false;
   double frames_per_s = 0;
@@ -40,7 +40,7 @@ struct GpuRow {
 };
 
 // "ubo", … or "crowd".
-const char* path_name(std::optional<gles3::Path> path);
+const char* path_name(std::optional<gles3::SkinningPath> path);
 
 // Bars of ns a vertex: a group a case, a pair of SSD and animation space a path.
 std::string gpu_chart(const std::vector<GpuRow>& rows, const std::string& driver);

@@ -60,7 +60,7 @@ BuiltClip build_tracks(const RawClip& clip, const std::vector<int>& joint_of_nod
     }
     Track track;
     track.joint = channels[i].joint;
-    track.path = static_cast<Path>(channel.path);
+    track.path = static_cast<TrackPath>(channel.path);
     track.interpolation = static_cast<Interpolation>(channel.interpolation);
     track.key_count = static_cast<std::uint32_t>(channel.times_s.size());
     track.first_time = first_time;

@@ -61,9 +61,9 @@ Segment::Segment(const Rig& rig, const Promise& promise, const std::vector<Track
   }
   for (const TrackId& id : exact)
     for (std::size_t e = 0; e < moment_count(); ++e) {
-      if (id.path == Path::translation) local_[id.joint][e].translation = source_[id.joint][e].translation;
-      if (id.path == Path::rotation) local_[id.joint][e].rotation = source_[id.joint][e].rotation;
-      if (id.path == Path::scale) local_[id.joint][e].scale = source_[id.joint][e].scale;
+      if (id.path == TrackPath::translation) local_[id.joint][e].translation = source_[id.joint][e].translation;
+      if (id.path == TrackPath::rotation) local_[id.joint][e].rotation = source_[id.joint][e].rotation;
+      if (id.path == TrackPath::scale) local_[id.joint][e].scale = source_[id.joint][e].scale;
     }
   find_targets();
   find_reach();
@@ -94,9 +94,9 @@ void Segment::find_targets() {
     Unwrapper unwrapper({1, 0, 0, 0});
     for (std::size_t e = 0; e < moment_count(); e += kMoments) {
       const Transform& t = source_[id.joint][e];
-      if (id.path == Path::translation) frames.push_back(t.translation - rest.translation);
-      if (id.path == Path::scale) frames.push_back(t.scale - rest.scale);
-      if (id.path == Path::rotation) frames.push_back(unwrapper.next(glm::conjugate(rest.rotation) * t.rotation));
+      if (id.path == TrackPath::translation) frames.push_back(t.translation - rest.translation);
+      if (id.path == TrackPath::scale) frames.push_back(t.scale - rest.scale);
+      if (id.path == TrackPath::rotation) frames.push_back(unwrapper.next(glm::conjugate(rest.rotation) * t.rotation));
     }
     targets_.push_back(std::move(frames));
   }
@@ -122,7 +122,7 @@ void Segment::decode_local(std::size_t joint, std::size_t track, const CodedTrac
                            std::vector<Transform>& out) const {
   out = local_[joint];
   const Transform& rest = rig_.rest[joint];
-  const Path path = ids_[track].path;
+  const TrackPath path = ids_[track].path;
   glm::dvec3 b = decode(candidate, 0);
   glm::dquat qb = from_rodrigues(b);
   for (std::size_t e = 0; e < out.size(); ++e) {
@@ -132,13 +132,13 @@ void Segment::decode_local(std::size_t joint, std::size_t track, const CodedTrac
     const bool last = frame + 1 == candidate.values.size();
     if (!last) {
       b = decode(candidate, frame + 1);
-      if (path == Path::rotation) qb = from_rodrigues(b);
+      if (path == TrackPath::rotation) qb = from_rodrigues(b);
     }
     for (std::size_t k = 0; k < (last ? 1 : kMoments); ++k, ++e) {
       const double u = static_cast<double>(k) / static_cast<double>(kMoments);
-      if (path == Path::translation) out[e].translation = rest.translation + a + u * (b - a);
-      if (path == Path::scale) out[e].scale = rest.scale + a + u * (b - a);
-      if (path == Path::rotation) out[e].rotation = rest.rotation * glm::slerp(qa, qb, u);
+      if (path == TrackPath::translation) out[e].translation = rest.translation + a + u * (b - a);
+      if (path == TrackPath::scale) out[e].scale = rest.scale + a + u * (b - a);
+      if (path == TrackPath::rotation) out[e].rotation = rest.rotation * glm::slerp(qa, qb, u);
     }
     --e;
   }
@@ -185,7 +185,7 @@ bool Segment::start(double share) {
     const TrackId& id = ids_[t];
     const double budget = share * least_[id.joint];
     const double step =
-        id.path == Path::translation ? budget / scale_above_[id.joint] : budget / (2 * reach_[id.joint]);
+        id.path == TrackPath::translation ? budget / scale_above_[id.joint] : budget / (2 * reach_[id.joint]);
     // As fine as wanted, or as the format's widths allow.
     int code = code_of_step(step);
     do {
@@ -263,14 +263,14 @@ std::vector<glm::dvec3> Segment::compensated(std::size_t track) const {
   const TrackId& id = ids_[track];
   const Transform& rest = rig_.rest[id.joint];
   const int parent = rig_.parents[id.joint];
-  if (parent == kNone || id.path == Path::scale) return {};
+  if (parent == kNone || id.path == TrackPath::scale) return {};
   std::vector<glm::dvec3> out;
   Unwrapper unwrapper(from_rodrigues(targets_[track][0]));
   for (std::size_t e = 0; e < moment_count(); e += kMoments) {
     const World& above = world_[static_cast<std::size_t>(parent)][e];
     const World& wanted = source_world_[id.joint][e];
     const glm::dmat3 inverse = glm::inverse(above.linear);
-    if (id.path == Path::translation) {
+    if (id.path == TrackPath::translation) {
       out.push_back(inverse * (wanted.origin - above.origin) - rest.translation);
       continue;
     }

@@ -10,7 +10,7 @@ namespace marrow::cook {
 
 struct TrackId {
   std::size_t joint;
-  Path path;
+  TrackPath path;
 };
 
 // Moments between two frames at which the error is watched: the frame itself, the quarters and the middle.

@@ -68,7 +68,7 @@ class Compressor {
     // Rounded as the runtime's argument is, so that both are on the same side of a jump.
     return static_cast<double>(static_cast<float>(grid_.exact_time_of(moment)));
   }
-  bool stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const;
+  bool stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const;
   Transform middle(std::size_t joint) const;
   void sort_tracks(const Promise& promise);
   std::optional<BuiltCoded> code(const Promise& promise, std::size_t length) const;
@@ -88,14 +88,14 @@ class Compressor {
 
 // Whether a sub-track never leaves `at` by more than a small share of the promise: exporters write every track, and
 // most of them are rounding.
-bool Compressor::stays(std::size_t joint, Path path, const Transform& at, const Promise& promise) const {
+bool Compressor::stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const {
   double least = promise.error[joint];
   for (const std::size_t below : rig_.subtrees[joint]) least = std::min(least, promise.error[below]);
   const double most =
-      kStillShare * least / (path == Path::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
+      kStillShare * least / (path == TrackPath::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
   return std::all_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
-    if (path == Path::translation) return glm::length(t.translation - at.translation) <= most;
-    if (path == Path::scale) return glm::length(t.scale - at.scale) <= most;
+    if (path == TrackPath::translation) return glm::length(t.translation - at.translation) <= most;
+    if (path == TrackPath::scale) return glm::length(t.scale - at.scale) <= most;
     const glm::dquat turned = glm::conjugate(at.rotation) * t.rotation;
     return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) <= most;
   });
@@ -120,26 +120,26 @@ Transform Compressor::middle(std::size_t joint) const {
 void Compressor::sort_tracks(const Promise& promise) {
   still_ = rig_.rest;
   for (std::size_t group = 0; group < rig_.size(); group += 4)
-    for (const Path path : {Path::rotation, Path::translation, Path::scale})
+    for (const TrackPath path : {TrackPath::rotation, TrackPath::translation, TrackPath::scale})
       for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
         const Track* const track = curves_.track(j, path);
         if (track == nullptr || jumps(clip_, *track) || stays(j, path, rig_.rest[j], promise)) continue;
         const Transform& rest = rig_.rest[j];
         Transform at = middle(j);
-        const format::Constant numbers = path == Path::rotation      ? code_rotation(at.rotation)
-                                         : path == Path::translation ? code_offset(at.translation - rest.translation)
+        const format::Constant numbers = path == TrackPath::rotation      ? code_rotation(at.rotation)
+                                         : path == TrackPath::translation ? code_offset(at.translation - rest.translation)
                                                                      : code_offset(at.scale - rest.scale);
-        if (path == Path::rotation) at.rotation = decode_rotation(numbers);
-        if (path == Path::translation) at.translation = rest.translation + decode_offset(numbers);
-        if (path == Path::scale) at.scale = rest.scale + decode_offset(numbers);
+        if (path == TrackPath::rotation) at.rotation = decode_rotation(numbers);
+        if (path == TrackPath::translation) at.translation = rest.translation + decode_offset(numbers);
+        if (path == TrackPath::scale) at.scale = rest.scale + decode_offset(numbers);
         if (!stays(j, path, at, promise)) {
           moving_.push_back({j, path});
           continue;
         }
         constant_.push_back({{j, path}, numbers});
-        if (path == Path::rotation) still_[j].rotation = at.rotation;
-        if (path == Path::translation) still_[j].translation = at.translation;
-        if (path == Path::scale) still_[j].scale = at.scale;
+        if (path == TrackPath::rotation) still_[j].rotation = at.rotation;
+        if (path == TrackPath::translation) still_[j].translation = at.translation;
+        if (path == TrackPath::scale) still_[j].scale = at.scale;
       }
 }
 

@@ -69,7 +69,7 @@ bool jumps(const BuiltClip& clip, const Track& track) {
   if (track.interpolation != Interpolation::step) return false;
   const std::size_t width = format::floats_per_key(track.path, track.interpolation);
   const float* const first = clip.values.data() + track.first_value;
-  float largest = track.path == Path::translation ? 0.0f : 1.0f;
+  float largest = track.path == TrackPath::translation ? 0.0f : 1.0f;
   for (std::size_t i = 0; i < width; ++i) largest = std::max(largest, std::fabs(first[i]));
   for (std::size_t i = width; i < track.key_count * width; ++i)
     if (!(std::fabs(first[i] - first[i % width]) <= kRounding * largest)) return true;

@@ -37,7 +37,7 @@ format::TrackHeader header_of(const CodedTrack& track) {
 }
 
 std::uint16_t mask_of(const TrackId& id) {
-  const int first = id.path == Path::rotation ? 0 : id.path == Path::translation ? 4 : 8;
+  const int first = id.path == TrackPath::rotation ? 0 : id.path == TrackPath::translation ? 4 : 8;
   return static_cast<std::uint16_t>(1 << (first + static_cast<int>(id.joint % 4)));
 }
 

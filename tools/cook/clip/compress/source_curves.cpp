@@ -29,7 +29,7 @@ SourceCurves::SourceCurves(const BuiltClip& clip, const BuiltSkeleton& skeleton)
 }
 
 glm::dvec4 SourceCurves::evaluate(const Track& track, double time_s) const {
-  const bool rotation = track.path == Path::rotation;
+  const bool rotation = track.path == TrackPath::rotation;
   const int components = rotation ? 4 : 3;
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
   const float* const times = clip_->times_s.data() + track.first_time;
@@ -56,9 +56,9 @@ glm::dvec4 SourceCurves::evaluate(const Track& track, double time_s) const {
 
 Transform SourceCurves::at(std::size_t joint, double time_s) const {
   Transform out = rest_[joint];
-  if (const Track* t = track(joint, Path::translation)) out.translation = glm::dvec3(evaluate(*t, time_s));
-  if (const Track* t = track(joint, Path::scale)) out.scale = glm::dvec3(evaluate(*t, time_s));
-  if (const Track* t = track(joint, Path::rotation)) {
+  if (const Track* t = track(joint, TrackPath::translation)) out.translation = glm::dvec3(evaluate(*t, time_s));
+  if (const Track* t = track(joint, TrackPath::scale)) out.scale = glm::dvec3(evaluate(*t, time_s));
+  if (const Track* t = track(joint, TrackPath::rotation)) {
     const glm::dvec4 q = evaluate(*t, time_s);
     out.rotation = glm::dquat(q.w, q.x, q.y, q.z);
   }

@@ -18,7 +18,7 @@ class SourceCurves {
 
   // parent_from_joint at a time, clamped to each track's keys.
   Transform at(std::size_t joint, double time_s) const;
-  const Track* track(std::size_t joint, Path path) const { return tracks_[joint][static_cast<std::size_t>(path)]; }
+  const Track* track(std::size_t joint, TrackPath path) const { return tracks_[joint][static_cast<std::size_t>(path)]; }
 
  private:
   glm::dvec4 evaluate(const Track& track, double time_s) const;

@@ -1,0 +1,31 @@
+// Blocks of memory on boundaries of 16 bytes, as load() and whatever lays things out in the caller's memory want them.
+//
+//   std::vector<std::byte> memory(block_bytes(size));
+//   const Span<std::byte> block = block_in(memory);  // at least `size` bytes
+#pragma once
+
+#include <cstdint>
+
+#include "marrow/span.h"
+
+namespace marrow {
+
+inline constexpr std::size_t kBlockBoundary = 16;
+
+// How many bytes of any alignment hold a block of `bytes`.
+constexpr std::size_t block_bytes(std::size_t bytes) {
+  return bytes + kBlockBoundary - 1;
+}
+
+inline bool is_on_boundary(const void* first) {
+  return reinterpret_cast<std::uintptr_t>(first) % kBlockBoundary == 0;
+}
+
+// What lies behind the first boundary in `memory`; empty if there is none.
+inline Span<std::byte> block_in(Span<std::byte> memory) {
+  const std::size_t before = (0 - reinterpret_cast<std::uintptr_t>(memory.data)) % kBlockBoundary;
+  if (before >= memory.size) return {};
+  return {memory.data + before, memory.size - before};
+}
+
+}  // namespace marrow
