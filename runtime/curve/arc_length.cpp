@@ -18,19 +18,23 @@ float stretch_length(const Segment& segment, float centre, float width) {
   return width * (5.0f * ends + 8.0f * speed(segment, centre)) / 18.0f;
 }
 
-Status check_path(const Curve& curve, std::uint32_t steps, std::size_t length_count) {
-  if (const Status status = check_counts(curve); status != Status::ok) return status;
-  if (curve.rotation || curve.kind == CurveKind::step) return Status::unsupported;
-  MARROW_REQUIRE(steps >= 1);
+bool has_length(const Curve& curve) {
+  return !curve.rotation && curve.kind != CurveKind::step;
+}
+
+BadCall check_table(const Curve& curve, std::uint32_t steps, std::size_t length_count) {
+  MARROW_CHECK(steps >= 1);
   // Divided, not multiplied: no number of steps overflows.
-  MARROW_REQUIRE(length_count >= 1 && (length_count - 1) / steps >= curve.times_s.size - 1);
-  return Status::ok;
+  MARROW_CHECK(length_count >= 1 && (length_count - 1) / steps >= curve.times_s.size - 1);
+  return {};
 }
 
 }  // namespace
 
 Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out) {
-  if (const Status status = check_path(curve, steps, out.size); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_counts(curve));
+  if (!has_length(curve)) return Status::unsupported;
+  MARROW_REQUIRE_GOOD(check_table(curve, steps, out.size));
   const float width = 1.0f / static_cast<float>(steps);
   double sum = 0.0;  // so that many short steps do not round away
   float* length = out.data;
@@ -46,7 +50,9 @@ Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out
 }
 
 Status time_at_distance(const Curve& curve, const ArcLength& table, float distance, float& time_s) {
-  if (const Status status = check_path(curve, table.steps, table.lengths.size); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_counts(curve));
+  if (!has_length(curve)) return Status::unsupported;
+  MARROW_REQUIRE_GOOD(check_table(curve, table.steps, table.lengths.size));
   MARROW_REQUIRE(distance == distance);
   const std::size_t last = arc_length_count(curve.times_s.size, table.steps) - 1;
   const float* const lengths = table.lengths.data;

@@ -15,20 +15,19 @@ void de_casteljau(float* points, std::size_t count, std::size_t n, float u) {
   }
 }
 
-Status check_points(Span<const float> points, std::uint32_t n, float u, Span<float> scratch, Span<float> out) {
-  MARROW_REQUIRE(n >= 1 && n <= kMaxComponents);
-  MARROW_REQUIRE(!points.empty() && points.size % n == 0);
-  MARROW_REQUIRE(scratch.size >= points.size);
-  MARROW_REQUIRE(out.size >= n);
-  MARROW_REQUIRE(is_finite(u));
-  return Status::ok;
+BadCall check_points(Span<const float> points, std::uint32_t n, float u, Span<float> scratch, Span<float> out) {
+  MARROW_CHECK(n >= 1 && n <= kMaxComponents);
+  MARROW_CHECK(!points.empty() && points.size % n == 0);
+  MARROW_CHECK(scratch.size >= points.size);
+  MARROW_CHECK(out.size >= n);
+  MARROW_CHECK(is_finite(u));
+  return {};
 }
 
 }  // namespace
 
 Status bezier(Span<const float> points, std::uint32_t components, float u, Span<float> scratch, Span<float> out) {
-  const Status status = check_points(points, components, u, scratch, out);
-  if (status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_points(points, components, u, scratch, out));
   std::memcpy(scratch.data, points.data, sizeof(float) * points.size);
   de_casteljau(scratch.data, points.size / components, components, u);
   if (!all_finite(scratch.data, components)) return Status::bad_data;
@@ -37,8 +36,7 @@ Status bezier(Span<const float> points, std::uint32_t components, float u, Span<
 }
 
 Status bezier_rotation(Span<const float> quaternions, float u, Span<float> scratch, Span<float> out) {
-  const Status status = check_points(quaternions, 4, u, scratch, out);
-  if (status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_points(quaternions, 4, u, scratch, out));
   std::memcpy(scratch.data, quaternions.data, sizeof(float) * quaternions.size);
   for (std::size_t i = 4; i < quaternions.size; i += 4) chain_sign(scratch.data + i - 4, scratch.data + i);
   de_casteljau(scratch.data, quaternions.size / 4, 4, u);

@@ -22,17 +22,17 @@ void copy_key(const Curve& curve, std::size_t key, Span<float> out) {
 
 }  // namespace
 
-Status check_counts(const Curve& curve) {
-  MARROW_REQUIRE(curve.kind <= CurveKind::centripetal);
-  MARROW_REQUIRE(curve.components >= 1 && curve.components <= kMaxComponents);
-  MARROW_REQUIRE(!curve.rotation || curve.components == 4);
-  MARROW_REQUIRE(!curve.times_s.empty());
-  MARROW_REQUIRE(curve.values.size >= curve_value_count(curve.kind, curve.components, curve.times_s.size));
-  return Status::ok;
+BadCall check_counts(const Curve& curve) {
+  MARROW_CHECK(curve.kind <= CurveKind::centripetal);
+  MARROW_CHECK(curve.components >= 1 && curve.components <= kMaxComponents);
+  MARROW_CHECK(!curve.rotation || curve.components == 4);
+  MARROW_CHECK(!curve.times_s.empty());
+  MARROW_CHECK(curve.values.size >= curve_value_count(curve.kind, curve.components, curve.times_s.size));
+  return {};
 }
 
 Status check_curve(const Curve& curve) {
-  if (const Status status = check_counts(curve); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_counts(curve));
   const std::size_t key_count = curve.times_s.size;
   if (!all_finite(curve.times_s.data, key_count)) return Status::bad_data;
   // The first interval may be too long for a float although its ends are not.
@@ -52,7 +52,7 @@ Status check_curve(const Curve& curve) {
 }
 
 Status evaluate_curve(const Curve& curve, float time_s, Span<float> out) {
-  if (const Status status = check_counts(curve); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_counts(curve));
   MARROW_REQUIRE(time_s == time_s);
   MARROW_REQUIRE(out.size >= curve.components);
   if (curve.times_s.size == 1) {
@@ -70,7 +70,7 @@ Status evaluate_curve(const Curve& curve, float time_s, Span<float> out) {
 }
 
 Status curve_velocity(const Curve& curve, float time_s, Span<float> out) {
-  if (const Status status = check_counts(curve); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_counts(curve));
   MARROW_REQUIRE(time_s == time_s);
   MARROW_REQUIRE(out.size >= curve.components);
   if (curve.rotation) return Status::unsupported;

@@ -2,6 +2,7 @@
 // arc length share.
 #pragma once
 
+#include "core/check.h"
 #include "marrow/curve.h"
 #include "math/finite.h"
 #include "math/keys.h"
@@ -25,7 +26,7 @@ struct Segment {
 };
 
 // Whether the counts of a curve fit together: what must hold before any key is read.
-Status check_counts(const Curve& curve);
+BadCall check_counts(const Curve& curve);
 
 // The interval from `key` to the next; any kind but step.
 Segment make_segment(const Curve& curve, std::size_t key);

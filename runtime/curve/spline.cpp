@@ -93,11 +93,10 @@ class Solver {
   float* out_;
 };
 
-Status check_keys(const Curve& keys, Span<float> out) {
-  if (const Status status = check_curve(keys); status != Status::ok) return status;
-  MARROW_REQUIRE(keys.kind == CurveKind::linear);
-  MARROW_REQUIRE(out.size >= curve_value_count(CurveKind::hermite, keys.components, keys.times_s.size));
-  return Status::ok;
+BadCall check_keys(const Curve& keys, Span<float> out) {
+  MARROW_CHECK(keys.kind == CurveKind::linear);
+  MARROW_CHECK(out.size >= curve_value_count(CurveKind::hermite, keys.components, keys.times_s.size));
+  return {};
 }
 
 Status solve(const Curve& keys, const float* first, const float* last, float* out) {
@@ -109,13 +108,17 @@ Status solve(const Curve& keys, const float* first, const float* last, float* ou
 }  // namespace
 
 Status natural_spline(const Curve& keys, Span<float> out) {
-  if (const Status status = check_keys(keys, out); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_counts(keys));
+  if (const Status status = check_curve(keys); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_keys(keys, out));
   return solve(keys, nullptr, nullptr, out.data);
 }
 
 Status clamped_spline(const Curve& keys, Span<const float> first_velocity, Span<const float> last_velocity,
                       Span<float> out) {
-  if (const Status status = check_keys(keys, out); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_counts(keys));
+  if (const Status status = check_curve(keys); status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_keys(keys, out));
   MARROW_REQUIRE(first_velocity.size >= keys.components && last_velocity.size >= keys.components);
   return solve(keys, first_velocity.data, last_velocity.data, out.data);
 }

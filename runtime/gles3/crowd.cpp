@@ -77,8 +77,8 @@ ProgramKey drawing_key(const CrowdMesh& mesh, Deformer deformer, std::uint8_t fe
 }  // namespace
 
 Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory, Crowd& out) {
-  if (capacity == 0 || memory.size / kCrowdInstanceBytes < capacity) return Status::bad_argument;
-  if (reinterpret_cast<std::uintptr_t>(memory.data) % alignof(std::uint32_t) != 0) return Status::bad_argument;
+  MARROW_REQUIRE(capacity > 0 && memory.size / kCrowdInstanceBytes >= capacity);
+  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % alignof(std::uint32_t) == 0);
   Crowd made;
   made.capacity = capacity;
   made.records = {memory.data, std::size_t{capacity} * kCrowdInstanceBytes};
@@ -105,13 +105,11 @@ Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd) {
 
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                      Span<const CrowdInstance> instances) {
-  if (instances.empty() || first > crowd.count) return Status::bad_argument;
-  if (crowd.count != 0 && frames.frame_count != crowd.frame_count) return Status::bad_argument;
+  MARROW_REQUIRE(!instances.empty() && first <= crowd.count);
+  MARROW_REQUIRE(crowd.count == 0 || frames.frame_count == crowd.frame_count);
   if (first > crowd.capacity || instances.size > crowd.capacity - first) return Status::unsupported;
-  Status status = check_frames(frames);
-  for (std::size_t i = 0; status == Status::ok && i < instances.size; ++i)
-    status = check_instance(frames, instances[i]);
-  if (status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_frames(frames));
+  for (const CrowdInstance& instance : instances) MARROW_REQUIRE_GOOD(check_instance(frames, instance));
   for (std::size_t i = 0; i < instances.size; ++i) {
     const CrowdRecord record = record_of(frames, instances[i]);
     std::memcpy(crowd.records.data + (first + i) * sizeof(record), &record, sizeof(record));
@@ -136,8 +134,8 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
 
 Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
                             std::uint8_t features, ProgramSet& programs) {
-  if (deformer == Deformer::none || programs.role_count == 0 || programs.role_count > kMostRoles)
-    return Status::bad_argument;
+  MARROW_REQUIRE(deformer != Deformer::none);
+  MARROW_REQUIRE(programs.role_count > 0 && programs.role_count <= kMostRoles);
   Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
   for (std::uint32_t role = 0; role < programs.role_count && status == Status::ok; ++role)
     status = need_program(api, caps, programs, drawing_key(mesh, deformer, features), role);
@@ -155,11 +153,12 @@ const Program& blending_program_of(const ProgramSet& programs) {
 
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                    double time_s, std::uint32_t texture_unit, const Program& program) {
-  if (program.crowd < 0 || !is_there(first, count, crowd) || mesh.joints == 0) return Status::bad_argument;
-  std::uint32_t now;
-  const Status status = to_ticks(time_s, now);
-  if (status != Status::ok || count == 0) return status;
-  if (crowd.frame_count != mesh.frame_count) return Status::bad_argument;
+  MARROW_REQUIRE(program.crowd >= 0 && "a program from build_crowd_program()");
+  MARROW_REQUIRE(is_there(first, count, crowd) && mesh.joints > 0);
+  MARROW_REQUIRE(has_ticks(time_s));
+  if (count == 0) return Status::ok;
+  const std::uint32_t now = ticks_of(time_s);
+  MARROW_REQUIRE(crowd.frame_count == mesh.frame_count);
   if (crowd.lost || mesh.lost) return Status::gl_error;
   if (first + count > mesh.capacity) return Status::unsupported;
   // Whole lines: of instances that share one with these too.
@@ -180,9 +179,9 @@ Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, st
 
 Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                   std::uint32_t texture_unit, const Program& program) {
-  if (program.reads != Palettes::crowd || mesh.joints == 0 || !is_there(first, count, crowd))
-    return Status::bad_argument;
-  if (crowd.frame_count != mesh.frame_count) return Status::bad_argument;
+  MARROW_REQUIRE(program.reads == Palettes::crowd);
+  MARROW_REQUIRE(is_there(first, count, crowd) && mesh.joints > 0);
+  MARROW_REQUIRE(crowd.frame_count == mesh.frame_count);
   if (crowd.lost || mesh.lost) return Status::gl_error;
   if (first + count > mesh.capacity) return Status::unsupported;
   bind_textures(api, program, mesh.blended_texture, crowd.texture, texture_unit);

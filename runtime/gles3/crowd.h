@@ -5,6 +5,7 @@
 // 1; a rate is a signed share a tick, 2⁻⁴⁸ each, modulo 1.
 #pragma once
 
+#include "core/check.h"
 #include "marrow/gles3_crowd.h"
 
 namespace marrow::gles3 {
@@ -34,10 +35,13 @@ struct CrowdRecord {
 };
 static_assert(sizeof(CrowdRecord) == kCrowdInstanceBytes);
 
-// Errors: bad_argument, see crowd_joint().
-Status to_ticks(double time_s, std::uint32_t& ticks);
-Status check_frames(const CrowdFrames& frames);
-Status check_instance(const CrowdFrames& frames, const CrowdInstance& instance);
+// Whether the clock goes so far; precondition of ticks_of().
+bool has_ticks(double time_s);
+std::uint32_t ticks_of(double time_s);
+
+// See crowd_joint().
+BadCall check_frames(const CrowdFrames& frames);
+BadCall check_instance(const CrowdFrames& frames, const CrowdInstance& instance);
 // Precondition: checked.
 CrowdRecord record_of(const CrowdFrames& frames, const CrowdInstance& instance);
 

@@ -1,6 +1,7 @@
 // Clips → frames: matrices at even steps of time, loops closed.
 #include <cstring>
 
+#include "core/check.h"
 #include "marrow/gles3_crowd.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
@@ -26,11 +27,11 @@ bool is_plan(const CrowdSource& source, const CrowdClip& clip, std::uint32_t fir
 }  // namespace
 
 Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip> out, std::uint32_t& frame_count) {
-  if (sources.empty() || out.size < sources.size) return Status::bad_argument;
-  if (!(rate_hz > 0) || !(rate_hz - rate_hz == 0)) return Status::bad_argument;
+  MARROW_REQUIRE(!sources.empty() && out.size >= sources.size);
+  MARROW_REQUIRE(rate_hz > 0 && rate_hz - rate_hz == 0);
   std::uint64_t frames = 0;
   for (const CrowdSource& source : sources) {
-    if (source.clip.additive) return Status::bad_argument;
+    MARROW_REQUIRE(!source.clip.additive);
     const std::uint32_t steps = steps_of(source.clip.duration_s, rate_hz);
     if (steps == 0) return Status::unsupported;
     frames += steps + 1;
@@ -47,14 +48,15 @@ Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip
 
 Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
                   Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out) {
-  if (sources.empty() || clips.size < sources.size || scratch.size < skeleton.soa_size()) return Status::bad_argument;
+  MARROW_REQUIRE(!sources.empty() && clips.size >= sources.size);
+  MARROW_REQUIRE(scratch.size >= skeleton.soa_size());
   std::uint64_t frames = 0;
   for (std::size_t i = 0; i < sources.size; ++i) {
-    if (!is_plan(sources[i], clips[i], static_cast<std::uint32_t>(frames))) return Status::bad_argument;
+    MARROW_REQUIRE(is_plan(sources[i], clips[i], static_cast<std::uint32_t>(frames)));
     frames += clips[i].steps + 1;
-    if (frames > kMaxCrowdFrames) return Status::bad_argument;
+    MARROW_REQUIRE(frames <= kMaxCrowdFrames);
   }
-  if (skeleton.joint_count == 0 || matrices.size / skeleton.joint_count < frames) return Status::bad_argument;
+  MARROW_REQUIRE(skeleton.joint_count > 0 && matrices.size / skeleton.joint_count >= frames);
   for (std::size_t i = 0; i < sources.size; ++i) {
     const CrowdClip& clip = clips[i];
     Affine* const first = matrices.data + std::size_t{clip.first_frame} * skeleton.joint_count;

@@ -27,11 +27,11 @@ std::int32_t limited(std::int64_t ticks) {
   return ticks > INT32_MAX ? INT32_MAX : static_cast<std::int32_t>(ticks);
 }
 
-Status check_play(const CrowdFrames& frames, const CrowdPlay& play) {
-  std::uint32_t ticks;
-  if (play.clip >= frames.clips.size) return Status::bad_argument;
-  if (!is_finite(double{play.phase_s}) || !is_finite(double{play.speed})) return Status::bad_argument;
-  return to_ticks(play.start_s, ticks);
+BadCall check_play(const CrowdFrames& frames, const CrowdPlay& play) {
+  MARROW_CHECK(play.clip < frames.clips.size);
+  MARROW_CHECK(is_finite(double{play.phase_s}) && is_finite(double{play.speed}));
+  MARROW_CHECK(has_ticks(play.start_s));
+  return {};
 }
 
 // The share of a clip at which a play starts.
@@ -48,7 +48,7 @@ std::uint32_t phase_of(const CrowdClip& clip, const CrowdPlay& play) {
 }
 
 void set_play(const CrowdClip& clip, const CrowdPlay& play, CrowdClockwork& work, CrowdRange& range) {
-  static_cast<void>(to_ticks(play.start_s, work.start));
+  work.start = ticks_of(play.start_s);
   work.phase = phase_of(clip, play);
   const bool moves = clip.duration_s > 0;
   // Beyond 2¹⁴ rounds a tick nothing can be seen; the product below stays far from overflow.
@@ -92,13 +92,10 @@ f32x4 row_of(const CrowdFrames& frames, const CrowdShares& at, std::uint32_t joi
 }
 
 // What crowd_joint() and crowd_pose() have in common.
-Status start(const CrowdFrames& frames, const CrowdInstance& instance, double time_s, CrowdShares& out) {
-  std::uint32_t now;
-  Status status = to_ticks(time_s, now);
-  if (status == Status::ok) status = check_frames(frames);
-  if (status == Status::ok) status = check_instance(frames, instance);
-  if (status == Status::ok) out = shares_of(record_of(frames, instance), now);
-  return status;
+BadCall check_moment(const CrowdFrames& frames, const CrowdInstance& instance, double time_s) {
+  MARROW_CHECK(has_ticks(time_s));
+  const BadCall bad = check_frames(frames);
+  return bad ? bad : check_instance(frames, instance);
 }
 
 void place(const CrowdFrames& frames, const CrowdShares& at, const Affine& scene_from_character, std::uint32_t joint,
@@ -109,33 +106,31 @@ void place(const CrowdFrames& frames, const CrowdShares& at, const Affine& scene
 
 }  // namespace
 
-Status to_ticks(double time_s, std::uint32_t& ticks) {
-  if (!(time_s > -kFarthestTime && time_s < kFarthestTime)) return Status::bad_argument;
-  ticks = static_cast<std::uint32_t>(rounded(time_s * kTicksPerSecond));
-  return Status::ok;
+bool has_ticks(double time_s) {
+  return time_s > -kFarthestTime && time_s < kFarthestTime;
 }
 
-Status check_frames(const CrowdFrames& frames) {
+std::uint32_t ticks_of(double time_s) {
+  return static_cast<std::uint32_t>(rounded(time_s * kTicksPerSecond));
+}
+
+BadCall check_frames(const CrowdFrames& frames) {
   for (const CrowdClip& clip : frames.clips) {
-    if (clip.steps == 0 || clip.steps > 0xFFFF || clip.first_frame >= frames.frame_count ||
-        clip.steps >= frames.frame_count - clip.first_frame)
-      return Status::bad_argument;
+    MARROW_CHECK(clip.steps > 0 && clip.steps <= 0xFFFF);
+    MARROW_CHECK(clip.first_frame < frames.frame_count && clip.steps < frames.frame_count - clip.first_frame);
   }
-  const std::uint64_t matrices = std::uint64_t{frames.frame_count} * frames.joint_count;
-  return frames.character_from_joint.size < matrices ? Status::bad_argument : Status::ok;
+  MARROW_CHECK(frames.character_from_joint.size >= std::uint64_t{frames.frame_count} * frames.joint_count);
+  return {};
 }
 
-Status check_instance(const CrowdFrames& frames, const CrowdInstance& instance) {
-  for (const float x : instance.colour)
-    if (!is_finite(double{x})) return Status::bad_argument;
+BadCall check_instance(const CrowdFrames& frames, const CrowdInstance& instance) {
+  for (const float x : instance.colour) MARROW_CHECK(is_finite(double{x}) && "the colour");
   for (const auto& row : instance.scene_from_character.rows)
-    for (const float x : row)
-      if (!is_finite(double{x})) return Status::bad_argument;
-  const Status status = check_play(frames, instance.a);
-  if (status != Status::ok || instance.b.clip == kNoCrowdClip) return status;
-  std::uint32_t ticks;
-  if (!is_finite(double{instance.blend_s}) || instance.blend_s < 0) return Status::bad_argument;
-  if (to_ticks(instance.blend_start_s, ticks) != Status::ok) return Status::bad_argument;
+    for (const float x : row) MARROW_CHECK(is_finite(double{x}) && "scene_from_character");
+  const BadCall bad = check_play(frames, instance.a);
+  if (bad || instance.b.clip == kNoCrowdClip) return bad;
+  MARROW_CHECK(is_finite(double{instance.blend_s}) && instance.blend_s >= 0);
+  MARROW_CHECK(has_ticks(instance.blend_start_s));
   return check_play(frames, instance.b);
 }
 
@@ -150,7 +145,7 @@ CrowdRecord record_of(const CrowdFrames& frames, const CrowdInstance& instance) 
   out.blend_rate = 0;
   if (instance.b.clip == kNoCrowdClip) return out;
   set_play(frames.clips[instance.b.clip], instance.b, out.b, out.range_b);
-  static_cast<void>(to_ticks(instance.blend_start_s, out.blend_start));
+  out.blend_start = ticks_of(instance.blend_start_s);
   const double ticks = double{instance.blend_s} * kTicksPerSecond;
   if (ticks < 1) --out.blend_start;  // all of it at the start already
   out.blend_rate = ticks < 1 ? 1.0f : static_cast<float>(1 / ticks);
@@ -175,21 +170,21 @@ CrowdShares shares_of(const CrowdRecord& record, std::uint32_t now) {
 
 Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s, std::uint32_t joint,
                    Affine& scene_from_joint) {
-  if (joint >= frames.joint_count) return Status::bad_argument;
-  CrowdShares at;
-  const Status status = start(frames, instance, time_s, at);
-  if (status == Status::ok) place(frames, at, instance.scene_from_character, joint, scene_from_joint);
-  return status;
+  MARROW_REQUIRE(joint < frames.joint_count);
+  MARROW_REQUIRE_GOOD(check_moment(frames, instance, time_s));
+  const CrowdShares at = shares_of(record_of(frames, instance), ticks_of(time_s));
+  place(frames, at, instance.scene_from_character, joint, scene_from_joint);
+  return Status::ok;
 }
 
 Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
                   Span<Affine> scene_from_joint) {
-  if (scene_from_joint.size < frames.joint_count) return Status::bad_argument;
-  CrowdShares at;
-  const Status status = start(frames, instance, time_s, at);
-  for (std::uint32_t joint = 0; status == Status::ok && joint < frames.joint_count; ++joint)
+  MARROW_REQUIRE(scene_from_joint.size >= frames.joint_count);
+  MARROW_REQUIRE_GOOD(check_moment(frames, instance, time_s));
+  const CrowdShares at = shares_of(record_of(frames, instance), ticks_of(time_s));
+  for (std::uint32_t joint = 0; joint < frames.joint_count; ++joint)
     place(frames, at, instance.scene_from_character, joint, scene_from_joint[joint]);
-  return status;
+  return Status::ok;
 }
 
 }  // namespace marrow::gles3

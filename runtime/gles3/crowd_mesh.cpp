@@ -7,6 +7,7 @@
 #include "gles3/label.h"
 #include "core/memory.h"
 #include "gles3/texture.h"
+#include "marrow/memory.h"
 #include "marrow/palette.h"
 
 namespace marrow::gles3 {
@@ -123,12 +124,13 @@ std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options) {
 
 Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                          const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out) {
-  if (capacity == 0 || frames.frame_count == 0 || mesh.joint_count == 0) return Status::bad_argument;
-  if (check_frames(frames) != Status::ok) return Status::bad_argument;
-  if (memory.size < crowd_mesh_bytes(mesh, options) || reinterpret_cast<std::uintptr_t>(memory.data) % 16 != 0)
-    return Status::bad_argument;
-  for (std::uint32_t i = 0; i < mesh.joint_count; ++i)
-    if (mesh.joints[i] >= frames.joint_count) return Status::bad_argument;
+  MARROW_REQUIRE(capacity > 0 && frames.frame_count > 0);
+  MARROW_REQUIRE(mesh.geometry.slot_count > 0 && mesh.joint_count > 0);
+  MARROW_REQUIRE(options.as_tangents.empty() || options.as_tangents.size >= as_tangent_count(mesh.geometry));
+  MARROW_REQUIRE_GOOD(check_frames(frames));
+  MARROW_REQUIRE(memory.size >= crowd_mesh_bytes(mesh, options));
+  MARROW_REQUIRE(is_on_boundary(memory.data));
+  for (std::uint32_t i = 0; i < mesh.joint_count; ++i) MARROW_REQUIRE(mesh.joints[i] < frames.joint_count);
   if (!mesh.geometry.targets.empty()) return Status::unsupported;
   CrowdMesh made;
   made.joints = mesh.palette_size();

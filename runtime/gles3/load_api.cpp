@@ -1,4 +1,5 @@
 // Start of the GPU road: the driver's entry points and what the context can do.
+#include "core/check.h"
 #include "gles3/gl_constants.h"
 #include "marrow/gles3.h"
 
@@ -55,7 +56,7 @@ void load_extensions(Api& api, void* (*load_proc)(const char*)) {
 }  // namespace
 
 Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing) {
-  if (load_proc == nullptr) return Status::bad_argument;
+  MARROW_REQUIRE(load_proc != nullptr);
   Api loaded;
 #define MARROW_LOAD(Result, Name, Parameters)          \
   if (!load_one(loaded.Name, load_proc, "gl" #Name)) { \

@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "core/check.h"
 #include "gles3/gl_constants.h"
 #include "gles3/texture.h"
 
@@ -120,14 +121,16 @@ Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<st
 Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                   std::uint32_t texture_unit, const Program& program) {
   const Span<const MorphTarget> targets = mesh.geometry.targets;
-  if (gpu.morph_texture == 0 || program.morph_changes < 0 || weights.size < targets.size) return Status::bad_argument;
+  MARROW_REQUIRE(gpu.morph_texture != 0);
+  MARROW_REQUIRE(program.morph_changes >= 0 && "a program with kMorphs, in use");
+  MARROW_REQUIRE(weights.size >= targets.size);
   float values[kMorphTargets][4];
   float reach[kMorphTargets];
   std::uint32_t count = 0;
   for (std::size_t t = 0; t < targets.size; ++t) {
     const MorphTarget& target = targets[t];
     const float w = weights[t];
-    if (!(w - w == 0)) return Status::bad_argument;
+    MARROW_REQUIRE(w - w == 0 && "weights are finite");
     if (w == 0 || target.block_count == 0) continue;
     // In the place of the one that moves least, if there is no room.
     const float moves = magnitude(w) * (magnitude(target.position_step) + 1e-30f);

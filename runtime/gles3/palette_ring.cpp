@@ -1,4 +1,5 @@
 // Every frame: palettes into one uniform buffer, at offsets that the driver accepts.
+#include "core/check.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
@@ -21,8 +22,9 @@ std::ptrdiff_t buffer_bytes(const PaletteRing& ring) {
 
 Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes,
                            PaletteRing& out) {
-  if (joints == 0 || palettes == 0 || caps.uniform_offset_alignment == 0) return Status::bad_argument;
-  if (joints > 0x02000000u || palettes > 0x00200000u) return Status::bad_argument;
+  MARROW_REQUIRE(joints > 0 && joints <= 0x02000000u);
+  MARROW_REQUIRE(palettes > 0 && palettes <= 0x00200000u);
+  MARROW_REQUIRE(caps.uniform_offset_alignment > 0);
   if (caps.uniform_block_bytes < kPaletteBlockBytes) return Status::unsupported;
   PaletteRing ring;
   ring.alignment = caps.uniform_offset_alignment;
@@ -53,7 +55,7 @@ void begin_frame(const Api& api, PaletteRing& ring) {
 }
 
 Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset) {
-  if (palette.empty() || palette.size > kPaletteJoints) return Status::bad_argument;
+  MARROW_REQUIRE(!palette.empty() && palette.size <= kPaletteJoints);
   const std::uint32_t bytes = 48 * static_cast<std::uint32_t>(palette.size);
   const std::uint32_t start = round_up(ring.used, ring.alignment);
   if (start > ring.capacity || bytes > ring.capacity - start) return Status::unsupported;

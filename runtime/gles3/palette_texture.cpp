@@ -1,4 +1,5 @@
 // Every frame: all palettes into one texture, for meshes of any number of joints and for instanced drawing.
+#include "core/check.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
@@ -19,7 +20,7 @@ void upload(const Api& api, std::uint32_t y, std::uint32_t width, std::uint32_t 
 }  // namespace
 
 Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out) {
-  if (joints == 0) return Status::bad_argument;
+  MARROW_REQUIRE(joints > 0);
   const std::uint64_t height = (std::uint64_t{3} * joints + kWidth - 1) / kWidth;
   if (caps.texture_size < kWidth || height > caps.texture_size) return Status::unsupported;
   PaletteTexture made;
@@ -43,7 +44,7 @@ void destroy(const Api& api, PaletteTexture& texture) {
 }
 
 Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes) {
-  if (palettes.empty()) return Status::bad_argument;
+  MARROW_REQUIRE(!palettes.empty());
   if (palettes.size > texture.capacity) return Status::unsupported;
   texture.current = (texture.current + 1) % 3;
   texture.count = static_cast<std::uint32_t>(palettes.size);
@@ -59,8 +60,8 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
 
 Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                     std::uint32_t texture_unit, const Program& program) {
-  if (program.reads != Palettes::texture || program.palettes < 0) return Status::bad_argument;
-  if (first >= texture.count || joints > texture.count - first) return Status::bad_argument;
+  MARROW_REQUIRE(program.reads == Palettes::texture && program.palettes >= 0);
+  MARROW_REQUIRE(first < texture.count && joints <= texture.count - first);
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
   api.Uniform1i(program.palettes, static_cast<int>(texture_unit));

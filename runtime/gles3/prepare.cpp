@@ -1,4 +1,5 @@
 // Once a mesh: compact attributes into vertex buffers, and the bind matrices that undo their quantisation.
+#include "core/check.h"
 #include "gles3/attributes.h"
 #include "gles3/encode.h"
 #include "gles3/errors.h"
@@ -146,10 +147,11 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out) {
   const Geometry& g = mesh.geometry;
-  if (g.slot_count == 0 || mesh.joint_count == 0) return Status::bad_argument;
-  if (bind.size < mesh.joint_count || scratch.size < prepare_scratch_bytes(mesh, options)) return Status::bad_argument;
+  MARROW_REQUIRE(g.slot_count > 0 && mesh.joint_count > 0);
+  MARROW_REQUIRE(bind.size >= mesh.joint_count);
+  MARROW_REQUIRE(scratch.size >= prepare_scratch_bytes(mesh, options));
   const Span<const float> tangents = options.as_tangents;
-  if (!tangents.empty() && tangents.size < as_tangent_count(g)) return Status::bad_argument;
+  MARROW_REQUIRE(tangents.empty() || tangents.size >= as_tangent_count(g));
   const VertexLayout layout = make_layout(mesh, !tangents.empty());
   // Eight influences in animation space need locations up to the last.
   if (caps.vertex_attributes <= kSurfaceLocations[7]) return Status::unsupported;
@@ -195,7 +197,7 @@ Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Progra
   const std::uint32_t array = deformer == Deformer::as     ? mesh.as_array
                               : deformer == Deformer::none ? 0
                                                            : mesh.ssd_array;
-  if (array == 0) return Status::bad_argument;
+  MARROW_REQUIRE(array != 0 && "prepared for this deformer");
   if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
   api.BindVertexArray(array);
   const auto count = static_cast<int>(mesh.index_count);

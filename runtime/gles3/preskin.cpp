@@ -1,4 +1,5 @@
 // Every frame: a mesh's vertices through a palette into a buffer, by transform feedback or by compute shader.
+#include "core/check.h"
 #include "gles3/compile.h"
 #include "gles3/skinned.h"
 
@@ -60,8 +61,9 @@ void by_compute(const Api& api, const GpuMesh& mesh, bool as, const Program& pro
 Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
                      std::uint32_t palette_binding, Program& out, Span<char> log) {
   clear(log);
-  if (key.palettes == Palettes::crowd) return Status::bad_argument;
-  if (key.deformer == Deformer::none || (key.influences != 4 && key.influences != 8)) return Status::bad_argument;
+  MARROW_REQUIRE(key.palettes != Palettes::crowd);
+  MARROW_REQUIRE(key.deformer != Deformer::none);
+  MARROW_REQUIRE(key.influences == 4 || key.influences == 8);
   ProgramKey of = key;
   of.features = key.features & (kNormals | kTangents | kMorphs | kSurfaceNormals);
   if (method == Preskin::compute) {
@@ -86,7 +88,8 @@ Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Pr
 Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, const SkinnedMesh& to) {
   const bool as = deformer == Deformer::as;
   const std::uint32_t array = as ? mesh.as_array : mesh.ssd_array;
-  if (deformer == Deformer::none || array == 0 || to.slot_count != mesh.slot_count) return Status::bad_argument;
+  MARROW_REQUIRE(deformer != Deformer::none && array != 0 && "prepared for this deformer");
+  MARROW_REQUIRE(to.slot_count == mesh.slot_count);
   if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
   if (program.vertex_layout >= 0) {
     by_compute(api, mesh, as, program, to);

@@ -1,4 +1,5 @@
 // Once a context: the skinning text and a role's own text → a linked program.
+#include "core/check.h"
 #include "gles3/compile.h"
 #include "gles3/label.h"
 
@@ -165,10 +166,10 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
 Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
                      Program& out, Span<char> log) {
   clear(log);
-  if (source.vertex == nullptr || source.fragment == nullptr) return Status::bad_argument;
-  if (key.influences != 4 && key.influences != 8) return Status::bad_argument;
-  if (key.palettes == Palettes::crowd && (key.deformer == Deformer::none || (key.features & kMorphs) != 0))
-    return Status::bad_argument;
+  MARROW_REQUIRE(source.vertex != nullptr && source.fragment != nullptr);
+  MARROW_REQUIRE(key.influences == 4 || key.influences == 8);
+  const bool crowd = key.palettes == Palettes::crowd;
+  MARROW_REQUIRE(!crowd || (key.deformer != Deformer::none && (key.features & kMorphs) == 0));
   return compile_program(api, key, {source.vertex, source.fragment, nullptr, source.feedback_varyings}, palette_binding,
                          out, log);
 }

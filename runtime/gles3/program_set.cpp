@@ -33,7 +33,9 @@ Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, cons
   if (find_program(programs, key, role) != nullptr) return Status::ok;
   if (programs.count == kMostPrograms) return Status::unsupported;
   ProgramSetEntry& entry = programs.entries[programs.count];
-  entry = {key, role, {}};
+  entry = {};
+  entry.key = key;
+  entry.role = role;
   const Status status = build(api, caps, programs, entry);
   if (status == Status::ok) ++programs.count;
   return status;

@@ -3,12 +3,14 @@
 
 #include <bit>
 
+#include "core/check.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "core/memory.h"
 #include "gles3/self_test_key.h"
 #include "gles3/self_test_mesh.h"
 #include "gles3/self_test_target.h"
+#include "marrow/memory.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
 
@@ -221,7 +223,8 @@ void find_slow(const SelfTestOptions& options, SelfTest& test) {
   float fastest = kFar;
   const auto counts = [&](std::uint32_t i) {
     const PathResult& result = test.paths[i];
-    return static_cast<SkinningPath>(i) != SkinningPath::cpu && result.verdict == Verdict::usable && result.ns_per_vertex > 0;
+    return static_cast<SkinningPath>(i) != SkinningPath::cpu && result.verdict == Verdict::usable &&
+           result.ns_per_vertex > 0;
   };
   for (std::uint32_t i = 0; i < kPathCount; ++i)
     if (counts(i) && test.paths[i].ns_per_vertex < fastest) fastest = test.paths[i].ns_per_vertex;
@@ -253,10 +256,10 @@ std::size_t self_test_bytes(const SelfTestOptions& options) {
 
 Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<std::byte> memory,
                  SelfTest& out) {
-  if (!options.ssd && !options.as) return Status::bad_argument;
-  if (options.seconds != nullptr && !(options.slow >= 1)) return Status::bad_argument;
-  if (memory.size < self_test_bytes(options) || reinterpret_cast<std::uintptr_t>(memory.data) % 16 != 0)
-    return Status::bad_argument;
+  MARROW_REQUIRE(options.ssd || options.as);
+  MARROW_REQUIRE(options.seconds == nullptr || options.slow >= 1);
+  MARROW_REQUIRE(memory.size >= self_test_bytes(options));
+  MARROW_REQUIRE(is_on_boundary(memory.data));
   Probe probe(api, caps, options);
   Memory pieces{memory.data};
   lay_out_probe(pieces, probe);

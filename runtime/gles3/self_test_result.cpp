@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "core/check.h"
 #include "gles3/gl_constants.h"
 #include "gles3/self_test_key.h"
 
@@ -20,10 +21,18 @@ struct Preference {
   SkinningPath order[kPathCount];
 };
 constexpr Preference kPreferences[] = {
-    {false, false, {SkinningPath::ubo, SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
-    {false, true, {SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::texture, SkinningPath::cpu}},
-    {true, false, {SkinningPath::texture, SkinningPath::ubo, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
-    {true, true, {SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::cpu}},
+    {false,
+     false,
+     {SkinningPath::ubo, SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
+    {false,
+     true,
+     {SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::texture, SkinningPath::cpu}},
+    {true,
+     false,
+     {SkinningPath::texture, SkinningPath::ubo, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
+    {true,
+     true,
+     {SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::cpu}},
 };
 
 constexpr std::uint32_t kSavedMagic = 0x53544D4Du;
@@ -108,7 +117,7 @@ Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out) {
 }
 
 Status save(const SelfTest& test, Span<std::byte> out) {
-  if (out.size < kSavedSelfTestBytes) return Status::bad_argument;
+  MARROW_REQUIRE(out.size >= kSavedSelfTestBytes);
   SavedSelfTest saved = {kSavedMagic, kSavedVersion, test.key, {}, 0};
   for (std::size_t i = 0; i < kPathCount; ++i) {
     const PathResult& from = test.paths[i];

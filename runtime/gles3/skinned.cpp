@@ -1,6 +1,7 @@
 // Vertices in float that something has skinned already: a buffer for them, and how it is drawn.
 #include "gles3/skinned.h"
 
+#include "core/check.h"
 #include "gles3/attributes.h"
 #include "gles3/errors.h"
 #include "gles3/label.h"
@@ -72,9 +73,9 @@ void destroy(const Api& api, SkinnedMesh& mesh) {
 
 Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices) {
   const SkinnedBlocks blocks = blocks_of(mesh);
-  if (vertices.positions.empty() || !fits(vertices.positions, blocks.position_bytes) ||
-      !fits(vertices.normals, blocks.normal_bytes) || !fits(vertices.tangents, blocks.tangent_bytes))
-    return Status::bad_argument;
+  MARROW_REQUIRE(!vertices.positions.empty() && fits(vertices.positions, blocks.position_bytes));
+  MARROW_REQUIRE(fits(vertices.normals, blocks.normal_bytes));
+  MARROW_REQUIRE(fits(vertices.tangents, blocks.tangent_bytes));
   api.BindBuffer(kGlArrayBuffer, mesh.buffer);
   api.BufferData(kGlArrayBuffer, std::ptrdiff_t{blocks.bytes}, nullptr, kGlStreamDraw);
   put(api, 0, vertices.positions);

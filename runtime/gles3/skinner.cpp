@@ -3,11 +3,13 @@
 
 #include <cstring>
 
+#include "core/check.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
 #include "core/memory.h"
 #include "gles3/program_set.h"
 #include "gles3/skinned.h"
+#include "marrow/memory.h"
 #include "marrow/morph.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
@@ -82,17 +84,17 @@ Status make_objects(const Api& api, const Caps& caps, Skinner& s) {
   const SkinnerOptions& o = s.options;
   Status status = prepare(api, caps, s.mesh, prepare_options(o), s.scratch, s.bind, s.gpu);
   const std::uint32_t joints = o.instances * s.mesh.palette_size();
-  if (status == Status::ok && o.path == SkinningPath::texture) status = create_palette_texture(api, caps, joints, s.texture);
-  if (status == Status::ok && (o.path == SkinningPath::ubo || o.path == SkinningPath::feedback || o.path == SkinningPath::compute))
+  if (status == Status::ok && o.path == SkinningPath::texture)
+    status = create_palette_texture(api, caps, joints, s.texture);
+  if (status == Status::ok &&
+      (o.path == SkinningPath::ubo || o.path == SkinningPath::feedback || o.path == SkinningPath::compute))
     status = create_palette_ring(api, caps, joints, o.instances, s.ring);
   for (std::size_t i = 0; i < s.skinned.size && status == Status::ok; ++i)
     status = make_skinned(api, s.gpu, label_of(s.mesh), s.skinned[i]);
   return status;
 }
 
-Status check_options(const Caps& caps, const Mesh& mesh, const SkinnerOptions& o, const ProgramSet& programs) {
-  if (o.instances == 0 || o.deformer == Deformer::none) return Status::bad_argument;
-  if (programs.role_count == 0 || programs.role_count > kMostRoles) return Status::bad_argument;
+Status check_device(const Caps& caps, const Mesh& mesh, const SkinnerOptions& o) {
   if (o.path == SkinningPath::compute && !caps.compute) return Status::unsupported;
   const bool in_block = o.path != SkinningPath::cpu && o.path != SkinningPath::texture;
   return in_block && mesh.palette_size() > kPaletteJoints ? Status::unsupported : Status::ok;
@@ -113,8 +115,7 @@ Status skin_on_cpu(const Api& api, Skinner& s, std::uint32_t instance) {
   if (!s.weights.empty()) {
     const Status moved = morph(weights_of(s, instance), s.morphed);
     if (moved != Status::ok) return moved;
-    if (!s.coordinates.empty() && morph_coordinates(s.morphed, s.coordinates) != Status::ok)
-      return Status::bad_argument;
+    if (!s.coordinates.empty()) (void)morph_coordinates(s.morphed, s.coordinates);
     mesh.geometry = s.morphed.geometry;
   }
   const SkinOutput to{s.positions, s.normals, s.tangents};
@@ -126,13 +127,31 @@ Status skin_on_cpu(const Api& api, Skinner& s, std::uint32_t instance) {
   return status == Status::ok ? upload_skinned(api, s.skinned[instance], to) : status;
 }
 
-Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint32_t binding, std::uint32_t instance) {
-  bind_palette(api, s.ring, s.offsets[instance], binding);
-  if (!s.weights.empty()) {
-    const Status status = set_morphs(api, s.mesh, s.gpu, weights_of(s, instance), s.options.texture_unit + 1, program);
-    if (status != Status::ok) return status;
+Status push_palettes(const Api& api, Skinner& s, std::uint32_t count) {
+  begin_frame(api, s.ring);
+  Status status = Status::ok;
+  for (std::uint32_t i = 0; i < count && status == Status::ok; ++i)
+    status = push_palette(api, s.ring, palette_of(s, i), s.offsets[i]);
+  return status;
+}
+
+Status upload_palettes(const Api& api, Skinner& s, std::uint32_t count) {
+  if (count == 0) return Status::ok;
+  api.ActiveTexture(kGlTexture0 + s.options.texture_unit);
+  return upload_palettes(api, s.texture, {s.palettes.data, std::size_t{count} * s.mesh.palette_size()});
+}
+
+// Of characters whose palettes are in the ring.
+Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint32_t binding, std::uint32_t count) {
+  api.UseProgram(program.id);
+  Status status = Status::ok;
+  for (std::uint32_t i = 0; i < count && status == Status::ok; ++i) {
+    bind_palette(api, s.ring, s.offsets[i], binding);
+    if (!s.weights.empty())
+      status = set_morphs(api, s.mesh, s.gpu, weights_of(s, i), s.options.texture_unit + 1, program);
+    if (status == Status::ok) status = preskin(api, s.gpu, s.options.deformer, program, s.skinned[i]);
   }
-  return preskin(api, s.gpu, s.options.deformer, program, s.skinned[instance]);
+  return status;
 }
 
 }  // namespace
@@ -154,10 +173,15 @@ std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options) {
 
 Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
                       ProgramSet& programs, Span<std::byte> memory, Skinner& out) {
-  const Status good = check_options(caps, mesh, options, programs);
-  if (good != Status::ok) return good;
-  if (memory.size < skinner_bytes(mesh, options) || reinterpret_cast<std::uintptr_t>(memory.data) % 16 != 0)
-    return Status::bad_argument;
+  MARROW_REQUIRE(options.instances > 0);
+  MARROW_REQUIRE(options.deformer != Deformer::none);
+  MARROW_REQUIRE(programs.role_count > 0 && programs.role_count <= kMostRoles);
+  const Status possible = check_device(caps, mesh, options);
+  if (possible != Status::ok) return possible;
+  MARROW_REQUIRE(mesh.geometry.slot_count > 0 && mesh.joint_count > 0);
+  MARROW_REQUIRE(options.as_tangents.empty() || options.as_tangents.size >= as_tangent_count(mesh.geometry));
+  MARROW_REQUIRE(memory.size >= skinner_bytes(mesh, options));
+  MARROW_REQUIRE(is_on_boundary(memory.data));
   Skinner made;
   made.mesh = mesh;
   made.options = options;
@@ -167,7 +191,8 @@ Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const 
   std::memset(memory.data, 0, pieces.used);
   Status status = Status::ok;
   if (!made.coordinates.empty()) status = as_coordinates(mesh.geometry, made.coordinates);
-  if (status == Status::ok && options.path == SkinningPath::cpu) status = make_morphed(mesh.geometry, morphed, made.morphed);
+  if (status == Status::ok && options.path == SkinningPath::cpu)
+    status = make_morphed(mesh.geometry, morphed, made.morphed);
   if (status == Status::ok) status = make_objects(api, caps, made);
   if (status == Status::ok) status = build_programs(api, caps, made, programs);
   if (status != Status::ok) {
@@ -189,7 +214,9 @@ void destroy(const Api& api, Skinner& s) {
 }
 
 Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_joint, Span<const float> weights) {
-  if (instance >= s.options.instances || weights.size < s.mesh.geometry.targets.size) return Status::bad_argument;
+  MARROW_REQUIRE(instance < s.options.instances);
+  MARROW_REQUIRE(weights.size >= s.mesh.geometry.targets.size);
+  for (std::uint32_t i = 0; i < s.mesh.joint_count; ++i) MARROW_REQUIRE(s.mesh.joints[i] < scene_from_joint.size);
   const Span<const Affine> bind = s.options.path == SkinningPath::cpu
                                       ? Span<const Affine>(s.mesh.inverse_bind, s.mesh.joint_count)
                                       : Span<const Affine>(s.bind);
@@ -201,22 +228,31 @@ Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_jo
 
 Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint32_t count) {
   if (s.lost) return Status::gl_error;
-  if (count > s.options.instances) return Status::bad_argument;
+  MARROW_REQUIRE(count <= s.options.instances);
+  if (skins_once(s.options.path))
+    for (std::size_t i = 0; i < count * s.mesh.geometry.targets.size; ++i)
+      MARROW_REQUIRE(s.weights[i] - s.weights[i] == 0 && "weights are finite");
   s.updated = 0;
   Status status = Status::ok;
-  if (s.options.path == SkinningPath::texture && count > 0) {
-    api.ActiveTexture(kGlTexture0 + s.options.texture_unit);
-    status = upload_palettes(api, s.texture, {s.palettes.data, std::size_t{count} * s.mesh.palette_size()});
+  switch (s.options.path) {
+    case SkinningPath::ubo:
+      status = push_palettes(api, s, count);
+      break;
+    case SkinningPath::texture:
+      status = upload_palettes(api, s, count);
+      break;
+    case SkinningPath::feedback:
+    case SkinningPath::compute: {
+      const Program* const program = find_program(programs, preskin_key(s), preskin_role(s.options.path));
+      MARROW_REQUIRE(program != nullptr && "the set that the skinner was created with");
+      status = push_palettes(api, s, count);
+      if (status == Status::ok) status = skin_on_gpu(api, s, *program, programs.palette_binding, count);
+      break;
+    }
+    case SkinningPath::cpu:
+      for (std::uint32_t i = 0; i < count && status == Status::ok; ++i) status = skin_on_cpu(api, s, i);
+      break;
   }
-  const Program* const before = !skins_once(s.options.path) || s.options.path == SkinningPath::cpu
-                                    ? nullptr
-                                    : find_program(programs, preskin_key(s), preskin_role(s.options.path));
-  if (s.ring.buffer != 0) begin_frame(api, s.ring);
-  for (std::uint32_t i = 0; i < count && s.ring.buffer != 0 && status == Status::ok; ++i)
-    status = push_palette(api, s.ring, palette_of(s, i), s.offsets[i]);
-  if (before != nullptr) api.UseProgram(before->id);
-  for (std::uint32_t i = 0; i < count && skins_once(s.options.path) && status == Status::ok; ++i)
-    status = before != nullptr ? skin_on_gpu(api, s, *before, programs.palette_binding, i) : skin_on_cpu(api, s, i);
   if (status == Status::ok) s.updated = count;
   return status;
 }
@@ -228,7 +264,7 @@ const Program& program_of(const Skinner& s, const ProgramSet& programs, std::uin
 Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program, std::uint32_t first,
             std::uint32_t count) {
   if (s.lost) return Status::gl_error;
-  if (first > s.updated || count > s.updated - first) return Status::bad_argument;
+  MARROW_REQUIRE(first <= s.updated && count <= s.updated - first);
   const std::uint32_t joints = s.mesh.palette_size(), unit = s.options.texture_unit;
   const bool together = s.options.path == SkinningPath::texture && s.weights.empty();
   if (together && count > 0) {

@@ -108,14 +108,14 @@ inline void store_turn(const Seen& seen, float weight, AimTurn& out) {
   out.reached = seen.reached;
 }
 
-[[gnu::noinline, gnu::cold]] Status aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {
-  MARROW_REQUIRE(is_share(goal.weight));
+[[gnu::noinline, gnu::cold]] BadCall aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {
+  MARROW_CHECK(is_share(goal.weight));
   View view = view_from<false>(joint, goal);
   add_twist(goal, view.about);
   Seen seen;
-  MARROW_REQUIRE(look<false>(view, seen));
+  MARROW_CHECK(look<false>(view, seen) && "finite, not too large");
   store_turn(seen, goal.weight, out);
-  return Status::ok;
+  return {};
 }
 
 // How a joint of a chain must turn so that the last one looks at the target.
@@ -169,6 +169,32 @@ bool turn_of_chain(Span<const std::uint32_t> joints, std::size_t i, const Aim& g
   return true;
 }
 
+// Of a chain, or of one joint.
+BadCall turn_chain(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
+                   Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached) {
+  MARROW_CHECK(local.size >= skeleton.soa_size());
+  MARROW_CHECK(scene_from_joint.size >= skeleton.joint_count);
+  MARROW_CHECK(is_share(goal.weight) && is_share(falloff));
+  MARROW_CHECK(!joints.empty() && joints[0] < skeleton.joint_count);
+  for (std::size_t i = 1; i < joints.size; ++i) {
+    MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);
+    MARROW_CHECK(hangs_below(skeleton, joints[i], joints[i - 1]));
+  }
+  AimTurn turn;
+  Affine moved = kIdentity;  // once without writing: the last may fail
+  for (std::size_t i = 0; i < joints.size; ++i)
+    MARROW_CHECK(turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn) && "finite, not too large");
+  if (reached != nullptr) *reached = turn.reached;
+  if (goal.weight == 0) return {};
+  moved = kIdentity;
+  for (std::size_t i = 0; i < joints.size; ++i) {
+    (void)turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn);
+    turn_joint(local, joints[i], turn.turn);
+  }
+  (void)local_to_model_below(skeleton, local, joints[0], scene_from_joint);
+  return {};
+}
+
 }  // namespace
 
 [[gnu::flatten]] Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
@@ -179,36 +205,20 @@ bool turn_of_chain(Span<const std::uint32_t> joints, std::size_t i, const Aim& g
       return Status::ok;
     }
   }
-  return aim_any(joint, goal, out);
+  MARROW_REQUIRE_GOOD(aim_any(joint, goal, out));
+  return Status::ok;
 }
 
 Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
                  Span<Affine> scene_from_joint, bool* reached) {
-  return solve_look_at(skeleton, {&joint, 1}, goal, 1, local, scene_from_joint, reached);
+  MARROW_REQUIRE_GOOD(turn_chain(skeleton, {&joint, 1}, goal, 1, local, scene_from_joint, reached));
+  return Status::ok;
 }
 
 Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                      Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE(local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(scene_from_joint.size >= skeleton.joint_count);
-  MARROW_REQUIRE(is_share(goal.weight) && is_share(falloff));
-  MARROW_REQUIRE(!joints.empty() && joints[0] < skeleton.joint_count);
-  for (std::size_t i = 1; i < joints.size; ++i) {
-    MARROW_REQUIRE(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);
-    MARROW_REQUIRE(hangs_below(skeleton, joints[i], joints[i - 1]));
-  }
-  AimTurn turn;
-  Affine moved = kIdentity;  // once without writing: the last may fail
-  for (std::size_t i = 0; i < joints.size; ++i)
-    MARROW_REQUIRE(turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn));
-  if (reached != nullptr) *reached = turn.reached;
-  if (goal.weight == 0) return Status::ok;
-  moved = kIdentity;
-  for (std::size_t i = 0; i < joints.size; ++i) {
-    MARROW_REQUIRE(turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn));
-    turn_joint(local, joints[i], turn.turn);
-  }
-  return local_to_model_below(skeleton, local, joints[0], scene_from_joint);
+  MARROW_REQUIRE_GOOD(turn_chain(skeleton, joints, goal, falloff, local, scene_from_joint, reached));
+  return Status::ok;
 }
 
 }  // namespace marrow

@@ -36,51 +36,50 @@ bool near(const Affine& a) {
   return near(vector3(a.rows[0])) && near(vector3(a.rows[1])) && near(vector3(a.rows[2])) && near(origin(a));
 }
 
-Status check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
+BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
   const Skeleton& skeleton = call.skeleton;
-  MARROW_REQUIRE(foot.ankle < skeleton.joint_count);
-  MARROW_REQUIRE(foot.hip < foot.knee && hangs_below(skeleton, foot.knee, foot.hip));
-  MARROW_REQUIRE(foot.knee < foot.ankle && hangs_below(skeleton, foot.ankle, foot.knee));
-  MARROW_REQUIRE(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
-  MARROW_REQUIRE(near(vector3(foot.sole)));
-  MARROW_REQUIRE(near(vector3(foot.bend_axis)));
-  MARROW_REQUIRE(within(foot.weight, 0, 1));
-  MARROW_REQUIRE(near(vector3(ground.point)));
-  MARROW_REQUIRE(near(vector3(ground.normal)));
+  MARROW_CHECK(foot.ankle < skeleton.joint_count);
+  MARROW_CHECK(foot.hip < foot.knee && hangs_below(skeleton, foot.knee, foot.hip));
+  MARROW_CHECK(foot.knee < foot.ankle && hangs_below(skeleton, foot.ankle, foot.knee));
+  MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
+  MARROW_CHECK(near(vector3(foot.sole)));
+  MARROW_CHECK(near(vector3(foot.bend_axis)));
+  MARROW_CHECK(within(foot.weight, 0, 1));
+  MARROW_CHECK(near(vector3(ground.point)));
+  MARROW_CHECK(near(vector3(ground.normal)));
   const std::uint32_t joints[3] = {foot.hip, foot.knee, foot.ankle};
   for (const std::uint32_t joint : joints) {
     const Affine& m = call.scene_from_joint[joint];
-    MARROW_REQUIRE(near(m));
-    MARROW_REQUIRE(near(transform(call.frame.world_from_scene, origin(m))));
-    MARROW_REQUIRE(near(turn(m, vector3(foot.sole))));
+    MARROW_CHECK(near(m));
+    MARROW_CHECK(near(transform(call.frame.world_from_scene, origin(m))));
+    MARROW_CHECK(near(turn(m, vector3(foot.sole))));
   }
-  return Status::ok;
+  return {};
 }
 
-Status check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
+BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
   const Skeleton& skeleton = call.skeleton;
   const FeetFrame& frame = call.frame;
-  MARROW_REQUIRE(call.local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(call.scene_from_joint.size >= skeleton.joint_count);
-  MARROW_REQUIRE(ground.size >= call.feet.feet.size);
-  MARROW_REQUIRE(motion.size >= call.feet.feet.size);
-  MARROW_REQUIRE(within(frame.dt_s, 0, kFarthest));
-  MARROW_REQUIRE(within(frame.weight, 0, 1));
-  MARROW_REQUIRE(within(dot(call.up, call.up), 0.999f, 1.001f));
-  MARROW_REQUIRE(near(frame.world_from_scene));
-  MARROW_REQUIRE(determinant(frame.world_from_scene) > 1e-12f);
-  MARROW_REQUIRE(within(call.feet.lower_m, 0, kFarthest));
-  MARROW_REQUIRE(within(call.feet.reach, 0, 1));
-  MARROW_REQUIRE(within(call.feet.slope_rad, 0, 1.5f));
-  MARROW_REQUIRE(within(call.feet.ease_s, 1e-3f, 1e3f));
+  MARROW_CHECK(call.local.size >= skeleton.soa_size());
+  MARROW_CHECK(call.scene_from_joint.size >= skeleton.joint_count);
+  MARROW_CHECK(ground.size >= call.feet.feet.size);
+  MARROW_CHECK(motion.size >= call.feet.feet.size);
+  MARROW_CHECK(within(frame.dt_s, 0, kFarthest));
+  MARROW_CHECK(within(frame.weight, 0, 1));
+  MARROW_CHECK(within(dot(call.up, call.up), 0.999f, 1.001f));
+  MARROW_CHECK(near(frame.world_from_scene));
+  MARROW_CHECK(determinant(frame.world_from_scene) > 1e-12f);
+  MARROW_CHECK(within(call.feet.lower_m, 0, kFarthest));
+  MARROW_CHECK(within(call.feet.reach, 0, 1));
+  MARROW_CHECK(within(call.feet.slope_rad, 0, 1.5f));
+  MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));
   const std::uint32_t pelvis = call.feet.pelvis;
-  MARROW_REQUIRE(pelvis == kNoJoint || pelvis < skeleton.joint_count);
-  if (pelvis != kNoJoint) MARROW_REQUIRE(near(call.scene_from_joint[pelvis]));
+  MARROW_CHECK(pelvis == kNoJoint || pelvis < skeleton.joint_count);
+  if (pelvis != kNoJoint) MARROW_CHECK(near(call.scene_from_joint[pelvis]));
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
-    const Status foot = check_foot(call, call.feet.feet[i], ground[i]);
-    if (foot != Status::ok) return foot;
+    if (const BadCall bad = check_foot(call, call.feet.feet[i], ground[i])) return bad;
   }
-  return Status::ok;
+  return {};
 }
 
 // x'' + 2 r x' + r² x = 0, exactly, for a step whose e^(-r dt) is given.
@@ -308,8 +307,7 @@ Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Af
 Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
                   Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
   FeetCall call{skeleton, feet, frame, local, scene_from_joint};
-  const Status checked = check_feet(call, ground, motion);
-  if (checked != Status::ok) return checked;
+  MARROW_REQUIRE_GOOD(check_feet(call, ground, motion));
   call.rate = kAllButTwoPercent / feet.ease_s;
   call.decay = exp_negative(-(call.rate * frame.dt_s));
   call.slope = cos_sin(feet.slope_rad);

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "ik/tree.h"
+#include "marrow/memory.h"
 #include "math/finite.h"
 
 namespace marrow {
@@ -14,40 +15,38 @@ bool all_good(const float* v, std::size_t count) {
   return all_within(v, count, -kMost, kMost);
 }
 
-Status check_goal(const Skeleton& skeleton, const IkGoal& goal) {
-  MARROW_REQUIRE(goal.joint < skeleton.joint_count);
-  MARROW_REQUIRE(within(goal.position_weight, 0, kMostWeight) && within(goal.rotation_weight, 0, kMost));
-  MARROW_REQUIRE(all_good(goal.offset, 3) && all_good(goal.position, 3) && all_good(goal.rotation, 4));
-  return Status::ok;
+BadCall check_goal(const Skeleton& skeleton, const IkGoal& goal) {
+  MARROW_CHECK(goal.joint < skeleton.joint_count);
+  MARROW_CHECK(within(goal.position_weight, 0, kMostWeight) && within(goal.rotation_weight, 0, kMost));
+  MARROW_CHECK(all_good(goal.offset, 3) && all_good(goal.position, 3) && all_good(goal.rotation, 4));
+  return {};
 }
 
-Status check_problem(const Skeleton& skeleton, const IkProblem& problem) {
-  MARROW_REQUIRE(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
-  MARROW_REQUIRE(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number
-  MARROW_REQUIRE(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
-  MARROW_REQUIRE(within(problem.root_travel_m, 0, kMost));
-  for (const IkGoal& goal : problem.goals) {
-    const Status status = check_goal(skeleton, goal);
-    if (status != Status::ok) return status;
-  }
+BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
+  MARROW_CHECK(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
+  MARROW_CHECK(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number
+  MARROW_CHECK(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
+  MARROW_CHECK(within(problem.root_travel_m, 0, kMost));
+  for (const IkGoal& goal : problem.goals)
+    if (const BadCall bad = check_goal(skeleton, goal)) return bad;
   for (std::size_t i = 0; i < problem.joints.size; ++i) {
-    MARROW_REQUIRE(problem.joints[i] < skeleton.joint_count);
-    MARROW_REQUIRE(i == 0 || problem.joints[i - 1] < problem.joints[i]);
+    MARROW_CHECK(problem.joints[i] < skeleton.joint_count);
+    MARROW_CHECK(i == 0 || problem.joints[i - 1] < problem.joints[i]);
   }
-  for (const float s : problem.stiffness) MARROW_REQUIRE(within(s, 0, 1));
+  for (const float s : problem.stiffness) MARROW_CHECK(within(s, 0, 1));
   for (std::size_t i = 0; i < problem.limits.size; ++i) {
-    MARROW_REQUIRE(is_valid(problem.limits[i]));
-    MARROW_REQUIRE(i == 0 || problem.limits[i - 1].joint < problem.limits[i].joint);
+    MARROW_CHECK(is_valid(problem.limits[i]));
+    MARROW_CHECK(i == 0 || problem.limits[i - 1].joint < problem.limits[i].joint);
   }
-  MARROW_REQUIRE(all_good(problem.pole, 3) && within(problem.pole_weight, 0, 1));
-  return Status::ok;
+  MARROW_CHECK(all_good(problem.pole, 3) && within(problem.pole_weight, 0, 1));
+  return {};
 }
 
-Status check_options(const IkOptions& options) {
-  MARROW_REQUIRE(options.method <= IkMethod::gauss_newton);
-  MARROW_REQUIRE(within(options.tolerance_m, 0, kMost) && within(options.damping, 0, kMost));
-  MARROW_REQUIRE(within(options.weight, 0, 1) && within(options.stretch, 1, kMost));
-  return Status::ok;
+BadCall check_options(const IkOptions& options) {
+  MARROW_CHECK(options.method <= IkMethod::gauss_newton);
+  MARROW_CHECK(within(options.tolerance_m, 0, kMost) && within(options.damping, 0, kMost));
+  MARROW_CHECK(within(options.weight, 0, 1) && within(options.stretch, 1, kMost));
+  return {};
 }
 
 bool is_jacobian(IkMethod method) {
@@ -71,29 +70,27 @@ std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem,
 Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
   const IkSolver solver = is_jacobian(options.method) ? solve_jacobian : solve_heuristic;
-  return solve_ik_by(solver, skeleton, local, scene_from_joint, problem, options, scratch,
-                     ik_scratch_bytes(skeleton, problem, options), report);
+  MARROW_REQUIRE_GOOD(solve_ik_by(solver, skeleton, local, scene_from_joint, problem, options, scratch,
+                                  ik_scratch_bytes(skeleton, problem, options), report));
+  return Status::ok;
 }
 
-Status solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
-                   const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                   std::size_t scratch_bytes, IkReport* report) {
-  MARROW_REQUIRE(local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(scene_from_joint.size >= skeleton.joint_count);
-  Status status = check_problem(skeleton, problem);
-  if (status == Status::ok) status = check_options(options);
-  if (status != Status::ok) return status;
-  MARROW_REQUIRE(scratch.size >= scratch_bytes);
-  const std::size_t past = reinterpret_cast<std::uintptr_t>(scratch.data) % 16;
-  IkScratch memory{scratch.data + (16 - past) % 16};
+BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                    const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                    std::size_t scratch_bytes, IkReport* report) {
+  MARROW_CHECK(local.size >= skeleton.soa_size());
+  MARROW_CHECK(scene_from_joint.size >= skeleton.joint_count);
+  if (const BadCall bad = check_problem(skeleton, problem)) return bad;
+  if (const BadCall bad = check_options(options)) return bad;
+  MARROW_CHECK(scratch.size >= scratch_bytes);
+  IkScratch memory{block_in(scratch).data};
   IkTree tree;
   const IkTreeMemory placed = place_tree(skeleton, problem, memory);
-  status = build_tree(skeleton, local, scene_from_joint, problem, placed, tree);
-  if (status != Status::ok) return status;
+  if (const BadCall bad = build_tree(skeleton, local, scene_from_joint, problem, placed, tree)) return bad;
   const IkReport done = solver(skeleton, tree, problem, options, memory);
   if (report != nullptr) *report = done;
-  if (options.weight == 0) return Status::ok;
-  return store_tree(skeleton, tree, options.weight, local, scene_from_joint);
+  if (options.weight != 0) (void)store_tree(skeleton, tree, options.weight, local, scene_from_joint);
+  return {};
 }
 
 }  // namespace marrow

@@ -81,8 +81,8 @@ IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, IkSc
   return m;
 }
 
-Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
-                  const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree) {
+BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
+                   const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree) {
   constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // and moves a goal
   std::uint16_t* const node_of = memory.node_of;
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoParent;
@@ -94,7 +94,7 @@ Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span
       node_of[j] = kMoves;
       moves = true;
     }
-    MARROW_REQUIRE(moves);
+    MARROW_CHECK(moves && "each goal hangs on a joint that turns");
     tree.turns = tree.turns || goal.rotation_weight > 0;
   }
   std::uint16_t count = 0;
@@ -132,8 +132,8 @@ Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span
     set_end(skeleton, local, node_of, end);
     sum = sum + transform(tree.nodes[end.node].frame, end.point) + load(&end.rotation.x);
   }
-  MARROW_REQUIRE(all_finite(sum));
-  return Status::ok;
+  MARROW_CHECK(all_finite(sum) && "the pose and the goals");
+  return {};
 }
 
 void update_frames(IkTree& tree, std::size_t first) {

@@ -5,6 +5,7 @@
 // is folded into what hangs below; frames are exact for any scale all the same.
 #pragma once
 
+#include "core/check.h"
 #include "marrow/ik_solve.h"
 #include "math/columns.h"
 
@@ -65,9 +66,9 @@ struct IkTreeMemory {
 };
 IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch);
 
-// Of a checked problem, frames and all. bad_argument if a goal hangs on no joint that turns, or the pose is not finite.
-Status build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
-                  const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree);
+// Of a checked problem, frames and all. Bad if a goal hangs on no joint that turns, or the pose is not finite.
+BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
+                   const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree);
 
 // Frames of the nodes from `first` on, after rotations changed; nodes before it are up to date.
 void update_frames(IkTree& tree, std::size_t first = 0);
@@ -100,8 +101,8 @@ std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& pr
 std::size_t heuristic_scratch_bytes(const IkProblem& problem);
 
 // What is the same for all methods: checks, the tree, the method, the pose written.
-Status solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
-                   const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                   std::size_t scratch_bytes, IkReport* report);
+BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                    const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                    std::size_t scratch_bytes, IkReport* report);
 
 }  // namespace marrow

@@ -46,11 +46,11 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
   return true;
 }
 
-[[gnu::noinline, gnu::cold]] Status solve_any(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
-  MARROW_REQUIRE(is_share(goal.weight) && is_share(goal.soft));
-  MARROW_REQUIRE(is_stretch(goal.max_stretch));
-  MARROW_REQUIRE(solve_one<false>(joints, goal, out));
-  return Status::ok;
+[[gnu::noinline, gnu::cold]] BadCall solve_any(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  MARROW_CHECK(is_share(goal.weight) && is_share(goal.soft));
+  MARROW_CHECK(is_stretch(goal.max_stretch));
+  MARROW_CHECK(solve_one<false>(joints, goal, out) && "finite, not too large");
+  return {};
 }
 
 // The translations of `joint` and of all above it up to `start`, which stays as it is.
@@ -64,7 +64,9 @@ void stretch_limb(const Skeleton& skeleton, std::uint32_t start, std::uint32_t j
 
 [[gnu::flatten]] Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
   const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
-  return usual && solve_one<true>(joints, goal, out) ? Status::ok : solve_any(joints, goal, out);
+  if (usual && solve_one<true>(joints, goal, out)) return Status::ok;
+  MARROW_REQUIRE_GOOD(solve_any(joints, goal, out));
+  return Status::ok;
 }
 
 Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
@@ -73,6 +75,8 @@ Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const T
   MARROW_REQUIRE(scene_from_joint.size >= skeleton.joint_count);
   MARROW_REQUIRE(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
   MARROW_REQUIRE(hangs_below(skeleton, limb.mid, limb.start) && hangs_below(skeleton, limb.end, limb.mid));
+  MARROW_REQUIRE(is_share(goal.weight) && is_share(goal.soft));
+  MARROW_REQUIRE(is_stretch(goal.max_stretch));
   const Affine* const joints = scene_from_joint.data;
   TwoBoneTurns turns;
   const Status status = two_bone({joints + limb.start, joints + limb.mid, joints + limb.end}, goal, turns);

@@ -65,11 +65,11 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
   return true;
 }
 
-[[gnu::noinline, gnu::cold]] Status solve_any_four(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4],
-                                                   bool stretched, TwoBoneTurns (&out)[4]) {
-  for (const TwoBone& goal : goals) MARROW_REQUIRE(is_stretch(goal.max_stretch));
-  MARROW_REQUIRE(solve_four<false>(joints, goals, stretched, out));
-  return Status::ok;
+[[gnu::noinline, gnu::cold]] BadCall solve_any_four(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4],
+                                                    bool stretched, TwoBoneTurns (&out)[4]) {
+  for (const TwoBone& goal : goals) MARROW_CHECK(is_stretch(goal.max_stretch));
+  MARROW_CHECK(solve_four<false>(joints, goals, stretched, out) && "shares 0 ... 1, finite, not too large");
+  return {};
 }
 
 }  // namespace
@@ -79,7 +79,8 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
   const bool stretched = is_partial(goals[0].max_stretch) || is_partial(goals[1].max_stretch) ||
                          is_partial(goals[2].max_stretch) || is_partial(goals[3].max_stretch);
   if (!stretched && solve_four<true>(joints, goals, false, out)) return Status::ok;
-  return solve_any_four(joints, goals, stretched, out);
+  MARROW_REQUIRE_GOOD(solve_any_four(joints, goals, stretched, out));
+  return Status::ok;
 }
 
 }  // namespace marrow

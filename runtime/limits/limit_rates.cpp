@@ -100,6 +100,34 @@ struct Jacobian {
   }
 };
 
+BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit) {
+  MARROW_CHECK(is_time(dt_s));
+  MARROW_CHECK(is_limit(limit));
+  const Rotation to = rotation(target), unit = normalised(to);
+  MARROW_CHECK(has_direction(dot(to, to)));
+  if (state.mode == kNotBegun) {
+    state = {};
+    store(state.rotation, to);
+    store(state.target, to);
+    state.mode = kOnTarget;
+    return {};
+  }
+  if (dt_s == 0) return {};
+  const float time_s = lesser(dt_s, kLongest_s);
+  // As rotation vectors from where the target now is.
+  const bool was_on_target = state.mode == kOnTarget;
+  const Vector3 from = log_of_shorter(normalised(rotation(state.target)) * conjugate(unit));
+  Motion m = {was_on_target ? from : log_of_shorter(normalised(rotation(state.rotation)) * conjugate(unit)), {}};
+  m.velocity = Jacobian(m.at).change_of(vector3(state.velocity));
+  const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
+  store(state.rotation, on_target ? to : normalised(exp_rotation(m.at) * unit));
+  store(state.target, to);
+  store(state.velocity, on_target ? m.velocity : Jacobian(m.at).turn_of(m.velocity));
+  state.frame_s = time_s;
+  state.mode = on_target ? kOnTarget : kUnderWay;
+  return {};
+}
+
 }  // namespace
 
 Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit) {
@@ -128,30 +156,7 @@ Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, 
 }
 
 Status follow_rotation(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit) {
-  MARROW_REQUIRE(is_time(dt_s));
-  MARROW_REQUIRE(is_limit(limit));
-  const Rotation to = rotation(target), unit = normalised(to);
-  MARROW_REQUIRE(has_direction(dot(to, to)));
-  if (state.mode == kNotBegun) {
-    state = {};
-    store(state.rotation, to);
-    store(state.target, to);
-    state.mode = kOnTarget;
-    return Status::ok;
-  }
-  if (dt_s == 0) return Status::ok;
-  const float time_s = lesser(dt_s, kLongest_s);
-  // As rotation vectors from where the target now is.
-  const bool was_on_target = state.mode == kOnTarget;
-  const Vector3 from = log_of_shorter(normalised(rotation(state.target)) * conjugate(unit));
-  Motion m = {was_on_target ? from : log_of_shorter(normalised(rotation(state.rotation)) * conjugate(unit)), {}};
-  m.velocity = Jacobian(m.at).change_of(vector3(state.velocity));
-  const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
-  store(state.rotation, on_target ? to : normalised(exp_rotation(m.at) * unit));
-  store(state.target, to);
-  store(state.velocity, on_target ? m.velocity : Jacobian(m.at).turn_of(m.velocity));
-  state.frame_s = time_s;
-  state.mode = on_target ? kOnTarget : kUnderWay;
+  MARROW_REQUIRE_GOOD(turn_towards(state, target, dt_s, limit));
   return Status::ok;
 }
 
@@ -164,7 +169,7 @@ Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states,
     if (rate.speed == 0 && rate.acceleration == 0) continue;
     float target[4];
     store(target, rotation_of(local, limits[i].joint));
-    if (follow_rotation(states[i], target, dt_s, rate) != Status::ok) continue;
+    if (turn_towards(states[i], target, dt_s, rate)) continue;
     set_rotation(local, limits[i].joint, rotation(states[i].rotation));
   }
   return Status::ok;

@@ -64,7 +64,10 @@ void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::
 }
 
 Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out) {
-  return local_to_model_first(skeleton, local, skeleton.joint_count, out);
+  MARROW_REQUIRE(local.size >= skeleton.soa_size());
+  MARROW_REQUIRE(out.size >= skeleton.joint_count);
+  transform_joints(skeleton, local.data, 0, skeleton.joint_count, out.data);
+  return Status::ok;
 }
 
 Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint_count,

@@ -66,7 +66,7 @@ void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTran
   SoaTransform& four = out[track.joint / 4];
   float(*const lanes)[4] = track.path == TrackPath::translation ? four.translation
                            : track.path == TrackPath::rotation  ? four.rotation
-                                                           : four.scale;
+                                                                : four.scale;
   for (int i = 0; i < n; ++i) lanes[i][track.joint % 4] = value[i];
 }
 
@@ -110,13 +110,13 @@ class MomentFinder {
   std::uint32_t first_ = 0, count_ = 0;
 };
 
-Status sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
-                   const SampleOptions& options) {
-  MARROW_REQUIRE(out.size >= skeleton.soa_size());
-  MARROW_REQUIRE(time_s == time_s);
-  for (const Track& track : clip.tracks) MARROW_REQUIRE(track.joint < skeleton.joint_count);
-  MARROW_REQUIRE(clip.coded.frame_count == 0 || clip.joint_count == skeleton.joint_count);
-  MARROW_REQUIRE(options.joints.empty() || options.joints.size >= (std::size_t{skeleton.joint_count} + 31) / 32);
+BadCall sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+                    const SampleOptions& options) {
+  MARROW_CHECK(out.size >= skeleton.soa_size());
+  MARROW_CHECK(time_s == time_s);
+  for (const Track& track : clip.tracks) MARROW_CHECK(track.joint < skeleton.joint_count);
+  MARROW_CHECK(clip.coded.frame_count == 0 || clip.joint_count == skeleton.joint_count);
+  MARROW_CHECK(options.joints.empty() || options.joints.size >= (std::size_t{skeleton.joint_count} + 31) / 32);
   if (clip.coded.frame_count != 0) {
     sample_coded(skeleton, clip.coded, time_s, options, out.data);
   } else if (!options.prefilled) {
@@ -126,7 +126,7 @@ Status sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Spa
   MomentFinder moment(clip, time_s);
   for (const Track& track : clip.tracks)
     if (wanted(options, track.joint)) sample_track(clip, track, moment.in(track.first_time, track.key_count), out.data);
-  return Status::ok;
+  return {};
 }
 
 }  // namespace
@@ -134,7 +134,8 @@ Status sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Spa
 Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
               const SampleOptions& options) {
   MARROW_REQUIRE(!clip.additive);
-  return sample_pose(skeleton, clip, time_s, out, options);
+  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, options));
+  return Status::ok;
 }
 
 Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> out) {
@@ -142,8 +143,7 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
   MARROW_REQUIRE(clip.reference == nullptr || clip.joint_count == skeleton.joint_count);
   // The pose stands where its change will; make_additive reads every group before it writes it.
   const Span<SoaTransform> pose{reinterpret_cast<SoaTransform*>(out.data), out.size};
-  const Status sampled = sample_pose(skeleton, clip, time_s, pose, {});
-  if (sampled != Status::ok) return sampled;
+  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, pose, {}));
   const SoaTransform* const reference = clip.reference != nullptr ? clip.reference : skeleton.rest;
   return make_additive(skeleton, pose, {reference, skeleton.soa_size()}, out);
 }

@@ -83,7 +83,11 @@ float fade_weight(Fade shape, float time_s, float duration_s) {
 
 Status cross_fade(const Skeleton& skeleton, Span<const SoaTransform> from, Span<const SoaTransform> to, float weight,
                   Span<SoaTransform> out) {
+  const std::size_t groups = skeleton.soa_size();
   MARROW_REQUIRE(within(weight, 0.0f, 1.0f));
+  MARROW_REQUIRE(from.size >= groups);
+  MARROW_REQUIRE(to.size >= groups);
+  MARROW_REQUIRE(out.size >= groups);
   const BlendLayer layers[2] = {{from, 1.0f - weight, {}}, {to, weight, {}}};
   return blend(skeleton, {layers, 2}, out);
 }

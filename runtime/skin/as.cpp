@@ -128,8 +128,12 @@ Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affin
                Span<const float> tangents) {
   MARROW_REQUIRE(coordinates.size >= as_coordinate_count(mesh.geometry));
   MARROW_REQUIRE(tangents.empty() || tangents.size >= as_tangent_count(mesh.geometry));
-  if (tangents.empty() || out.normals.empty()) return deform<AnimationSpace>(mesh, coordinates.data, palette, out);
-  return deform(mesh, coordinates.data, palette, out, WithTangents(tangents.data));
+  if (tangents.empty() || out.normals.empty()) {
+    MARROW_REQUIRE_GOOD(deform<AnimationSpace>(mesh, coordinates.data, palette, out));
+  } else {
+    MARROW_REQUIRE_GOOD(deform(mesh, coordinates.data, palette, out, WithTangents(tangents.data)));
+  }
+  return Status::ok;
 }
 
 }  // namespace marrow

@@ -103,17 +103,17 @@ inline bool aligned(const float* p) {
 }
 
 template <class Deformer>
-Status deform(const Mesh& mesh, const float* stream, Span<const Affine> palette, const SkinOutput& out,
-              const Deformer& deformer = {}) {
+BadCall deform(const Mesh& mesh, const float* stream, Span<const Affine> palette, const SkinOutput& out,
+               const Deformer& deformer = {}) {
   const Geometry& g = mesh.geometry;
   const std::size_t slots = g.slot_count;
   const bool normals = !out.normals.empty(), tangents = !out.tangents.empty();
   const bool exact = out.normal_transform == NormalTransform::inverse_transpose;
-  MARROW_REQUIRE(palette.size >= mesh.palette_size());
-  MARROW_REQUIRE(aligned(g.skin) && aligned(g.normals) && aligned(g.tangents));
-  MARROW_REQUIRE(out.positions.size >= slots * 3);
-  MARROW_REQUIRE(!normals || (g.normals != nullptr && out.normals.size >= slots * 3));
-  MARROW_REQUIRE(!tangents || (normals && g.tangents != nullptr && out.tangents.size >= slots * 4));
+  MARROW_CHECK(palette.size >= mesh.palette_size());
+  MARROW_CHECK(aligned(g.skin) && aligned(g.normals) && aligned(g.tangents));
+  MARROW_CHECK(out.positions.size >= slots * 3);
+  MARROW_CHECK(!normals || (g.normals != nullptr && out.normals.size >= slots * 3));
+  MARROW_CHECK(!tangents || (normals && g.tangents != nullptr && out.tangents.size >= slots * 4));
   if (!normals) {
     deform_runs<Directions::none>(deformer, g, stream, palette.data, out);
   } else if (!tangents) {
@@ -123,7 +123,7 @@ Status deform(const Mesh& mesh, const float* stream, Span<const Affine> palette,
     exact ? deform_runs<Directions::exact_tangents>(deformer, g, stream, palette.data, out)
           : deform_runs<Directions::blended_tangents>(deformer, g, stream, palette.data, out);
   }
-  return Status::ok;
+  return {};
 }
 
 }  // namespace marrow

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "marrow/memory.h"
 #include "marrow/skin.h"
 #include "math/vector.h"
 #include "skin/as_block.h"
@@ -171,7 +172,7 @@ Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeo
   MorphedGeometry made;
   made.bind = made.geometry = geometry;
   if (!geometry.targets.empty()) {
-    MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % 16 == 0);
+    MARROW_REQUIRE(is_on_boundary(memory.data));
     const MorphMemory m = memory_of(geometry);
     const auto copy = [&](const float* from, std::size_t offset, std::size_t end) -> const float* {
       if (from == nullptr) return nullptr;

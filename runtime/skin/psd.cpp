@@ -118,7 +118,8 @@ Status skin_psd(const Mesh& mesh, Span<const float> distances, Span<const Affine
   const Geometry& g = mesh.geometry;
   MARROW_REQUIRE(g.pose_space.examples.size <= kMaxPoseExamples);
   MARROW_REQUIRE(distances.size >= psd_distance_count(g));
-  return deform(mesh, g.skin, palette, out, PoseSpaceSkin(g, distances.data));
+  MARROW_REQUIRE_GOOD(deform(mesh, g.skin, palette, out, PoseSpaceSkin(g, distances.data)));
+  return Status::ok;
 }
 
 }  // namespace marrow

@@ -61,7 +61,8 @@ struct Rigid {
 }  // namespace
 
 Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
-  return deform<Rigid>(mesh, mesh.geometry.skin, palette, out);
+  MARROW_REQUIRE_GOOD(deform<Rigid>(mesh, mesh.geometry.skin, palette, out));
+  return Status::ok;
 }
 
 }  // namespace marrow

@@ -43,7 +43,8 @@ struct Ssd {
 }  // namespace
 
 Status skin_ssd(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
-  return deform<Ssd>(mesh, mesh.geometry.skin, palette, out);
+  MARROW_REQUIRE_GOOD(deform<Ssd>(mesh, mesh.geometry.skin, palette, out));
+  return Status::ok;
 }
 
 }  // namespace marrow

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "marrow/memory.h"
 #include "math/finite.h"
 #include "springs/spring_state.h"
 
@@ -38,23 +39,23 @@ bool good_settings(const SpringJoint& j) {
          within(j.weight, 0.0f, 1.0f);
 }
 
-Status check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
-  MARROW_REQUIRE(chains.size <= skeleton.joint_count);
+BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
+  MARROW_CHECK(chains.size <= skeleton.joint_count);
   std::size_t joints = 0;
   for (const SpringChain& chain : chains) {
-    MARROW_REQUIRE(bone_count(chain) > 0);
+    MARROW_CHECK(bone_count(chain) > 0);
     joints += chain.joints.size;
-    MARROW_REQUIRE(joints <= skeleton.joint_count);
-    for (const float x : chain.tip) MARROW_REQUIRE(within(x, -1e6f, 1e6f));
+    MARROW_CHECK(joints <= skeleton.joint_count);
+    for (const float x : chain.tip) MARROW_CHECK(within(x, -1e6f, 1e6f));
     for (std::size_t i = 0; i < chain.joints.size; ++i) {
       const SpringJoint& j = chain.joints[i];
-      MARROW_REQUIRE(j.joint < skeleton.joint_count);
-      MARROW_REQUIRE(i == 0 ||
-                     (j.joint != chain.joints[i - 1].joint && is_below(skeleton, j.joint, chain.joints[i - 1].joint)));
-      MARROW_REQUIRE(good_settings(j));
+      MARROW_CHECK(j.joint < skeleton.joint_count);
+      MARROW_CHECK(i == 0 ||
+                   (j.joint != chain.joints[i - 1].joint && is_below(skeleton, j.joint, chain.joints[i - 1].joint)));
+      MARROW_CHECK(good_settings(j));
     }
   }
-  return Status::ok;
+  return {};
 }
 
 void set_bone(const SpringJoint& from, SpringGroup& to, std::size_t lane) {
@@ -126,11 +127,10 @@ std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chai
 }
 
 Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Span<std::byte> memory, Springs& out) {
-  const Status chains_are = check_chains(skeleton, chains);
-  if (chains_are != Status::ok) return chains_are;
+  MARROW_REQUIRE_GOOD(check_chains(skeleton, chains));
   const std::size_t bytes = springs_bytes(skeleton, chains), groups = groups_of(chains);
   MARROW_REQUIRE(memory.size >= bytes);
-  MARROW_REQUIRE(bytes == 0 || reinterpret_cast<std::uintptr_t>(memory.data) % 16 == 0);
+  MARROW_REQUIRE(bytes == 0 || is_on_boundary(memory.data));
   if (bytes > 0) std::memset(memory.data, 0, bytes);
   out.groups = reinterpret_cast<SpringGroup*>(memory.data);
   out.roots = reinterpret_cast<SpringRoot*>(memory.data + groups * sizeof(SpringGroup));
@@ -154,8 +154,7 @@ Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Sp
 }
 
 Status set_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Springs& springs) {
-  const Status chains_are = check_chains(skeleton, chains);
-  if (chains_are != Status::ok) return chains_are;
+  MARROW_REQUIRE_GOOD(check_chains(skeleton, chains));
   MARROW_REQUIRE(skeleton.joint_count == springs.joint_count);
   MARROW_REQUIRE(chains.size == springs.root_count);
   MARROW_REQUIRE(groups_of(chains) == springs.group_count);
@@ -169,7 +168,7 @@ Status set_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Spr
     ++bones;
   });
   for (; bones % 4 != 0; ++bones) same = same && springs.groups[bones / 4].joint[bones % 4] == kNoBone;
-  MARROW_REQUIRE(same);
+  MARROW_REQUIRE(same && "the joints that the springs were made for");
   for_each_bone(chains, [&](std::size_t bone, std::size_t, const SpringJoint& j, const SpringJoint*) {
     set_bone(j, springs.groups[bone / 4], bone % 4);
   });

@@ -43,23 +43,23 @@ bool good_vector(const float (&v)[3]) {
   return all_within(v, 3, -1e6f, 1e6f);
 }
 
-Status check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
-                   Span<const SoaTransform> local, Span<const Affine> scene_from_joint) {
-  MARROW_REQUIRE(springs.joint_count == skeleton.joint_count);
-  MARROW_REQUIRE(local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(scene_from_joint.size >= skeleton.joint_count);
-  MARROW_REQUIRE(within(frame.dt_s, 0.0f, 1e9f));
-  MARROW_REQUIRE(within(frame.teleport_m, 0.0f, 1e6f));
-  MARROW_REQUIRE(within(frame.weight, 0.0f, 1.0f));
-  MARROW_REQUIRE(good_vector(frame.gravity));
-  MARROW_REQUIRE(good_vector(frame.wind));
-  MARROW_REQUIRE(frame.colliders.size <= kMaxSpringColliders);
+BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
+                    Span<const SoaTransform> local, Span<const Affine> scene_from_joint) {
+  MARROW_CHECK(springs.joint_count == skeleton.joint_count);
+  MARROW_CHECK(local.size >= skeleton.soa_size());
+  MARROW_CHECK(scene_from_joint.size >= skeleton.joint_count);
+  MARROW_CHECK(within(frame.dt_s, 0.0f, 1e9f));
+  MARROW_CHECK(within(frame.teleport_m, 0.0f, 1e6f));
+  MARROW_CHECK(within(frame.weight, 0.0f, 1.0f));
+  MARROW_CHECK(good_vector(frame.gravity));
+  MARROW_CHECK(good_vector(frame.wind));
+  MARROW_CHECK(frame.colliders.size <= kMaxSpringColliders);
   f32x4 sum = sum_of(frame.world_from_scene);
   for (const SpringCollider& c : frame.colliders) {
-    MARROW_REQUIRE(c.joint < skeleton.joint_count);
-    MARROW_REQUIRE(good_vector(c.from));
-    MARROW_REQUIRE(good_vector(c.to));
-    MARROW_REQUIRE(within(c.radius_m, 0.0f, 1e6f));
+    MARROW_CHECK(c.joint < skeleton.joint_count);
+    MARROW_CHECK(good_vector(c.from));
+    MARROW_CHECK(good_vector(c.to));
+    MARROW_CHECK(within(c.radius_m, 0.0f, 1e6f));
     sum = sum + sum_of(scene_from_joint[c.joint]);
   }
   for (std::uint32_t r = 0; r < springs.root_count; ++r) {
@@ -75,8 +75,8 @@ Status check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Spr
       if (end != kNoBone) sum = sum + sum_of(scene_from_joint[end]);
     }
   }
-  MARROW_REQUIRE(all_finite(sum));
-  return Status::ok;
+  MARROW_CHECK(all_finite(sum) && "world_from_scene and scene_from_joint");
+  return {};
 }
 
 void place_colliders(SpringCall& call) {
@@ -402,8 +402,7 @@ int steps_of(float dt_s) {
 
 Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs, Span<SoaTransform> local,
                         Span<Affine> scene_from_joint) {
-  const Status frame_is = check_frame(skeleton, frame, springs, local, scene_from_joint);
-  if (frame_is != Status::ok) return frame_is;
+  MARROW_REQUIRE_GOOD(check_frame(skeleton, frame, springs, local, scene_from_joint));
   PlacedCollider colliders[kMaxSpringColliders];
   SpringCall call{skeleton, frame, springs, local.data, scene_from_joint.data};
   call.colliders = colliders;

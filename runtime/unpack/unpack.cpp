@@ -1,6 +1,7 @@
 #include "marrow/unpack.h"
 
 #include "core/check.h"
+#include "marrow/memory.h"
 #include "unpack/geometry.h"
 #include "unpack/structure.h"
 
@@ -174,8 +175,10 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
   Header h;
   const Status status = read_header(packed, h, error);
   if (status != Status::ok) return status;
+  if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
+    (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/memory.h");
   MARROW_REQUIRE(memory.size >= h.memory_bytes);
-  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % 16 == 0);
+  MARROW_REQUIRE(is_on_boundary(memory.data));
   Reader reader(packed.data + sizeof h, packed.size - sizeof h);
   Unpacker unpacker(h, decoders, NameReader(find_names(reader, h.record_count)), memory);
   if (format::align16(h.file_bytes) > h.memory_bytes || !unpacker.begin())
