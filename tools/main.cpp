@@ -4,6 +4,7 @@
 #include <new>
 
 #include "commands/command.h"
+#include "common/call_errors.h"
 #include "common/failure.h"
 
 namespace marrow::tools {
@@ -45,6 +46,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using marrow::tools::Exit;
+  marrow::tools::print_call_errors();
   try {
     return marrow::tools::run(argc, argv);
   } catch (const marrow::tools::Failure& failure) {

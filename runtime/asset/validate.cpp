@@ -3,7 +3,7 @@
 
 #include "asset/checker.h"
 #include "core/check.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 
 namespace marrow {
 
@@ -129,7 +129,7 @@ DataError check_container(Span<const std::byte> block) {
 }  // namespace
 
 Status load(Span<const std::byte> block, File& out, DataError* error) {
-  if (error != nullptr) *error = {Status::bad_argument, 0, "a block on a boundary of 16 bytes, see marrow/memory.h"};
+  if (error != nullptr) *error = {Status::bad_argument, 0, "a block on a boundary of 16 bytes, see marrow/block.h"};
   MARROW_REQUIRE(block.data != nullptr);
   MARROW_REQUIRE(is_on_boundary(block.data));
   DataError found = check_container(block);

@@ -3,6 +3,7 @@
 
 #include "core/check.h"
 #include "core/memory.h"
+#include "marrow/block.h"
 #include "marrow/character.h"
 #include "marrow/clip_pack.h"
 
@@ -98,7 +99,7 @@ std::size_t animations_bytes(const File& file, const File& clips) {
 
 Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out) {
   MARROW_REQUIRE(memory.size >= animations_bytes(file, clips));
-  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % 16 == 0);
+  MARROW_REQUIRE(is_on_boundary(memory.data));
   if (clips.reference_count() == 0 && clips.sections().data != file.sections().data) return Status::mismatch;
   Memory taken{memory.data};
   const Pieces pieces = lay_out(file, clips, taken);

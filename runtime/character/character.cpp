@@ -1,5 +1,6 @@
 // The stages of marrow.h, called in their order for every skeleton and mesh of a file.
 #include "marrow/character.h"
+#include "marrow/block.h"
 
 #include <cstring>
 
@@ -145,7 +146,7 @@ std::size_t character_bytes(const File& file, const CharacterOptions& options) {
 Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out) {
   MARROW_REQUIRE(options.layers > 0);
   MARROW_REQUIRE(memory.size >= character_bytes(file, options));
-  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % 16 == 0);
+  MARROW_REQUIRE(is_on_boundary(memory.data));
   Memory taken{memory.data};
   Character made;
   made.file = file;

@@ -1,13 +1,13 @@
 // A mesh for crowds: its palettes of all frames in a texture, and a texture to render those of the instances to.
 #include <cstring>
 
+#include "core/memory.h"
 #include "gles3/crowd.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
-#include "core/memory.h"
 #include "gles3/texture.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 #include "marrow/palette.h"
 
 namespace marrow::gles3 {

@@ -4,13 +4,13 @@
 #include <bit>
 
 #include "core/check.h"
+#include "core/memory.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
-#include "core/memory.h"
 #include "gles3/self_test_key.h"
 #include "gles3/self_test_mesh.h"
 #include "gles3/self_test_target.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
 

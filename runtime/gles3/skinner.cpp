@@ -4,12 +4,12 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "core/memory.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
-#include "core/memory.h"
 #include "gles3/program_set.h"
 #include "gles3/skinned.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 #include "marrow/morph.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"

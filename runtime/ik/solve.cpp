@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 #include "ik/tree.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 #include "math/finite.h"
 
 namespace marrow {

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 #include "marrow/skin.h"
 #include "math/vector.h"
 #include "skin/as_block.h"

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 #include "math/finite.h"
 #include "springs/spring_state.h"
 

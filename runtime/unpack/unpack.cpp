@@ -1,7 +1,7 @@
 #include "marrow/unpack.h"
 
 #include "core/check.h"
-#include "marrow/memory.h"
+#include "marrow/block.h"
 #include "unpack/geometry.h"
 #include "unpack/structure.h"
 
@@ -176,7 +176,7 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
   const Status status = read_header(packed, h, error);
   if (status != Status::ok) return status;
   if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
-    (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/memory.h");
+    (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
   MARROW_REQUIRE(memory.size >= h.memory_bytes);
   MARROW_REQUIRE(is_on_boundary(memory.data));
   Reader reader(packed.data + sizeof h, packed.size - sizeof h);

@@ -408,7 +408,7 @@ class File {
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.
 //
-// The block must be 16-byte aligned (bad_argument otherwise; memory.h helps) and may come from anywhere: nothing is
+// The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
 // read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
 // bounds. `out` is written only on success. `error`, if not null, gets the place and the broken rule on failure. Cost:
 // one pass over the block; no allocation. Thread-safe.

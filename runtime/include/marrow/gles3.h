@@ -107,17 +107,27 @@ struct VertexLayout {
 
 // A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
 //
-//   SSD       position snorm16×3 · weights of the second influence snorm16, of the others unorm16×2 or ×6, the first
-//   has
-//             what they leave of 1 · joints u8 (u16 above 256 entries)
-//   AS        coordinates snorm16×4 an influence, their w summing to 32767 (or less, see coordinate_scale) · joints
-//             kSurfaceNormals: and snorm16×4 an influence and tangent, their w summing to 0
-//   surface   normal octahedral snorm16×2 · tangent octahedral snorm16×2, sign in y · uv unorm16×2 or f32×2 · rgba8
-//   morphs    u32: which row of the texture, RGBA16I, holds the vertex's changes; 8 B an attribute, target and vertex
-//   that
-//             any target moves
-// 4 influences: SSD 16 B a vertex, AS 36 B, with kSurfaceNormals 100 B; surface 4 B with normals alone. 8 influences:
-// 28 B and 72 B.
+// clang-format off
+//   stream     what a vertex has in it               as
+//   SSD        position                              snorm16×3
+//              weight of the second influence        snorm16
+//              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+//              joints                                u8×4, or ×8; u16 above 256 entries
+//   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
+//              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
+//              joints                                as SSD's
+//   surface    normal                                octahedral snorm16×2
+//              tangent                               octahedral snorm16×2, the sign in y
+//              texture coordinates                   unorm16×2, or f32×2
+//              colour                                unorm8×4
+//   morphs     row of the morph texture              u32; of vertices that no target moves 0
+//
+//   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
+//   4 influences       16    36                    100                         4
+//   8 influences       28    72                      -                         4
+// clang-format on
+//
+// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
 struct GpuMesh {
   std::uint32_t ssd_array = 0;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
   std::uint32_t as_array = 0;
@@ -192,7 +202,22 @@ struct ProgramKey {
 };
 
 // The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
-// (shaders/skin.glsl) and calls marrow_skin(). The fragment text comes after the same #version and defines.
+// (shaders/skin.glsl), which ends where main() is to begin; the fragment text after the same #version and defines.
+//
+//   void main() {
+//     MarrowVertex v = marrow_skin();
+//     gl_Position = clip_from_scene * vec4(v.position, 1.0);
+//   }
+//
+// What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
+// was built to read it (ProgramKey::features); MARROW_PALETTES: 2 in programs for crowds.
+// What the vertex text may use:
+//   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; } in scene space, normal and
+//                                    tangent of unit length, tangent.w the handedness; what is not read is 0
+//   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
+//   vec4 marrow_instance_colour()    of an instance of a crowd; else white
+// Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
+// after UseProgram(program.id), by Api or by any other loader.
 struct ProgramSource {
   const char* vertex = nullptr;
   const char* fragment = nullptr;

@@ -1,5 +1,5 @@
-// The OpenGL ES functions that marrow::gles3 calls: X(return type, name without "gl", parameters). Those of 3.0 must be
-// there, those of 3.1 and of extensions may be missing.
+// The OpenGL ES functions that marrow::gles3 calls, and those for a game's uniforms: X(return type, name without "gl",
+// parameters). Those of 3.0 must be there, those of 3.1 and of extensions may be missing.
 //
 // Spelt in plain C types, which are what the GL types are on every platform, so that neither Khronos' headers nor a
 // particular loader are needed to include this.
@@ -40,6 +40,14 @@
   X(void, DeleteProgram, (unsigned program))                                                                   \
   X(int, GetUniformLocation, (unsigned program, const char* name))                                             \
   X(void, Uniform1f, (int location, float value))                                                              \
+  X(void, Uniform2f, (int location, float x, float y))                                                         \
+  X(void, Uniform3f, (int location, float x, float y, float z))                                                \
+  X(void, Uniform4f, (int location, float x, float y, float z, float w))                                       \
+  X(void, Uniform1fv, (int location, int count, const float* values))                                          \
+  X(void, Uniform2fv, (int location, int count, const float* values))                                          \
+  X(void, Uniform3fv, (int location, int count, const float* values))                                          \
+  X(void, UniformMatrix3fv, (int location, int count, unsigned char transpose, const float* values))           \
+  X(void, UniformMatrix4fv, (int location, int count, unsigned char transpose, const float* values))           \
   X(unsigned, GetUniformBlockIndex, (unsigned program, const char* name))                                      \
   X(void, UniformBlockBinding, (unsigned program, unsigned index, unsigned binding))                           \
   X(void, DrawElements, (unsigned mode, int count, unsigned type, const void* offset))                         \

@@ -4,7 +4,7 @@
 // clang-format off
 #include "marrow/status.h"          //    everywhere      how calls fail
 #include "marrow/call_error.h"      //    everywhere      who is told of bad calls
-#include "marrow/memory.h"          //    everywhere      memory on 16-byte boundaries
+#include "marrow/block.h"          //    everywhere      memory on 16-byte boundaries
 #include "marrow/unpack.h"          // 0. unpack          packed file → .mrw in memory
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh
 #include "marrow/clip_pack.h"       //    beside it       clips of another file

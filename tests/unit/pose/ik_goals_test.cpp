@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "marrow/limits.h"
 #include "support/pose_file.h"
 #include "unit/pose/ik_posed.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "marrow/limits.h"
 #include "unit/pose/ik_posed.h"
 #include "unit/pose/limit_reference.h"
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "marrow/limits.h"
 #include "unit/pose/ik_chains.h"
 #include "unit/pose/limit_reference.h"
 

@@ -1,6 +1,7 @@
 #include "cook/skeleton/build_limits.h"
 
 #include "common/failure.h"
+#include "marrow/limits.h"
 
 namespace marrow::cook {
 namespace {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "cook/gltf/import/import.h"
+#include "marrow/limits.h"
 
 namespace marrow::cook::gltf {
 namespace {
