@@ -28,7 +28,7 @@ using BadCall = const char*;
 namespace marrow {
 using BadCall = bool;
 }
-#define MARROW_REFUSE(condition) ::marrow::Status::bad_argument
+#define MARROW_REFUSE(condition) (static_cast<void>(condition), ::marrow::Status::bad_argument)
 #define MARROW_BAD_CALL(condition) true
 
 #endif
