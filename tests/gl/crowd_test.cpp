@@ -201,7 +201,7 @@ TEST(Crowd, TenThousandInOneCall) {
   mesh.geometry.index_count = 6;
   const TestSkeleton skeleton(std::vector<TestJoint>{{}});
   TestClip still;
-  still.add(0, SkinningPath::translation, Interpolation::step, {0, 1}, {0, 0, 0, 0, 0, 0});
+  still.add(0, TrackPath::translation, Interpolation::step, {0, 1}, {0, 0, 0, 0, 0, 0});
   const Reel reel(skeleton.view(), {{still.view(), true}}, 1);
   Troop troop(mesh, reel, kCount);
   ASSERT_TRUE(troop.ok());

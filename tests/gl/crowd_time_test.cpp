@@ -21,9 +21,9 @@ struct Clock {
   explicit Clock(float seconds) : skeleton(std::vector<TestJoint>{{}}) {
     const float half = 0.70710678f;
     const std::vector<float> times = {0, seconds / 4, seconds / 2, 3 * seconds / 4, seconds};
-    clip.add(0, SkinningPath::rotation, Interpolation::linear, times,
+    clip.add(0, TrackPath::rotation, Interpolation::linear, times,
              {0, 0, 0, 1, 0, 0, half, half, 0, 0, 1, 0, 0, 0, half, -half, 0, 0, 0, -1});
-    slide.add(0, SkinningPath::translation, Interpolation::linear, {0, seconds}, {0, 0, 0, seconds, 0, 0});
+    slide.add(0, TrackPath::translation, Interpolation::linear, {0, seconds}, {0, 0, 0, seconds, 0, 0});
   }
   TestSkeleton skeleton;
   TestClip clip, slide;

@@ -61,7 +61,7 @@ TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
 
 TEST(SelfTestResult, NothingIsChosenBeforeATest) {
   SkinningPath path = SkinningPath::compute;
-  EXPECT_EQ(gles3::choose({}, {}, path), Status::unsupported);
+  EXPECT_EQ(gles3::choose(gles3::SelfTest{}, {}, path), Status::unsupported);
   EXPECT_EQ(path, SkinningPath::compute);
 }
 
