@@ -1,12 +1,16 @@
 #include "marrow/playback.h"
 
 #include <bit>
+#include <type_traits>
 
 #include "core/check.h"
 #include "math/finite.h"
 
 namespace marrow {
 namespace {
+
+// A game may copy it as bytes. Said here, for the header that this takes is twice as long as all of marrow.h.
+static_assert(std::is_trivially_copyable_v<Playback>);
 
 constexpr std::int64_t kMostTurns = INT32_MAX;
 

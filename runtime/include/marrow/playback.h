@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "marrow/status.h"
 
@@ -26,7 +25,7 @@ struct Playback {
   // round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
   std::int32_t turns = 0;
 };
-static_assert(sizeof(Playback) <= 128 && std::is_trivially_copyable_v<Playback>);
+static_assert(sizeof(Playback) <= 128);
 
 // Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
 // however many times over: a loop loses no time and shows none twice, and so does a turn. Afterwards time_s is in
