@@ -95,7 +95,7 @@ set_target_properties(marrow_input_tests marrow_cook_tests marrow_cli_tests marr
 
 # The programs that documents show, as a game would build them.
 function(marrow_example name)
-  add_executable(marrow_example_${name} ${PROJECT_SOURCE_DIR}/examples/${name}.cpp)
+  add_executable(marrow_example_${name} examples/${name}.cpp)
   target_link_libraries(marrow_example_${name} PRIVATE ${ARGN})
   marrow_warnings(marrow_example_${name})
 endfunction()

@@ -101,7 +101,6 @@ Status add_weights(const AnimationLayer& layer, float share, CharacterMesh& m) {
     const std::uint32_t channel = index != kNoClip ? a.channels[m.first_target + t] : kNoChannel;
     float weight = m.mesh.targets[t].weight;
     if (channel != kNoChannel) {
-      MARROW_REQUIRE(channel < clip.channels.size);
       alone.channels = {clip.channels.data + channel, 1};
       const Status status = sample_channels(alone, layer.time_s, {&weight, 1});
       if (status != Status::ok) return status;
@@ -125,13 +124,22 @@ Status sample_weights(Span<const AnimationLayer> layers, CharacterMesh& m) {
   return Status::ok;
 }
 
-Status check_animation(const Character& c, const Animation* animation) {
-  MARROW_REQUIRE(animation != nullptr);
-  MARROW_REQUIRE(animation->clip_of_skeleton.size == c.skeletons.size);
-  MARROW_REQUIRE(animation->channels.size == c.target_count);
+BadCall check_animation(const Character& c, const Animation* animation) {
+  MARROW_CHECK(animation != nullptr);
+  MARROW_CHECK(animation->clip_of_skeleton.size == c.skeletons.size);
+  MARROW_CHECK(animation->channels.size == c.target_count);
   for (const std::uint32_t clip : animation->clip_of_skeleton)
-    MARROW_REQUIRE(clip == kNoClip || clip < animation->clips.clip_count());
-  return Status::ok;
+    MARROW_CHECK(clip == kNoClip || clip < animation->clips.clip_count());
+  for (const CharacterMesh& m : c.meshes) {
+    const std::uint32_t clip = animation->clip_of_skeleton[m.mesh.skeleton];
+    if (clip == kNoClip || m.weights.empty()) continue;
+    const std::size_t channels = animation->clips.clip(clip).channels.size;
+    for (std::size_t t = 0; t < m.weights.size; ++t) {
+      const std::uint32_t channel = animation->channels[m.first_target + t];
+      MARROW_CHECK(channel == kNoChannel || channel < channels);
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -164,10 +172,7 @@ Status make_character(const File& file, const CharacterOptions& options, Span<st
 
 Status sample_character(Character& character, Span<const AnimationLayer> layers) {
   MARROW_REQUIRE(layers.size <= character.options.layers);
-  for (const AnimationLayer& layer : layers) {
-    const Status status = check_animation(character, layer.animation);
-    if (status != Status::ok) return status;
-  }
+  for (const AnimationLayer& layer : layers) MARROW_REQUIRE_GOOD(check_animation(character, layer.animation));
   for (std::uint32_t s = 0; s < character.skeletons.size; ++s) {
     const Status status = sample_skeleton(character, s, layers);
     if (status != Status::ok) return status;

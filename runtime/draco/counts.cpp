@@ -1,6 +1,6 @@
 #include "draco/counts.h"
 
-#include "unpack/reader.h"
+#include "core/byte_reader.h"
 
 namespace marrow {
 
@@ -12,7 +12,7 @@ bool draco_claims_more(Span<const std::byte> bytes, std::uint64_t points, std::u
   if (byte(5) != 2 || byte(6) != 2 || (byte(10) & kMetadata) != 0) return false;
   const bool edgebreaker = byte(8) == kEdgebreaker;
   const std::size_t start = edgebreaker ? kHeaderSize + 1 : kHeaderSize;
-  Reader reader(bytes.data + start, bytes.size - start);
+  ByteReader reader(bytes.data + start, bytes.size - start);
   const std::uint64_t first = reader.take_varint(), second = reader.take_varint();
   // Edgebreaker counts vertices, of which attribute seams make more points.
   return reader.failed() || (edgebreaker ? first : second) > points || (edgebreaker ? second : first) > faces;

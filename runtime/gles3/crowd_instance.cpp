@@ -11,10 +11,6 @@ constexpr double kTicksPerSecond = 16384;
 constexpr double kFarthestTime = 0x1p40;
 constexpr std::int64_t kWhole = std::int64_t{1} << 48;  // of a clip, in units of a rate
 
-bool is_finite(double x) {
-  return x - x == 0;
-}
-
 std::int64_t rounded(double x) {
   return static_cast<std::int64_t>(x < 0 ? x - 0.5 : x + 0.5);
 }

@@ -122,11 +122,11 @@ void next_generation(Population& p, float tolerance) {
   sort(p.poses);
 }
 
-IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const IkOptions& options, IkScratch& scratch) {
+IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const IkOptions& options, Memory& scratch) {
   Population p{set_up(tree, scratch), Chance(options.seed), {}, {}};
   for (std::size_t i = 0; i < kPoses; ++i) {
-    p.poses[i].rotations = scratch.take<Rotation>(tree.nodes.size);
-    p.next[i].rotations = scratch.take<Rotation>(tree.nodes.size);
+    p.poses[i].rotations = scratch.take<Rotation>(tree.nodes.size).data;
+    p.next[i].rotations = scratch.take<Rotation>(tree.nodes.size).data;
   }
   take(tree, p.poses[0]);
   IkReport report;
@@ -147,10 +147,10 @@ IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const Ik
 std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
   IkOptions options;
   options.method = IkMethod::ccd;
-  IkScratch poses;
+  Memory poses;
   for (std::size_t i = 0; i < 2 * kPoses; ++i) poses.take<Rotation>(problem.joints.size);
   const std::size_t tree = ik_scratch_bytes(skeleton, problem, options);
-  return tree > 0 ? tree + poses.used : 0;
+  return tree > 0 ? tree + poses.whole() : 0;
 }
 
 Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,

@@ -165,17 +165,17 @@ void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options,
 }  // namespace
 
 std::size_t heuristic_scratch_bytes(const IkProblem& problem) {
-  IkScratch count;
+  Memory count;
   count.take<IkPart>(problem.joints.size + problem.goals.size);
   count.take<IkAim>(problem.goals.size);
-  return count.used;
+  return count.whole();
 }
 
-IkHeuristic set_up(IkTree& tree, IkScratch& scratch) {
+IkHeuristic set_up(IkTree& tree, Memory& scratch) {
   IkHeuristic h;
   h.tree = &tree;
-  h.parts = scratch.take<IkPart>(tree.nodes.size + tree.ends.size);
-  h.aims = scratch.take<IkAim>(tree.ends.size);
+  h.parts = scratch.take<IkPart>(tree.nodes.size + tree.ends.size).data;
+  h.aims = scratch.take<IkAim>(tree.ends.size).data;
   for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.parts[i] = {};
   update_parts(h);
   for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.size_m += h.parts[i].length;
@@ -187,7 +187,7 @@ IkHeuristic set_up(IkTree& tree, IkScratch& scratch) {
 }
 
 IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                         IkScratch& scratch) {
+                         Memory& scratch) {
   IkHeuristic h = set_up(tree, scratch);
   const float beyond = h.chain ? approach(h, options) : 0.0f;
   IkReport report;

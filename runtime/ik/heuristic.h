@@ -47,7 +47,7 @@ inline Vector3 along(const Vector3& v, float length) {
 }
 
 // Takes its memory, in which the tree's positions, lengths and weights are then.
-IkHeuristic set_up(IkTree& tree, IkScratch& scratch);
+IkHeuristic set_up(IkTree& tree, Memory& scratch);
 
 // A sum of turns: quaternions that are not of unit length weigh as they are long.
 struct TurnSum {

@@ -202,13 +202,13 @@ bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axi
 }  // namespace
 
 std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  IkScratch count;
+  Memory count;
   place_system(skeleton, problem, count);
-  return count.used;
+  return count.whole();
 }
 
 IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                        IkScratch& scratch) {
+                        Memory& scratch) {
   IkSystem s = place_system(skeleton, problem, scratch);
   set_tasks(tree, problem, s);
   const bool newton = options.method == IkMethod::gauss_newton;

@@ -54,9 +54,9 @@ bool is_jacobian(IkMethod method) {
 }
 
 std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  IkScratch count;
+  Memory count;
   place_tree(skeleton, problem, count);
-  return count.used + 15;
+  return count.whole() + 15;
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform
   if (const BadCall bad = check_problem(skeleton, problem)) return bad;
   if (const BadCall bad = check_options(options)) return bad;
   MARROW_CHECK(scratch.size >= scratch_bytes);
-  IkScratch memory{block_in(scratch).data};
+  Memory memory{block_in(scratch).data};
   IkTree tree;
   const IkTreeMemory placed = place_tree(skeleton, problem, memory);
   if (const BadCall bad = build_tree(skeleton, local, scene_from_joint, problem, placed, tree)) return bad;

@@ -94,7 +94,7 @@ void solve_level(IkSystem& s, std::size_t first, std::size_t end, float damping,
 
 }  // namespace
 
-IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch) {
+IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch) {
   std::size_t entries = 0, tasks = 0;
   for (const IkGoal& goal : problem.goals) {
     std::size_t depth = 1;  // the travel
@@ -105,15 +105,15 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, IkScra
   IkSystem s = {};
   s.rows = 3 * tasks;
   const std::size_t stride = dense_stride(s.rows), moves = (problem.joints.size + 1 + 3) / 4 * 4;
-  s.tasks.data = scratch.take<IkTask>(tasks);
-  s.entries = scratch.take<IkEntry>(entries);
-  s.moves = {scratch.take<IkMove>(moves), moves};
-  s.error = scratch.take<float>(stride);
-  s.rest = scratch.take<float>(stride);
-  s.x = scratch.take<float>(stride);
-  s.sum = scratch.take<float>(stride);
-  s.a = scratch.take<float>(s.rows * stride);
-  s.work = scratch.take<float>(s.rows * stride);
+  s.tasks.data = scratch.take<IkTask>(tasks).data;
+  s.entries = scratch.take<IkEntry>(entries).data;
+  s.moves = {scratch.take<IkMove>(moves).data, moves};
+  s.error = scratch.take<float>(stride).data;
+  s.rest = scratch.take<float>(stride).data;
+  s.x = scratch.take<float>(stride).data;
+  s.sum = scratch.take<float>(stride).data;
+  s.a = scratch.take<float>(s.rows * stride).data;
+  s.work = scratch.take<float>(s.rows * stride).data;
   return s;
 }
 

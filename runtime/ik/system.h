@@ -55,7 +55,7 @@ struct IkSystem {
 };
 
 // The room for it. Without memory it only counts, and the pointers mean nothing.
-IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch);
+IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
 
 // Tasks and their paths.
 void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& system);

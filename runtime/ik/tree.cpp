@@ -73,11 +73,11 @@ void stretch_bones(const Skeleton& skeleton, const IkTree& tree, float factor, S
 
 }  // namespace
 
-IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch) {
+IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch) {
   IkTreeMemory m;
-  m.nodes = scratch.take<IkNode>(problem.joints.size);
-  m.ends = scratch.take<IkEnd>(problem.goals.size);
-  m.node_of = scratch.take<std::uint16_t>(skeleton.joint_count);
+  m.nodes = scratch.take<IkNode>(problem.joints.size).data;
+  m.ends = scratch.take<IkEnd>(problem.goals.size).data;
+  m.node_of = scratch.take<std::uint16_t>(skeleton.joint_count).data;
   return m;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/check.h"
+#include "core/memory.h"
 #include "marrow/ik_solve.h"
 #include "math/columns.h"
 
@@ -44,27 +45,13 @@ struct IkTree {
   float stretch = 1;   // of the bones below node 0, of a tree with one end
 };
 
-// Hands out scratch memory piece by piece; without memory it only counts.
-struct IkScratch {
-  std::byte* memory = nullptr;
-  std::size_t used = 0;
-
-  template <class T>
-  T* take(std::size_t count) {
-    static_assert(alignof(T) <= 16);
-    std::byte* const at = memory == nullptr ? nullptr : memory + used;
-    used += (count * sizeof(T) + 15) / 16 * 16;
-    return reinterpret_cast<T*>(at);
-  }
-};
-
 // Room for the tree; the same calls with and without memory.
 struct IkTreeMemory {
   IkNode* nodes;
   IkEnd* ends;
   std::uint16_t* node_of;  // of each of the skeleton's joints: its node or kNoParent
 };
-IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, IkScratch& scratch);
+IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
 
 // Of a checked problem, frames and all. Bad if a goal hangs on no joint that turns, or the pose is not finite.
 BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
@@ -92,11 +79,11 @@ Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Sp
 
 // A method: changes rotations and frames of the tree. It takes what memory it needs of `scratch`.
 using IkSolver = IkReport (*)(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem,
-                              const IkOptions& options, IkScratch& scratch);
+                              const IkOptions& options, Memory& scratch);
 IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                        IkScratch& scratch);
+                        Memory& scratch);
 IkReport solve_heuristic(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                         IkScratch& scratch);
+                         Memory& scratch);
 std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
 std::size_t heuristic_scratch_bytes(const IkProblem& problem);
 

@@ -3,7 +3,7 @@
 
 #include <meshoptimizer.h>
 
-#include "unpack/reader.h"
+#include "core/byte_reader.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -25,7 +25,7 @@ void spread(const Stream& s, std::uint32_t vertex_count) {
 }
 
 Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
-  Reader reader(bytes.data, bytes.size);
+  ByteReader reader(bytes.data, bytes.size);
   const auto take = [&] {
     const Span<const std::byte> part = reader.take_bytes(reader.take_varint());
     return Span<const unsigned char>(reinterpret_cast<const unsigned char*>(part.data), part.size);

@@ -47,13 +47,13 @@ std::uint32_t influence_count(const MeshStreams& mesh, std::uint32_t vertex) {
   return joint_lists(mesh).count(vertex);
 }
 
-bool arrange(const MeshStreams& mesh, Arena& scratch, Arrangement& out) {
+bool arrange(const MeshStreams& mesh, Memory& scratch, Arrangement& out) {
   const std::uint32_t count = mesh.vertex_count;
-  out.order = scratch.take<std::uint32_t>(count);
-  out.slot_of_vertex = scratch.take<std::uint32_t>(count);
-  std::uint32_t* const first_use = scratch.take<std::uint32_t>(count);
-  std::uint64_t* const keys = scratch.take<std::uint64_t>(count);
-  if (scratch.failed()) return false;
+  out.order = scratch.take<std::uint32_t>(count).data;
+  out.slot_of_vertex = scratch.take<std::uint32_t>(count).data;
+  std::uint32_t* const first_use = scratch.take<std::uint32_t>(count).data;
+  std::uint64_t* const keys = scratch.take<std::uint64_t>(count).data;
+  if (scratch.failed) return false;
   const JointLists joints = joint_lists(mesh);
   for (std::uint32_t v = 0; v < count; ++v) {
     out.order[v] = v;

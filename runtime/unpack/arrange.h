@@ -1,7 +1,7 @@
 // Where each vertex of a mesh goes: grouped by joint set, four to a block.
 #pragma once
 
-#include "unpack/reader.h"
+#include "core/memory.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -23,6 +23,6 @@ std::uint32_t influence_count(const MeshStreams& mesh, std::uint32_t vertex);
 constexpr std::uint64_t arrange_scratch_bytes(std::uint64_t vertex_count) {
   return 3 * ((vertex_count * 4 + 15) / 16 * 16) + (vertex_count * 8 + 15) / 16 * 16;
 }
-bool arrange(const MeshStreams& mesh, Arena& scratch, Arrangement& out);
+bool arrange(const MeshStreams& mesh, Memory& scratch, Arrangement& out);
 
 }  // namespace marrow

@@ -13,7 +13,7 @@ void copy(Span<const std::byte> from, Span<std::byte> out, std::uint64_t offset)
 }
 
 // A u16 each, as varints; counts their bits.
-bool take_masks(Reader& reader, std::uint64_t groups, GroupMasks* masks, format::CodedHeader& h) {
+bool take_masks(ByteReader& reader, std::uint64_t groups, GroupMasks* masks, format::CodedHeader& h) {
   for (std::uint64_t g = 0; g < groups; ++g) {
     const std::uint32_t moving = reader.take_varint(), constant = reader.take_varint();
     if (moving > 0xFFFF || constant > 0xFFFF) return false;
@@ -25,7 +25,7 @@ bool take_masks(Reader& reader, std::uint64_t groups, GroupMasks* masks, format:
 }
 
 // From `start` on; what the reader has left.
-const char* unpack_coded(Reader& reader, std::uint32_t flags, std::uint32_t joint_count, std::uint64_t start,
+const char* unpack_coded(ByteReader& reader, std::uint32_t flags, std::uint32_t joint_count, std::uint64_t start,
                          Span<std::byte> out, std::uint32_t& bytes) {
   format::CodedHeader h{};
   h.frame_count = reader.take_varint();
@@ -60,7 +60,7 @@ const char* unpack_coded(Reader& reader, std::uint32_t flags, std::uint32_t join
 
 const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> out,
                         std::uint32_t& bytes, std::uint32_t& codec) {
-  Reader reader(record.data, record.size);
+  ByteReader reader(record.data, record.size);
   const std::uint32_t flags = reader.take<std::uint8_t>();
   if ((flags & ~std::uint32_t{packed::kAllClipFlags}) != 0) return "unknown clip flags";
   format::ClipHeader h{};

@@ -1,6 +1,7 @@
 #include "unpack/expand.h"
 
 #include <bit>
+#include <cstring>
 
 #include "unpack/arrange.h"
 #include "unpack/octahedron.h"
@@ -357,7 +358,7 @@ std::uint64_t expand_scratch_bytes(const MeshStreams& mesh) {
   return arrange_scratch_bytes(mesh.vertex_count);
 }
 
-const char* expand_geometry(const MeshStreams& mesh, Arena& scratch, Span<std::byte> out, std::uint32_t& bytes) {
+const char* expand_geometry(const MeshStreams& mesh, Memory& scratch, Span<std::byte> out, std::uint32_t& bytes) {
   if (const char* const rule = check(mesh)) return rule;
   Arrangement a;
   if (!arrange(mesh, scratch, a)) return "memory_bytes too small";

@@ -25,7 +25,7 @@ Stream& add(MeshStreams& mesh, StreamKind kind, std::uint32_t components, std::u
 }
 
 // bits, origin of `axes`, step.
-bool read_values(Reader& reader, std::uint32_t axes, Stream& s) {
+bool read_values(ByteReader& reader, std::uint32_t axes, Stream& s) {
   s.bits = reader.take<std::uint8_t>();
   bool sane = s.bits >= 1 && s.bits <= packed::kMaxValueBits;
   for (std::uint32_t c = 0; c < axes; ++c) {
@@ -36,13 +36,13 @@ bool read_values(Reader& reader, std::uint32_t axes, Stream& s) {
   return sane && is_sane(s.step);
 }
 
-bool read_bits(Reader& reader, std::uint32_t least, std::uint32_t most, Stream& s) {
+bool read_bits(ByteReader& reader, std::uint32_t least, std::uint32_t most, Stream& s) {
   s.bits = reader.take<std::uint8_t>();
   return s.bits >= least && s.bits <= most;
 }
 
 // u8 attributes; for each u8 bits, f32 step.
-bool read_target(Reader& reader, std::uint32_t target, MeshStreams& out) {
+bool read_target(ByteReader& reader, std::uint32_t target, MeshStreams& out) {
   const std::uint32_t attributes = reader.take<std::uint8_t>();
   const std::uint32_t allowed = kMorphsPositions | ((out.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
                                 ((out.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
@@ -58,7 +58,7 @@ bool read_target(Reader& reader, std::uint32_t target, MeshStreams& out) {
 }
 
 // u8 bits, f32 step, varint root; a stream an influence.
-bool read_multi_weights(Reader& reader, MeshStreams& out) {
+bool read_multi_weights(ByteReader& reader, MeshStreams& out) {
   Stream first;
   if (!read_values(reader, 0, first)) return false;
   out.mwe_root = reader.take_varint();
@@ -72,11 +72,11 @@ bool read_multi_weights(Reader& reader, MeshStreams& out) {
 
 // f32 sigma; a varint a palette entry: 0 without a parent, else 1 + which; then of each example u8 bits and, unless
 // they are 0, f32 step; and four i16 for each entry with a parent.
-bool read_pose_space(Reader& reader, Arena& arena, MeshStreams& out) {
+bool read_pose_space(ByteReader& reader, Memory& memory, MeshStreams& out) {
   const std::uint64_t joints = out.joint_count;
-  auto* const parents = arena.take<std::uint16_t>(joints);
-  auto* const rotations = arena.take<std::int16_t>(4 * joints * out.example_count);
-  if (arena.failed()) return false;
+  auto* const parents = memory.take<std::uint16_t>(joints).data;
+  auto* const rotations = memory.take<std::int16_t>(4 * joints * out.example_count).data;
+  if (memory.failed) return false;
   out.parents = parents;
   out.rotations = rotations;
   out.sigma = reader.take<float>();
@@ -107,7 +107,7 @@ bool read_pose_space(Reader& reader, Arena& arena, MeshStreams& out) {
 
 }  // namespace
 
-const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out) {
+const char* read_geometry_record(ByteReader& reader, Memory& memory, MeshStreams& out) {
   out = {};
   out.flags = reader.take_varint();
   out.vertex_count = reader.take_varint();
@@ -129,8 +129,8 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
     return "joint_count or influences out of range";
   if ((out.flags & format::kHasTangents) != 0 && (out.flags & format::kHasNormals) == 0)
     return "tangents without normals";
-  out.streams = arena.take<Stream>(geometry_stream_count(out.target_count, out.example_count));
-  if (arena.failed()) return "memory_bytes too small";
+  out.streams = memory.take<Stream>(geometry_stream_count(out.target_count, out.example_count)).data;
+  if (memory.failed) return "memory_bytes too small";
 
   const auto has = [&](std::uint32_t flag) { return (out.flags & flag) != 0; };
   bool sane = read_values(reader, 3, add(out, StreamKind::position, 3, 0));
@@ -163,8 +163,8 @@ const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out)
   for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(reader, t, out);
   // Multi-weights are coded behind targets.
   std::rotate(out.streams + before, out.streams + behind, out.streams + out.stream_count);
-  if (has_examples) sane = sane && read_pose_space(reader, arena, out);
-  if (arena.failed()) return "memory_bytes too small";
+  if (has_examples) sane = sane && read_pose_space(reader, memory, out);
+  if (memory.failed) return "memory_bytes too small";
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";
 }
 
@@ -182,20 +182,21 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
 
 const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                             Span<std::byte> out, std::uint32_t& bytes) {
-  Reader reader(record.data, record.size);
-  Arena arena(scratch.data, scratch.size);
+  ByteReader reader(record.data, record.size);
+  Memory memory{scratch.data, 0, scratch.size};
   MeshStreams mesh;
-  if (const char* const rule = read_geometry_record(reader, arena, mesh)) return rule;
-  mesh.indices = arena.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3);
+  if (const char* const rule = read_geometry_record(reader, memory, mesh)) return rule;
+  mesh.indices = memory.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3).data;
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
-    mesh.streams[i].values = arena.take<std::int32_t>(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components);
-  std::uint32_t* const source_map = arena.take<std::uint32_t>(mesh.source_vertex_count);
-  if (arena.failed()) return "memory_bytes too small";
+    mesh.streams[i].values =
+        memory.take<std::int32_t>(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components).data;
+  std::uint32_t* const source_map = memory.take<std::uint32_t>(mesh.source_vertex_count).data;
+  if (memory.failed) return "memory_bytes too small";
   for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i) source_map[i] = reader.take_varint();
   mesh.source_map = source_map;
   if (reader.failed()) return "a record that ends too soon";
   if (decoder.decode({reader.at(), reader.left()}, mesh) != Status::ok) return "damaged mesh data";
-  return expand_geometry(mesh, arena, out, bytes);
+  return expand_geometry(mesh, memory, out, bytes);
 }
 
 }  // namespace marrow

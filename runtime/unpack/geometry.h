@@ -1,8 +1,9 @@
 // A packed geometry: a short header, the numbers that undo quantisation, and what the codec made of the streams.
 #pragma once
 
+#include "core/byte_reader.h"
+#include "core/memory.h"
 #include "marrow/unpack.h"
-#include "unpack/reader.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -14,7 +15,7 @@ constexpr std::uint64_t geometry_stream_count(std::uint64_t target_count, std::u
 
 // Reads what stands in front of the codec's bytes; takes memory for the streams, whose arrays are left null. Returns
 // null, or the rule that is broken.
-const char* read_geometry_record(Reader& reader, Arena& arena, MeshStreams& out);
+const char* read_geometry_record(ByteReader& reader, Memory& memory, MeshStreams& out);
 
 // Bytes of scratch memory for the arrays of these streams and for expanding them.
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);

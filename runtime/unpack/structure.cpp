@@ -1,5 +1,6 @@
 #include "unpack/structure.h"
 
+#include "core/memory.h"
 #include "marrow/local_to_model.h"
 #include "math/affine.h"
 #include "unpack/rest.h"
@@ -14,19 +15,19 @@ T* at(Span<std::byte> section, std::uint64_t offset) {
   return reinterpret_cast<T*>(section.data + offset);
 }
 
-std::int32_t take_24_bits(Reader& reader) {
+std::int32_t take_24_bits(ByteReader& reader) {
   const std::uint32_t low = reader.take<std::uint16_t>(), high = reader.take<std::uint8_t>();
   return static_cast<std::int32_t>((high << 16 | low) << 8) >> 8;
 }
 
 // 0: the next new name; else an offset, plus one.
-std::uint32_t take_name(Reader& reader, NameReader& names) {
+std::uint32_t take_name(ByteReader& reader, NameReader& names) {
   const std::uint32_t code = reader.take_varint();
   return code == 0 ? names.next() : code - 1;
 }
 
 // What is not said is the identity's.
-void take_joint(Reader& reader, std::uint32_t flags, std::int32_t exponent, std::size_t lane, SoaTransform& four) {
+void take_joint(ByteReader& reader, std::uint32_t flags, std::int32_t exponent, std::size_t lane, SoaTransform& four) {
   for (std::uint32_t axis = 0; axis < 3; ++axis)
     if ((flags & packed::kJointTranslates << axis) != 0)
       four.translation[axis][lane] = decode_translation(take_24_bits(reader), exponent);
@@ -109,7 +110,7 @@ const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std:
 
 const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Span<std::byte> out,
                             std::uint32_t& bytes) {
-  Reader reader(record.data, record.size);
+  ByteReader reader(record.data, record.size);
   format::SkeletonHeader h{};
   h.name = take_name(reader, names);
   h.joint_count = reader.take_varint();
@@ -156,7 +157,7 @@ Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh) 
 
 const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
                         Span<std::byte> out, std::uint32_t& bytes) {
-  Reader reader(record.data, record.size);
+  ByteReader reader(record.data, record.size);
   const std::uint32_t flags = reader.take_varint();
   format::MeshHeader h{};
   h.flags = static_cast<std::uint8_t>(((flags & packed::kMeshIsDoubleSided) != 0 ? format::kDoubleSided : 0u) |
@@ -180,8 +181,8 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   const format::MeshLayout l = layout(h);
   if (h.joint_count > kMaxJoints || half_joint_count > kMaxJoints || lod_count > 255 || l.bytes > out.size)
     return "file_bytes too small";
-  Arena arena(scratch.data, scratch.size);
-  Affine* const model = arena.take<Affine>(skeleton.joint_count);
+  Memory memory{scratch.data, 0, scratch.size};
+  Affine* const model = memory.take<Affine>(skeleton.joint_count).data;
   if (model == nullptr) return "memory_bytes too small";
   (void)local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, {model, skeleton.joint_count});
 

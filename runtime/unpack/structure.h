@@ -1,9 +1,9 @@
 // Skeletons, clips, meshes and names in packed files (docs/format.md, "Packed files") → their sections.
 #pragma once
 
+#include "core/byte_reader.h"
 #include "marrow/file.h"
 #include "unpack/packed.h"
-#include "unpack/reader.h"
 
 namespace marrow {
 
@@ -20,7 +20,7 @@ class NameReader {
   bool failed() const { return failed_ || reader_.failed(); }
 
  private:
-  Reader reader_;
+  ByteReader reader_;
   std::uint32_t pool_bytes_ = 0;
   std::uint32_t end_ = 1;  // behind the empty name
   bool failed_ = false;

@@ -36,7 +36,7 @@ struct Record {
   Span<const std::byte> bytes;
 };
 
-Record take_record(Reader& reader) {
+Record take_record(ByteReader& reader) {
   Record r;
   r.kind = reader.take<std::uint8_t>();
   r.codec = reader.take<std::uint8_t>();
@@ -45,7 +45,7 @@ Record take_record(Reader& reader) {
 }
 
 // The last record's bytes if they are compact names, else none.
-Span<const std::byte> find_names(Reader reader, std::uint32_t record_count) {
+Span<const std::byte> find_names(ByteReader reader, std::uint32_t record_count) {
   Record last;
   for (std::uint32_t i = 0; i < record_count && !reader.failed(); ++i) last = take_record(reader);
   return last.kind == format::kNames && last.codec == packed::kCompact ? last.bytes : Span<const std::byte>();
@@ -179,7 +179,7 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
     (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
   MARROW_REQUIRE(memory.size >= h.memory_bytes);
   MARROW_REQUIRE(is_on_boundary(memory.data));
-  Reader reader(packed.data + sizeof h, packed.size - sizeof h);
+  ByteReader reader(packed.data + sizeof h, packed.size - sizeof h);
   Unpacker unpacker(h, decoders, NameReader(find_names(reader, h.record_count)), memory);
   if (format::align16(h.file_bytes) > h.memory_bytes || !unpacker.begin())
     return fail(error, Status::bad_data, 12, "file_bytes or memory_bytes out of range");

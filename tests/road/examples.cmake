@@ -1,10 +1,10 @@
 # The programs in examples do what they say with the sample, and the documents show them as they are built.
 function(expect_shown document program)
   file(READ ${SOURCE}/${document} text)
-  file(READ ${SOURCE}/examples/${program} wanted)
+  file(READ ${SOURCE}/tests/examples/${program} wanted)
   string(FIND "${text}" "```cpp\n${wanted}```" found)
   if(found EQUAL -1)
-    message(FATAL_ERROR "${program} in ${document} differs from examples/${program}")
+    message(FATAL_ERROR "${program} in ${document} differs from tests/examples/${program}")
   endif()
 endfunction()
 

@@ -1,10 +1,10 @@
 #include "common/unpack_mrw.h"
 
 #include "common/failure.h"
+#include "core/byte_reader.h"
 #include "marrow/draco.h"
 #include "marrow/meshopt.h"
 #include "unpack/packed.h"
-#include "unpack/reader.h"
 
 namespace marrow::tools {
 
@@ -31,7 +31,7 @@ AlignedBytes unpacked(std::span<const std::byte> packed, const std::string& path
 
 std::vector<File::Section> records_of(std::span<const std::byte> packed) {
   std::vector<File::Section> out;
-  Reader reader(packed.data() + sizeof(packed::Header), packed.size() - sizeof(packed::Header));
+  ByteReader reader(packed.data() + sizeof(packed::Header), packed.size() - sizeof(packed::Header));
   while (reader.left() > 0) {
     const auto kind = reader.take<std::uint8_t>();
     const auto codec = reader.take<std::uint8_t>();

@@ -30,9 +30,9 @@ tools::AlignedBytes expand(OwnedStreams& streams) {
   if (mesh.find(StreamKind::multi_weight) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 192 * mesh.influences;
   if (mesh.find(StreamKind::residual) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 64 * mesh.influences;
   tools::AlignedBytes section(bound);
-  Arena arena(scratch.data(), scratch.size());
+  Memory memory{scratch.data(), 0, scratch.size()};
   std::uint32_t bytes = 0;
-  if (const char* const rule = expand_geometry(mesh, arena, {section.data(), section.size()}, bytes))
+  if (const char* const rule = expand_geometry(mesh, memory, {section.data(), section.size()}, bytes))
     throw tools::Failure(tools::Exit::internal, "", "", "geometry", rule);
   return tools::AlignedBytes(std::span<const std::byte>(section.data(), bytes));
 }

@@ -15,9 +15,9 @@ namespace {
 void arrange_vertices(OwnedStreams& s) {
   const MeshStreams view = s.view();
   std::vector<std::byte> memory(arrange_scratch_bytes(view.vertex_count));
-  Arena arena(memory.data(), memory.size());
+  Memory scratch{memory.data(), 0, memory.size()};
   Arrangement a;
-  if (!arrange(view, arena, a)) throw tools::Failure(tools::Exit::internal, "", "", "arrange", "not enough memory");
+  if (!arrange(view, scratch, a)) throw tools::Failure(tools::Exit::internal, "", "", "arrange", "not enough memory");
   std::vector<std::uint32_t> place(view.vertex_count);
   for (std::uint32_t i = 0; i < view.vertex_count; ++i) place[a.order[i]] = i;
   for (std::size_t i = 0; i < s.streams.size(); ++i) {

@@ -36,12 +36,10 @@ int main(int argc, char** argv) {
 
   for (int frame = 0; frame < 60; ++frame) {  // nothing here allocates
     if (advance(playback, walk->duration_s, 1.0f / 60) != marrow::Status::ok) return 1;
-    const marrow::AnimationLayer layer{walk, clip_time(playback)};
-    if (pose_character(character, {&layer, 1}) != marrow::Status::ok) return 1;
+    if (pose_character(character, {{walk, clip_time(playback)}}) != marrow::Status::ok) return 1;
     // Here the game reaches, looks, places feet.
     if (finish_character(character) != marrow::Status::ok ||
-        skin_ssd(body.mesh, body.palette, {.positions = positions, .normals = {}, .tangents = {}}) !=
-            marrow::Status::ok)
+        skin_ssd(body.mesh, body.palette, {.positions = positions}) != marrow::Status::ok)
       return 1;
   }
   std::printf("%s: vertex 0 at %g %g %g m\n", body.mesh.name, double(positions[0]), double(positions[1]),

@@ -26,20 +26,12 @@ marrow::FootGround ground_below(const float (&sole)[3]) {
   return {true, {x, height(x, z), z}, {-slope_x, 1, -slope_z}};
 }
 
-std::uint32_t joint_of(const marrow::File& file, const std::string& name) {
-  const marrow::Skeleton skeleton = file.skeleton(0);
-  std::uint32_t joint = 0;
-  while (joint < skeleton.joint_count && file.text(skeleton.names[joint]) != name) ++joint;
-  return joint;
-}
-
 marrow::Status move(Walker& w, const marrow::Animation& idle, const marrow::Animation& walk, float walking,
                     const marrow::Feet& feet, float dt_s) {
   marrow::Status status = advance(w.idle, idle.duration_s, dt_s);
   if (status == marrow::Status::ok) status = advance(w.walk, walk.duration_s, dt_s);
-  const marrow::AnimationLayer layers[] = {{&idle, clip_time(w.idle), 1 - walking},
-                                           {&walk, clip_time(w.walk), walking}};
-  if (status == marrow::Status::ok) status = pose_character(w.body, {layers, 2});
+  if (status == marrow::Status::ok)
+    status = pose_character(w.body, {{&idle, clip_time(w.idle), 1 - walking}, {&walk, clip_time(w.walk), walking}});
 
   const marrow::CharacterSkeleton& s = w.body.skeletons[0];
   marrow::FeetFrame frame;
@@ -70,17 +62,18 @@ int main(int argc, char** argv) {
   const marrow::Animation* const walk = find_animation(animations, "walk");
   if (idle == nullptr || walk == nullptr) return 1;
 
+  const marrow::Skeleton skeleton = file.skeleton(0);
   marrow::Foot legs[2];
   for (int i = 0; i < 2; ++i) {
     const std::string side = i == 0 ? ".L" : ".R";
-    legs[i].hip = joint_of(file, "thigh" + side);
-    legs[i].knee = joint_of(file, "shin" + side);
-    legs[i].ankle = joint_of(file, "foot" + side);
+    legs[i].hip = file.find_joint(skeleton, ("thigh" + side).c_str());
+    legs[i].knee = file.find_joint(skeleton, ("shin" + side).c_str());
+    legs[i].ankle = file.find_joint(skeleton, ("foot" + side).c_str());
     legs[i].sole[1] = 0.12f;  // the ball of the foot
   }
   marrow::Feet feet;
-  feet.feet = {legs, 2};
-  feet.pelvis = joint_of(file, "pelvis");
+  feet.feet = legs;
+  feet.pelvis = file.find_joint(skeleton, "pelvis");
 
   std::vector<Walker> walkers(100);
   for (std::size_t i = 0; i < walkers.size(); ++i) {

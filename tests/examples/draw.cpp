@@ -116,9 +116,8 @@ int main(int argc, char** argv) {
       for (gles3::Skinner& skinner : actor.skinners)
         if (on_context_restored(window.gl, window.caps, skinner) != marrow::Status::ok) return 1;
     }
-    const marrow::AnimationLayer layer{walk, clip_time(playback)};
     if (advance(playback, walk->duration_s, 1.0f / 60) != marrow::Status::ok ||
-        pose_character(actor.body, {&layer, 1}) != marrow::Status::ok)
+        pose_character(actor.body, {{walk, clip_time(playback)}}) != marrow::Status::ok)
       return 1;
     window.clear();
     if (actor.draw(window.gl, programs) != marrow::Status::ok) return 1;

@@ -1,4 +1,4 @@
-// Reads bytes that nobody vouches for, and hands out memory that must suffice.
+// Reads bytes that nobody vouches for.
 #pragma once
 
 #include <cstring>
@@ -9,9 +9,9 @@
 namespace marrow {
 
 // Past the end everything reads as zero and `failed` stays set.
-class Reader {
+class ByteReader {
  public:
-  Reader(const std::byte* first, std::size_t bytes) : at_(first), left_(bytes) {}
+  ByteReader(const std::byte* first, std::size_t bytes) : at_(first), left_(bytes) {}
 
   template <class T>
   T take() {
@@ -64,31 +64,6 @@ class Reader {
     failed_ = true;
   }
   const std::byte* at_;
-  std::size_t left_;
-  bool failed_ = false;
-};
-
-// Hands out arrays from the caller's memory, 16-byte aligned; null once there is not enough.
-class Arena {
- public:
-  Arena(std::byte* first, std::size_t bytes) : at_(first), left_(bytes) {}
-
-  template <class T>
-  T* take(std::uint64_t count) {
-    const std::uint64_t bytes = (count * sizeof(T) + 15) & ~std::uint64_t{15};  // counts have 36 bits at most
-    if (bytes > left_) {
-      failed_ = true;
-      return nullptr;
-    }
-    T* const taken = reinterpret_cast<T*>(at_);
-    at_ += bytes;
-    left_ -= static_cast<std::size_t>(bytes);
-    return taken;
-  }
-  bool failed() const { return failed_; }
-
- private:
-  std::byte* at_;
   std::size_t left_;
   bool failed_ = false;
 };
