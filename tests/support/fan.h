@@ -128,10 +128,10 @@ inline void forge(std::vector<std::byte>& packed) {
   std::memcpy(packed.data() + 24, &sum, sizeof sum);
 }
 
-using Memory = std::unique_ptr<AlignedBlock>;
+using Unpacked = std::unique_ptr<AlignedBlock>;
 
 // Unpacks and loads; memory is no larger than asked for.
-inline Status run(const std::vector<std::byte>& packed, Memory& memory, File& out, DataError& error) {
+inline Status run(const std::vector<std::byte>& packed, Unpacked& memory, File& out, DataError& error) {
   const AlignedBlock copy(packed.data(), packed.size());
   const Span<const std::byte> bytes(copy.data(), copy.size());
   UnpackSizes sizes;

@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 
 TEST(UnpackDeformers, GivesThemByHand) {
-  Memory memory;
+  Unpacked memory;
   File file;
   DataError error;
   ASSERT_EQ(run(packed_deformers(), memory, file, error), Status::ok) << error.rule << " @" << error.offset;
@@ -47,7 +47,7 @@ TEST(UnpackDeformers, GivesThemByHand) {
 
 // The plain file that it unpacks to, damaged in every byte: refused, or harmless all the way to the vertices.
 TEST(UnpackDeformers, DamagedOnesAreRefusedOrHarmless) {
-  Memory memory;
+  Unpacked memory;
   File file;
   DataError error;
   ASSERT_EQ(run(packed_deformers(), memory, file, error), Status::ok);
@@ -102,7 +102,7 @@ TEST(UnpackDeformers, RefusesWhatTheyMustNotBe) {
   for (const Case& c : cases) {
     std::vector<std::byte> record = good;
     record[c.offset] = static_cast<std::byte>(c.now);
-    Memory memory;
+    Unpacked memory;
     File file;
     DataError error;
     EXPECT_EQ(run(packed_deformers(record), memory, file, error), Status::bad_data) << c.rule;

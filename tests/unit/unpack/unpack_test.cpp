@@ -24,7 +24,7 @@ using namespace test;
 TEST(Unpack, GivesBlocksByHand) {
   const std::vector<std::byte> packed = packed_fan();
   ASSERT_TRUE(is_packed({packed.data(), packed.size()}));
-  Memory memory;
+  Unpacked memory;
   File file;
   DataError error;
   ASSERT_EQ(run(packed, memory, file, error), Status::ok) << error.rule << " @" << error.offset;
@@ -167,7 +167,7 @@ TEST(Unpack, RefusesWhatTheCodecMakesUp) {
   for (const Case& c : cases) {
     std::vector<std::byte> record = fan_record();
     record[c.from_end] = static_cast<std::byte>(c.now);
-    Memory memory;
+    Unpacked memory;
     File file;
     DataError error;
     EXPECT_EQ(run(packed_fan(record), memory, file, error), Status::bad_data) << c.rule;
@@ -179,12 +179,12 @@ TEST(Unpack, RefusesWhatTheCodecMakesUp) {
 
 TEST(Unpack, RefusesSizesThatDoNotFit) {
   for (const std::uint32_t extra : {1u, 16u, std::uint32_t(-16)}) {
-    Memory memory;
+    Unpacked memory;
     File file;
     DataError error;
     EXPECT_EQ(run(packed_fan(fan_record(), kPlain, extra), memory, file, error), Status::bad_data) << extra;
   }
-  Memory memory;
+  Unpacked memory;
   File file;
   DataError error;
   EXPECT_EQ(run(packed_fan(fan_record(), kPlain, 0, 1104), memory, file, error), Status::bad_data);
@@ -199,7 +199,7 @@ TEST_P(UnpackDamaged, EveryPrefixIsRefused) {
   std::size_t refused = 0;
   for (std::size_t size = 0; size < packed.size(); ++size) {
     std::vector<std::byte> prefix(packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(size));
-    Memory memory;
+    Unpacked memory;
     File file;
     DataError error;
     refused += run(prefix, memory, file, error) != Status::ok;
@@ -221,7 +221,7 @@ TEST_P(UnpackDamaged, EveryChangedByteIsRefusedOrHarmless) {
       std::vector<std::byte> changed = packed;
       if (changed[i] == static_cast<std::byte>(now)) continue;
       changed[i] = static_cast<std::byte>(now);
-      Memory memory;
+      Unpacked memory;
       File file;
       DataError error;
       ++changes;
