@@ -5,8 +5,8 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_morphs_test.cpp
-  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp)
-target_link_libraries(marrow_input_tests PRIVATE marrow_cook draco::draco)
+  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/settings_test.cpp)
+target_link_libraries(marrow_input_tests PRIVATE marrow_options marrow_goldens draco::draco)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/keep_test.cpp
@@ -22,18 +22,11 @@ foreach(target marrow_input_tests marrow_cook_tests)
   target_compile_options(${target} PRIVATE -O0)
   set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endforeach()
-marrow_embed(marrow_cook_tests tiny_v1 golden/tiny_v1.mrw)
-marrow_embed(marrow_cook_tests dance_v1 golden/dance_v1.mrw)
-marrow_embed(marrow_cook_tests face_v1 golden/face_v1.mrw)
-marrow_embed(marrow_cook_tests pack_v1 golden/pack_v1.mrw)
-marrow_embed(marrow_cook_tests looks_v1 golden/looks_v1.mrw)
-marrow_embed(marrow_cook_tests stride_v1 golden/stride_v1.mrw)
-marrow_embed(marrow_cook_tests lod_v1 golden/lod_v1.mrw)
-marrow_embed(marrow_cook_tests limits_v1 golden/limits_v1.mrw)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_options marrow_deform marrow_export marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
-marrow_test(marrow_workflow_tests workflow unit/cook/settings_test.cpp unit/cook/workflow_test.cpp)
+marrow_test(marrow_workflow_tests workflow unit/cook/workflow_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook_command marrow_sample)
 if(MARROW_SANITIZE)
   set_tests_properties(workflow PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*")
@@ -86,8 +79,8 @@ add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRE
   ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf ${CMAKE_CURRENT_SOURCE_DIR}/golden/looks.gltf
   ${CMAKE_CURRENT_SOURCE_DIR}/golden/limits.gltf)
 set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
-add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_input_tests marrow_workflow_tests)
-set_property(TEST fuzz.gltf input workflow APPEND PROPERTY LABELS hostile)
+add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_input_tests)
+set_property(TEST fuzz.gltf input APPEND PROPERTY LABELS hostile)
 
 # A JSON library costs seconds in every file that includes it.
 set_target_properties(marrow_input_tests marrow_cook_tests marrow_cli_tests marrow_workflow_tests marrow_road_tests
