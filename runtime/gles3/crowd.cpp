@@ -67,11 +67,9 @@ void bind_textures(const Api& api, const Program& program, std::uint32_t palette
   if (program.instances >= 0) api.Uniform1i(program.instances, static_cast<int>(unit + 1));
 }
 
-// What the mesh needs is no choice.
-ProgramKey drawing_key(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features) {
-  int read = mesh.gpu.features & (features | kSurfaceNormals);
-  if (deformer != Deformer::as) read &= ~kSurfaceNormals;
-  return {deformer, mesh.gpu.influences, static_cast<std::uint8_t>(read), Palettes::crowd};
+ProgramKey drawing_key(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features, const ProgramSet& programs,
+                       std::uint32_t role) {
+  return {deformer, mesh.gpu.influences, features_read(programs, role, mesh.gpu, deformer, features), Palettes::crowd};
 }
 
 }  // namespace
@@ -138,13 +136,13 @@ Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& m
   MARROW_REQUIRE(programs.role_count > 0 && programs.role_count <= kMostRoles);
   Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
   for (std::uint32_t role = 0; role < programs.role_count && status == Status::ok; ++role)
-    status = need_program(api, caps, programs, drawing_key(mesh, deformer, features), role);
+    status = need_program(api, caps, programs, drawing_key(mesh, deformer, features, programs, role), role);
   return status;
 }
 
 const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
                                 const ProgramSet& programs, std::uint32_t role) {
-  return program_or_none(find_program(programs, drawing_key(mesh, deformer, features), role));
+  return program_or_none(find_program(programs, drawing_key(mesh, deformer, features, programs, role), role));
 }
 
 const Program& blending_program_of(const ProgramSet& programs) {

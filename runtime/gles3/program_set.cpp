@@ -29,6 +29,14 @@ const Program* find_program(const ProgramSet& programs, const ProgramKey& key, s
   return nullptr;
 }
 
+std::uint8_t features_read(const ProgramSet& programs, std::uint32_t role, const GpuMesh& mesh, Deformer deformer,
+                           std::uint8_t wanted) {
+  int features = mesh.features & wanted & programs.role_features[role] & ~kSurfaceNormals;
+  features |= mesh.features & kMorphs;
+  if (deformer == Deformer::as && (features & (kNormals | kTangents)) != 0) features |= mesh.features & kSurfaceNormals;
+  return static_cast<std::uint8_t>(features);
+}
+
 Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
   if (find_program(programs, key, role) != nullptr) return Status::ok;
   if (programs.count == kMostPrograms) return Status::unsupported;

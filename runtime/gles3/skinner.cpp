@@ -44,26 +44,20 @@ void lay_out(Memory& memory, Skinner& s, Span<std::byte>& morphed) {
   morphed = memory.take<std::byte>(morphed_bytes(g));
 }
 
-ProgramKey skinning_key(const Skinner& s) {
-  int features = s.gpu.features & s.options.features;
-  // What the mesh needs is no choice.
-  features |= s.gpu.features & (kMorphs | kSurfaceNormals);
-  if (s.options.deformer != Deformer::as) features &= ~kSurfaceNormals;
+ProgramKey drawing_key(const Skinner& s, const ProgramSet& programs, std::uint32_t role) {
+  const std::uint8_t features = features_read(programs, role, s.gpu, s.options.deformer, s.options.features);
+  if (skins_once(s.options.path))
+    return {Deformer::none, 4, static_cast<std::uint8_t>(features & ~(kMorphs | kSurfaceNormals)),
+            Palettes::uniform_block};
   const Palettes palettes = s.options.path == SkinningPath::texture ? Palettes::texture : Palettes::uniform_block;
-  return {s.options.deformer, s.gpu.influences, static_cast<std::uint8_t>(features), palettes};
+  return {s.options.deformer, s.gpu.influences, features, palettes};
 }
 
-ProgramKey drawing_key(const Skinner& s) {
-  if (!skins_once(s.options.path)) return skinning_key(s);
-  const int features = s.gpu.features & s.options.features & (kNormals | kTangents | kUvs | kColours);
-  return {Deformer::none, 4, static_cast<std::uint8_t>(features), Palettes::uniform_block};
-}
-
-// Pre-skinning fills all blocks that a SkinnedMesh has.
+// Pre-skinning fills all blocks that a SkinnedMesh has, whatever any role reads.
 ProgramKey preskin_key(const Skinner& s) {
-  ProgramKey key = skinning_key(s);
-  key.features |= s.gpu.features & (kNormals | kTangents);
-  return key;
+  int features = s.gpu.features & (kNormals | kTangents | kMorphs);
+  if (s.options.deformer == Deformer::as) features |= s.gpu.features & kSurfaceNormals;
+  return {s.options.deformer, s.gpu.influences, static_cast<std::uint8_t>(features), Palettes::uniform_block};
 }
 
 std::uint32_t preskin_role(SkinningPath path) {
@@ -72,7 +66,7 @@ std::uint32_t preskin_role(SkinningPath path) {
 
 Status build_programs(const Api& api, const Caps& caps, const Skinner& s, ProgramSet& programs) {
   for (std::uint32_t role = 0; role < programs.role_count; ++role) {
-    const Status status = need_program(api, caps, programs, drawing_key(s), role);
+    const Status status = need_program(api, caps, programs, drawing_key(s, programs, role), role);
     if (status != Status::ok) return status;
   }
   if (s.options.path != SkinningPath::feedback && s.options.path != SkinningPath::compute) return Status::ok;
@@ -258,7 +252,7 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
 }
 
 const Program& program_of(const Skinner& s, const ProgramSet& programs, std::uint32_t role) {
-  return program_or_none(find_program(programs, drawing_key(s), role));
+  return program_or_none(find_program(programs, drawing_key(s, programs, role), role));
 }
 
 Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program, std::uint32_t first,

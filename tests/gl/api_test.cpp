@@ -167,7 +167,8 @@ TEST(Api, APaletteTooShortIsRefused) {
   // Of a skinner; what was posed before is there still.
   gles3::ProgramSet programs;
   programs.roles[0] = feedback_source();
-  for (const gles3::SkinningPath path : {gles3::SkinningPath::ubo, gles3::SkinningPath::texture, gles3::SkinningPath::feedback, gles3::SkinningPath::cpu}) {
+  for (const gles3::SkinningPath path : {gles3::SkinningPath::ubo, gles3::SkinningPath::texture,
+                                         gles3::SkinningPath::feedback, gles3::SkinningPath::cpu}) {
     gles3::SkinnerOptions options;
     options.path = path;
     std::vector<SoaTransform> memory;

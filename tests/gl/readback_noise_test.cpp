@@ -184,7 +184,8 @@ TEST(Noise, OneJointMoreGoesIntoATextureAlone) {
   std::uint32_t offset = 0;
   EXPECT_EQ(gles3::push_palette(gl(), ring, palette, offset), Status::bad_argument);
   gles3::destroy(gl(), ring);
-  for (const gles3::SkinningPath path : {gles3::SkinningPath::ubo, gles3::SkinningPath::texture, gles3::SkinningPath::cpu}) {
+  for (const gles3::SkinningPath path :
+       {gles3::SkinningPath::ubo, gles3::SkinningPath::texture, gles3::SkinningPath::cpu}) {
     gles3::ProgramSet programs;
     programs.roles[0] = {"void main() { gl_Position = vec4(marrow_skin().position, 1.0); }",
                          "precision highp float; out vec4 colour; void main() { colour = vec4(1.0); }",

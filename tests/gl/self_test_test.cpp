@@ -9,7 +9,8 @@ namespace {
 TEST(SelfTest, EveryPathIsUsableHere) {
   const Outcome all = run(faulty_api(gl()), gl().caps(), {});
   expect(all, 0, Verdict::usable, "this driver");
-  for (const SkinningPath path : {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute}) {
+  for (const SkinningPath path :
+       {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute}) {
     if (path == SkinningPath::compute && !gl().caps().compute) continue;
     // Something was compared, and the rounding of 16 bits is in it: half a step of a metre is 1.5e-5.
     EXPECT_GT(all.of(path).position_error, 1e-5f);

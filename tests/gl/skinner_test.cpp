@@ -11,6 +11,7 @@
 #include "gl/stage.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
+#include "pose/evaluate.h"
 #include "support/places.h"
 
 namespace marrow::test {
@@ -24,7 +25,8 @@ constexpr std::int64_t kLossesOfAPath = 4;
 constexpr std::int64_t kLossesOfAPath = 19;  // at least, if a frame has as many calls
 #endif
 constexpr std::uint32_t kCharacters = 3;
-constexpr SkinningPath kPaths[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute, SkinningPath::cpu};
+constexpr SkinningPath kPaths[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback,
+                                   SkinningPath::compute, SkinningPath::cpu};
 static_assert(std::size(kPaths) == gles3::kPathCount);
 
 // Colours by normal, so that pictures tell more than outlines. The camera looks along -z at a box of its own.
@@ -49,7 +51,7 @@ struct Scene {
   explicit Scene(const std::string& path) : model(cook_model(path)) {
     EXPECT_TRUE(model.has_value());
     for (std::uint32_t m = 0; m < model->file.mesh_count(); ++m)
-      if (model->file.mesh(m).geometry.slot_count > mesh.geometry.slot_count) mesh = model->file.mesh(m);
+      if (model->file.mesh(m).geometry.slot_count > mesh.geometry.slot_count) mesh = model->file.mesh(index = m);
     weights.assign(mesh.targets.size, 0.5f);
   }
   std::vector<Affine> joints(std::uint32_t character) const {
@@ -67,18 +69,21 @@ struct Scene {
   }
 
   std::optional<Model> model;
+  std::uint32_t index = 0;
   Mesh mesh;
   std::vector<float> weights;
 };
 
 struct Player {
   Player(const gles3::Api& api, const gles3::Caps& caps, const Scene& of, const gles3::SkinnerOptions& o)
-      : scene(of), options(o) {
+      : Player(of, o) {
+    status = create(api, caps);
+  }
+  Player(const Scene& of, const gles3::SkinnerOptions& o) : scene(of), options(o) {
     programs.roles[0] = {kVertex, kFragment, {}};
     programs.log = log;
     options.instances = kCharacters;
     memory.resize(gles3::skinner_bytes(scene.mesh, options) / sizeof(SoaTransform) + 1);
-    status = create(api, caps);
   }
   Status create(const gles3::Api& api, const gles3::Caps& caps) {
     return gles3::create_skinner(api, caps, scene.mesh, options, programs,
@@ -90,10 +95,10 @@ struct Player {
       EXPECT_EQ(gles3::pose(skinner, i, scene.joints(i), scene.weights), Status::ok);
   }
   // A frame: what a game does every time.
-  Status frame(const gles3::Api& api) {
+  Status frame(const gles3::Api& api, std::uint32_t role = 0) {
     const Status updated = gles3::update(api, skinner, programs, kCharacters);
     if (updated != Status::ok) return updated;
-    const gles3::Program& program = gles3::program_of(skinner, programs, 0);
+    const gles3::Program& program = gles3::program_of(skinner, programs, role);
     api.UseProgram(program.id);
     const Geometry& g = scene.mesh.geometry;
     const float width = 4 * (g.box_max[0] - g.box_min[0]);
@@ -180,13 +185,64 @@ TEST(Skinner, AFrameUploadsPalettesAlone) {
       const std::int64_t slots = scene.mesh.geometry.slot_count;
       EXPECT_EQ(driver().uploaded_bytes,
                 kCharacters * (way == SkinningPath::cpu ? slots * (scene.mesh.geometry.tangents != nullptr ? 40 : 24)
-                                                : std::int64_t{48} * scene.mesh.palette_size()));
+                                                        : std::int64_t{48} * scene.mesh.palette_size()));
       for (const char* const name : {"Gen", "Delete", "CreateShader", "CreateProgram", "CompileShader", "LinkProgram",
                                      "GetIntegerv", "GetProgramiv", "GetShaderiv", "GetString", "ObjectLabel"})
         EXPECT_EQ(driver().count[name], 0) << name << " on " << to_string(way);
       gles3::destroy(api, player.skinner);
       gles3::destroy(api, player.programs);
       EXPECT_EQ(driver().live, 0) << to_string(way);
+      ++paths;
+    }
+    EXPECT_GE(paths, 4);
+  });
+}
+
+// A shadow's outline is that of what casts it, though its programs read neither normals nor what only they need.
+TEST(Skinner, ARoleReadsWhatItSaysAndNoMore) {
+  on_a_thread([] {
+    const Stage stage;
+    const Scene scene(model_paths().front());
+    const std::vector<float> tangents = tools::tangents_of(scene.model->file, 0)[scene.index];
+    ASSERT_FALSE(tangents.empty());
+    constexpr const char* kPlain = R"(
+uniform vec4 from_scene;
+void main() { gl_Position = vec4((marrow_skin().position + from_scene.xyz) * from_scene.w, 1.0); }
+)";
+    constexpr const char* kWhite = "precision highp float;\nout vec4 colour;\nvoid main() { colour = vec4(1.0); }\n";
+    int paths = 0;
+    for (const SkinningPath way : kPaths) {
+      if (way == SkinningPath::compute && !stage.caps().compute) continue;
+      gles3::SkinnerOptions options{way, gles3::Deformer::as};
+      options.as_tangents = tangents;
+      Player player(scene, options);
+      player.programs.roles[1] = {kPlain, kWhite, {}};
+      player.programs.role_features[1] = 0;
+      player.programs.role_count = 2;
+      ASSERT_EQ(player.create(stage.real(), stage.caps()), Status::ok) << to_string(way) << player.log.data();
+      player.pose_all();
+      std::vector<std::uint8_t> pictures[2];
+      for (std::uint32_t role = 0; role < 2; ++role) {
+        stage.clear();
+        EXPECT_EQ(player.frame(stage.real(), role), Status::ok);
+        pictures[role] = stage.picture();
+      }
+      EXPECT_GT(covered(pictures[0]), 500u) << to_string(way);
+      for (std::size_t i = 3; i < pictures[0].size(); i += 4)
+        ASSERT_EQ(pictures[0][i], pictures[1][i]) << to_string(way);
+      for (std::uint32_t i = 0; i < player.programs.count; ++i) {
+        const gles3::ProgramSetEntry& entry = player.programs.entries[i];
+        if (entry.role == 1) {
+          EXPECT_EQ(entry.key.features, 0) << to_string(way);
+        }
+        const bool by_shader = way == SkinningPath::ubo || way == SkinningPath::texture;
+        if (entry.role == 0 && by_shader) {
+          EXPECT_NE(entry.key.features & gles3::kSurfaceNormals, 0) << to_string(way);
+        }
+      }
+      gles3::destroy(stage.real(), player.skinner);
+      gles3::destroy(stage.real(), player.programs);
+      EXPECT_EQ(stage.error(), 0u);
       ++paths;
     }
     EXPECT_GE(paths, 4);

@@ -119,7 +119,8 @@ TEST_F(Smoke, AMeshReadBackIsTheCpus) {
                        "precision highp float; out vec4 colour; void main() { colour = vec4(1.0); }",
                        {}};
   int paths = 0;
-  for (const gles3::SkinningPath path : {gles3::SkinningPath::feedback, gles3::SkinningPath::compute, gles3::SkinningPath::cpu}) {
+  for (const gles3::SkinningPath path :
+       {gles3::SkinningPath::feedback, gles3::SkinningPath::compute, gles3::SkinningPath::cpu}) {
     if (path == gles3::SkinningPath::compute && !caps_.compute) continue;
     gles3::SkinnerOptions options;
     options.path = path;

@@ -1,6 +1,5 @@
 #include "render/baked_play.h"
 
-
 #include "common/failure.h"
 #include "render/studio.h"
 
@@ -25,12 +24,9 @@ bool is_morphed(const Mesh& mesh, const Play& play, std::size_t first) {
 
 }  // namespace
 
-BakedPlay::BakedPlay(const Gl& gl, const std::string& path, const File& file, const Play& play, std::uint32_t level,
-                     const std::vector<std::vector<float>>& tangents)
-    : gl_(gl), reels_(file.skeleton_count()), meshes_(file.mesh_count()) {
-  std::vector<char> log(1024);
-  if (gles3::build_crowd_program(gl, program_, log) != Status::ok)
-    throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl.driver());
+BakedPlay::BakedPlay(const Gl& gl, const gles3::ProgramSet& programs, const std::string& path, const File& file,
+                     const Play& play, std::uint32_t level, const std::vector<std::vector<float>>& tangents)
+    : gl_(gl), programs_(programs), reels_(file.skeleton_count()), meshes_(file.mesh_count()) {
   std::size_t first_target = 0;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
     Mesh mesh = file.mesh(i, level);
@@ -56,7 +52,6 @@ BakedPlay::BakedPlay(const Gl& gl, const std::string& path, const File& file, co
 BakedPlay::~BakedPlay() {
   for (BakedMesh& mesh : meshes_) gles3::destroy(gl_, mesh.gpu);
   for (Reel& reel : reels_) gles3::destroy(gl_, reel.crowd);
-  gles3::destroy(gl_, program_);
 }
 
 // Without a clip the rest pose, twice, as a crowd always looks at two frames.
@@ -93,9 +88,10 @@ void BakedPlay::blend(float time_s) {
     instance.a = {0, time_s, 0, 0};
     check(gles3::set_instances(gl_, reel.crowd, reel.frames, 0, {&instance, 1}));
   }
-  gl_.UseProgram(program_.id);
+  const gles3::Program& program = gles3::blending_program_of(programs_);
+  gl_.UseProgram(program.id);
   for (const BakedMesh& mesh : meshes_)
-    check(gles3::blend_crowd(gl_, reels_[mesh.skeleton].crowd, mesh.gpu, 0, 1, 0, kPaletteUnit, program_));
+    check(gles3::blend_crowd(gl_, reels_[mesh.skeleton].crowd, mesh.gpu, 0, 1, 0, kPaletteUnit, program));
   gl_.UseProgram(0);
   gl_.check("blending a crowd");
 }

@@ -15,16 +15,16 @@ namespace marrow::tools {
 class BakedPlay {
  public:
   // Bakes at 30 Hz; skeletons that play nothing rest. tangents: of each mesh at this level, from as_tangents(), or
-  // empty. path: of `file`, for messages. `gl`, `file` and `tangents` outlive it. Throws Failure (unsupported): morph
-  // targets that the play moves, an additive clip, more frames than crowds have.
-  BakedPlay(const Gl& gl, const std::string& path, const File& file, const Play& play, std::uint32_t level,
-            const std::vector<std::vector<float>>& tangents);
+  // empty. path: of `file`, for messages. `gl`, `programs`, `file` and `tangents` outlive it. Throws Failure
+  // (unsupported): morph targets that the play moves, an additive clip, more frames than crowds have.
+  BakedPlay(const Gl& gl, const gles3::ProgramSet& programs, const std::string& path, const File& file,
+            const Play& play, std::uint32_t level, const std::vector<std::vector<float>>& tangents);
   ~BakedPlay();
   BakedPlay(const BakedPlay&) = delete;
   BakedPlay& operator=(const BakedPlay&) = delete;
 
-  // All palettes as they are at this moment of the play, before its start or after its end as there. Leaves GL as
-  // blend_crowd() does, at kPaletteUnit.
+  // Precondition: `programs` has those of crowds. All palettes as they are at this moment of the play, before its start
+  // or after its end as there. Leaves GL as blend_crowd() does, at kPaletteUnit.
   void blend(float time_s);
 
   // What bind_crowd() wants to draw a mesh: its instance 0.
@@ -49,7 +49,7 @@ class BakedPlay {
   void bake(const std::string& path, const Skeleton& skeleton, const Clip* clip, Reel& reel);
 
   const Gl& gl_;
-  gles3::Program program_;
+  const gles3::ProgramSet& programs_;
   std::vector<Reel> reels_;
   std::vector<BakedMesh> meshes_;
 };

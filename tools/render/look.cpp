@@ -45,7 +45,6 @@ std::string folder_of_images(const LookArguments& arguments) {
 
 std::vector<Drawable> drawables_of(const std::string& path, const File& file, const Character& character,
                                    Figure& figure, const Manner& manner, Shot& shot) {
-  shot.palettes = &figure.palettes();
   std::vector<PosedMesh> posed;
   if (manner.heat || manner.path == SkinPath::cpu || shot.box.empty())
     posed = skin_all(file, character, manner.heat ? manner.heat->first : manner.deformer);

@@ -42,12 +42,10 @@ const char* text(const unsigned char* embedded) {
   return reinterpret_cast<const char*>(embedded);
 }
 
-gles3::Program build(const Gl& gl, const gles3::ProgramKey& key, const unsigned char* vertex,
-                     const std::string& fragment) {
+gles3::Program build(const Gl& gl, std::uint8_t features, const gles3::ProgramSource& source) {
   gles3::Program program;
   std::array<char, 1024> log;
-  const gles3::ProgramSource source{text(vertex), fragment.c_str(), {}};
-  if (gles3::build_program(gl, key, source, kPaletteBinding, program, log) != Status::ok) {
+  if (gles3::build_program(gl, {gles3::Deformer::none, 4, features}, source, 0, program, log) != Status::ok) {
     throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl.driver());
   }
   return program;
@@ -87,9 +85,18 @@ Studio::Studio(const Gl& gl, int width, int height)
       sampled_framebuffer_(gl),
       resolved_framebuffer_(gl),
       no_vertices_(gl) {
-  const std::string fragment = std::string(text(embedded::shader_studio)) + text(embedded::shader_backdrop_frag);
-  backdrop_ = build(gl, {gles3::Deformer::none, 4, 0}, embedded::shader_backdrop_vert, fragment);
-  show_ = build(gl, {gles3::Deformer::none, 4, 0}, embedded::shader_backdrop_vert, text(embedded::shader_show_frag));
+  const std::string studio = text(embedded::shader_studio);
+  surface_text_ = studio + text(embedded::shader_surface_frag);
+  programs_.roles[kSurface] = {text(embedded::shader_surface_vert), surface_text_.c_str(), {}};
+  programs_.role_features[kSurface] = gles3::kNormals | gles3::kColours | gles3::kUvs;
+  programs_.roles[kDepth] = {text(embedded::shader_depth_vert), text(embedded::shader_depth_frag), {}};
+  programs_.role_features[kDepth] = gles3::kUvs;
+  programs_.role_count = 2;
+  programs_.log = log_;
+  const std::string backdrop = studio + text(embedded::shader_backdrop_frag);
+  const char* const whole = text(embedded::shader_backdrop_vert);
+  backdrop_ = build(gl, 0, {whole, backdrop.c_str(), {}});
+  show_ = build(gl, 0, {whole, text(embedded::shader_show_frag), {}});
   make_shadow_map(key_, kKeyMapSize);
   make_shadow_map(sky_, kSkyMapSize);
   make_targets();
@@ -133,7 +140,8 @@ void Studio::make_targets() {
 }
 
 Studio::~Studio() {
-  for (auto& [key, program] : programs_) gles3::destroy(gl_, program);
+  for (auto& [key, program] : plain_) gles3::destroy(gl_, program);
+  gles3::destroy(gl_, programs_);
   gles3::destroy(gl_, backdrop_);
   gles3::destroy(gl_, show_);
 }
@@ -154,54 +162,37 @@ void Studio::make_shadow_map(ShadowMap& map, int size) {
   }
 }
 
-const gles3::Program& Studio::program(Role role, const gles3::ProgramKey& key) {
-  std::uint64_t number = 0;
-  for (const int part : {static_cast<int>(role), static_cast<int>(key.palettes), static_cast<int>(key.deformer),
-                         int{key.influences}, int{key.features}})
-    number = number << 8 | static_cast<std::uint64_t>(part);
-  const auto found = programs_.find(number);
-  if (found != programs_.end()) return found->second;
-  const gles3::Program made =
-      role == Role::depth ? build(gl_, key, embedded::shader_depth_vert, text(embedded::shader_depth_frag))
-                          : build(gl_, key, embedded::shader_surface_vert,
-                                  std::string(text(embedded::shader_studio)) + text(embedded::shader_surface_frag));
-  return programs_.emplace(number, made).first->second;
+const gles3::Program& Studio::program(Role role, const Drawable& d) {
+  if (d.skinner != nullptr) return gles3::program_of(*d.skinner, programs_, role);
+  if (d.crowd != nullptr) return gles3::crowd_program_of(*d.crowd_mesh, d.crowd_deformer, d.features, programs_, role);
+  const auto features = static_cast<std::uint8_t>(d.features & programs_.role_features[role]);
+  const auto found = plain_.find({role, features});
+  if (found != plain_.end()) return found->second;
+  return plain_.emplace(std::pair(role, features), build(gl_, features, programs_.roles[role])).first->second;
 }
 
-void Studio::draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program) {
-  if (drawable.crowd != nullptr) {
-    if (gles3::bind_crowd(gl_, *drawable.crowd, *drawable.crowd_mesh, 0, 1, kPaletteUnit, program) != Status::ok)
-      throw Failure(Exit::internal, "marrow", "", "a crowd is refused", "please report this");
-  } else if (drawable.palette_texture != nullptr) {
-    if (gles3::bind_palette(gl_, *drawable.palette_texture, drawable.first_matrix, drawable.mesh.palette_size(),
-                            kPaletteUnit, program) != Status::ok)
-      throw Failure(Exit::internal, "marrow", "", "a palette is refused", "please report this");
-  } else if (drawable.program.deformer != gles3::Deformer::none) {
-    gles3::bind_palette(gl_, *shot.palettes, drawable.palette_offset, kPaletteBinding);
+void Studio::draw(const Drawable& d, const gles3::Program& program) {
+  if (d.skinner != nullptr) return check(gles3::draw(gl_, *d.skinner, programs_, program, 0, 1));
+  if (d.crowd != nullptr) {
+    check(gles3::bind_crowd(gl_, *d.crowd, *d.crowd_mesh, 0, 1, kPaletteUnit, program));
+    return check(gles3::draw(gl_, d.crowd_mesh->gpu, d.crowd_deformer, program, 1));
   }
-  if (program.coordinate_scale >= 0) gl_.Uniform1f(program.coordinate_scale, drawable.coordinate_scale);
-  if (!drawable.morph_weights.empty() &&
-      gles3::set_morphs(gl_, drawable.mesh, *drawable.gpu, drawable.morph_weights, kMorphUnit, program) != Status::ok)
-    throw Failure(Exit::internal, "marrow", "", "morph targets are refused", "please report this");
-  gl_.BindVertexArray(drawable.vertex_array);
-  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(drawable.index_count), drawable.index_type, nullptr);
+  gl_.BindVertexArray(d.vertex_array);
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(d.index_count), d.index_type, nullptr);
 }
 
-void Studio::draw_depth(const ShadowMap& map, const LightView& view, const Shot& shot,
-                        std::span<const Drawable> drawables) {
+void Studio::draw_depth(const ShadowMap& map, const LightView& view, std::span<const Drawable> drawables) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
   gl_.Viewport(0, 0, map.size, map.size);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   for (const Drawable& drawable : drawables) {
-    gles3::ProgramKey key = drawable.program;
-    const bool solid = drawable.look.alpha == AlphaMode::opaque;
-    key.features = static_cast<std::uint8_t>(key.features & (solid ? gles3::kMorphs : gles3::kMorphs | gles3::kUvs));
-    const gles3::Program& with = program(Role::depth, key);
+    const gles3::Program& with = program(kDepth, drawable);
     gl_.UseProgram(with.id);
-    set_surface(with.id, drawable, {drawable.look.alpha_cutoff, 2});  // blended surfaces have 0.5
+    const bool solid = drawable.look.alpha == AlphaMode::opaque;
+    set_surface(with.id, drawable, {solid ? -1 : drawable.look.alpha_cutoff, 2});  // blended surfaces have 0.5
     gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
                          glm::value_ptr(view.clip_from_scene));
-    draw(shot, drawable, with);
+    draw(drawable, with);
   }
 }
 
@@ -246,14 +237,14 @@ void Studio::set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_ra
 }
 
 void Studio::draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range) {
-  const gles3::Program& with = program(Role::surface, drawable.program);
+  const gles3::Program& with = program(kSurface, drawable);
   gl_.UseProgram(with.id);
   set_studio(with.id, shot);
   set_surface(with.id, drawable, alpha_range);
   gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
                        glm::value_ptr(shot.camera.clip_from_scene));
   gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), shot.shading);
-  draw(shot, drawable, with);
+  draw(drawable, with);
 }
 
 void Studio::draw_surfaces(const Shot& shot, std::span<const Drawable> drawables) {
@@ -293,8 +284,8 @@ void Studio::take(const Shot& shot, std::span<const Drawable> drawables) {
   shaded.add({shot.box.centre().x, shot.ground_height, shot.box.centre().z});
   key_view_ = frame_box(shaded, key_direction(shot), kPenumbra);
   sky_view_ = frame_box(shaded, kSkyDirection, kPenumbra);
-  draw_depth(key_, key_view_, shot, drawables);
-  draw_depth(sky_, sky_view_, shot, drawables);
+  draw_depth(key_, key_view_, drawables);
+  draw_depth(sky_, sky_view_, drawables);
 
   const std::array<std::pair<GLuint, GLuint>, 3> maps{
       {{key_.depth, compare_sampler_}, {key_.depth, depth_sampler_}, {sky_.depth, depth_sampler_}}};

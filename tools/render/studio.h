@@ -4,43 +4,39 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec4.hpp>
 
 #include "image/image.h"
 #include "marrow/gles3_crowd.h"
+#include "marrow/gles3_skinner.h"
 #include "render/camera.h"
 #include "render/gl.h"
 #include "render/textures.h"
 
 namespace marrow::tools {
 
-// One thing to draw: vertices on the GPU, and the palette that skins them if they are not skinned yet.
+// One thing to draw: what a skinner has updated, a crowd's first instance, or vertices that the CPU has skinned.
 struct Drawable {
+  const gles3::Skinner* skinner = nullptr;  // of one character
+  const gles3::Crowd* crowd = nullptr;
+  const gles3::CrowdMesh* crowd_mesh = nullptr;
+  gles3::Deformer crowd_deformer = gles3::Deformer::ssd;
+  // Of neither: at the locations of marrow/gles3.h.
   GLuint vertex_array = 0;
   GLuint index_count = 0;
   GLenum index_type = GL_UNSIGNED_SHORT;
-  gles3::ProgramKey program;
-  float coordinate_scale = 1;
-  std::uint32_t palette_offset = 0;                        // in the palette ring
-  const gles3::PaletteTexture* palette_texture = nullptr;  // of programs that read palettes from one
-  std::uint32_t first_matrix = 0;                          // in it
-  const gles3::Crowd* crowd = nullptr;                     // of programs that read palettes of crowds: instance 0
-  const gles3::CrowdMesh* crowd_mesh = nullptr;
-  glm::vec4 base_colour{1};  // linear
-  // Where the vertex shader morphs; empty otherwise.
-  std::vector<float> morph_weights;
-  Mesh mesh;
-  const gles3::GpuMesh* gpu = nullptr;
-  Look look;            // its texture is drawn where the program has kUvs
-  glm::vec3 centre{0};  // scene space; blended surfaces are drawn from the farthest on
+  std::uint8_t features = 0;  // what is read of the vertices
+  glm::vec4 base_colour{1};   // linear
+  Look look;                  // its texture is drawn where `features` has kUvs
+  glm::vec3 centre{0};        // scene space; blended surfaces are drawn from the farthest on
 };
 
-// Of uniform buffers and texture units: what skinning takes; crowds take the unit behind the palettes too.
-inline constexpr std::uint32_t kPaletteBinding = 0;
-inline constexpr std::uint32_t kMorphUnit = 4;
-inline constexpr std::uint32_t kPaletteUnit = 5;
+// The texture unit of palettes; morph targets and crowds take the one behind it.
+inline constexpr std::uint32_t kPaletteUnit = 4;
 
 struct Shot {
   Camera camera;
@@ -49,7 +45,6 @@ struct Shot {
   float ground_height = 0;
   float shading = 1;         // 1: lit; 0: colours as they are
   float light_turn_rad = 0;  // how far the lights have walked round the character
-  const gles3::PaletteRing* palettes = nullptr;
 };
 
 // The lower left part of a frame buffer, as sRGB.
@@ -65,6 +60,9 @@ class Studio {
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
 
+  // What skinners and crowds that it draws are created with; as long as the studio.
+  gles3::ProgramSet& programs() { return programs_; }
+
   Image shoot(const Shot& shot, std::span<const Drawable> drawables);
 
   // The same in two steps: the picture stays on the GPU until the next one is taken.
@@ -74,27 +72,30 @@ class Studio {
   void show(GLuint framebuffer, int x, int y, int width, int height);
 
  private:
-  enum class Role : std::uint8_t { surface, depth };
+  enum Role : std::uint32_t { kSurface, kDepth };
   struct ShadowMap {
     int size = 0;
     GlTexture depth;
     GlFramebuffer framebuffer;
   };
 
-  const gles3::Program& program(Role role, const gles3::ProgramKey& key);
+  const gles3::Program& program(Role role, const Drawable& drawable);
   void make_shadow_map(ShadowMap& map, int size);
-  void draw_depth(const ShadowMap& map, const LightView& view, const Shot& shot, std::span<const Drawable> drawables);
+  void draw_depth(const ShadowMap& map, const LightView& view, std::span<const Drawable> drawables);
   void draw_backdrop(const Shot& shot);
   void draw_surfaces(const Shot& shot, std::span<const Drawable> drawables);
   void draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range);
   void set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range);
-  void draw(const Shot& shot, const Drawable& drawable, const gles3::Program& program);
+  void draw(const Drawable& drawable, const gles3::Program& program);
   void set_studio(GLuint id, const Shot& shot);
   void make_targets();
 
   const Gl& gl_;
   int width_, height_;
-  std::map<std::uint64_t, gles3::Program> programs_;
+  std::string surface_text_;
+  std::vector<char> log_ = std::vector<char>(1024);
+  gles3::ProgramSet programs_;
+  std::map<std::pair<Role, std::uint8_t>, gles3::Program> plain_;  // of vertices that the CPU has skinned, by features
   gles3::Program backdrop_, show_;
   ShadowMap key_, sky_;
   LightView key_view_, sky_view_;

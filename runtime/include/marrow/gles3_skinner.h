@@ -38,11 +38,13 @@ struct ProgramSetEntry {
   Program program = {};
 };
 
-// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first four members.
+// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
 struct ProgramSet {
   // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
   ProgramSource roles[kMostRoles] = {{}, {}, {}, {}};
   std::uint32_t role_count = 1;
+  // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes.
+  std::uint8_t role_features[kMostRoles] = {255, 255, 255, 255};
   std::uint32_t palette_binding = 0;  // uniform buffer binding of the palettes
   Span<char> log = {};                // what the driver says of a text that does not compile
   ProgramSetEntry entries[kMostPrograms] = {};
@@ -57,7 +59,7 @@ struct SkinnerOptions {
   Deformer deformer = Deformer::ssd;  // rigid, ssd or as
   std::uint32_t instances = 1;        // characters, at most
   std::uint32_t texture_unit = 0;     // palettes in a texture; morph targets take the next one
-  std::uint8_t features = 255;        // what programs are to read of what the mesh has
+  std::uint8_t features = 255;        // what programs are to read of what the mesh has and their role reads
   // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
   Span<const float> as_tangents = {};
 };

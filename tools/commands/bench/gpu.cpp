@@ -30,7 +30,8 @@ constexpr std::size_t kGpuBatches = 9;
 constexpr GpuCase kCases[] = {{"1000x3", 1000, 3, 1, nullptr},     {"2000x3", 2000, 3, 1, nullptr},
                               {"4000x5", 4000, 5, 1, nullptr},     {"8000x7", 8000, 7, 1, nullptr},
                               {"30000x60", 30000, 60, 1, nullptr}, {"1000_CesiumMan", 0, 0, 1000, "CesiumMan.glb"}};
-constexpr std::optional<SkinningPath> kPaths[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute, SkinningPath::cpu, {}};
+constexpr std::optional<SkinningPath> kPaths[] = {SkinningPath::ubo,     SkinningPath::texture, SkinningPath::feedback,
+                                                  SkinningPath::compute, SkinningPath::cpu,     {}};
 
 std::vector<GpuRow> gpu_rows() {
   std::vector<GpuRow> out;

@@ -32,8 +32,8 @@ class Stage {
     bytes_ = AlignedBytes{std::span<const std::byte>(cooked_)};
     check(load({bytes_.data(), bytes_.size()}, file_));
     gl_.emplace();
-    figure_.emplace(*gl_, file_);
     studio_.emplace(*gl_, kSide, kSide);
+    figure_.emplace(*gl_, studio_->programs(), file_);
   }
 
   // normals: empty for those of the triangles.
@@ -67,7 +67,6 @@ class Stage {
     shot.camera = frame_points(points, 1.0f, 0.06f);
     shot.radius = std::max(shot.box.radius(), 1e-6f);
     shot.ground_height = shot.box.min.y;
-    shot.palettes = &figure_->palettes();
     std::vector<Drawable> drawables;
     if (heat != nullptr) {
       shot.shading = 0.25f;
@@ -88,8 +87,8 @@ class Stage {
   AlignedBytes bytes_;
   File file_;
   std::optional<Gl> gl_;
-  std::optional<Figure> figure_;
   std::optional<Studio> studio_;
+  std::optional<Figure> figure_;
 };
 
 // The held-out poses with the largest errors, no two of one clip; of poses without a clip just the worst.

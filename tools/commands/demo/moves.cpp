@@ -66,9 +66,9 @@ cook::RawScene ramp_scene() {
 // A prop that does not move, in a file of its own.
 class Ramp {
  public:
-  explicit Ramp(const Gl& gl) : bytes_(cook::cook_scene(ramp_scene(), raw()).file) {
+  Ramp(const Gl& gl, gles3::ProgramSet& programs) : bytes_(cook::cook_scene(ramp_scene(), raw()).file) {
     check(load({bytes_.data(), bytes_.size()}, file_));
-    figure_ = std::make_unique<Figure>(gl, file_);
+    figure_ = std::make_unique<Figure>(gl, programs, file_);
     posed_ = skin_all(file_, Character(file_), Deformer::ssd);
   }
   std::vector<Drawable> drawables() { return figure_->from_cpu(posed_); }
@@ -168,9 +168,9 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
   const Play play = play_together(file, clip);
   Character character(file, AsNormals::tangents);
   const Performance performance(file, character, play);
-  Figure figure(gl, file, nullptr, AsNormals::tangents);
   Studio studio(gl, kCellWidth, kCellHeight);
-  Ramp ramp(gl);
+  Figure figure(gl, studio.programs(), file, nullptr, AsNormals::tangents);
+  Ramp ramp(gl, studio.programs());
   Rig rig;
   make_rig(file, rig);
   const auto frames = static_cast<int>(std::lround(play.duration_s / kFrame_s));
@@ -195,7 +195,6 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
       if (frame < frames || at % (frames / kSheetColumns) != 0) continue;
       if (page.rows[row].cells.size() == kSheetColumns) break;
       Shot shot = performance.shot(character, static_cast<float>(kCellWidth) / kCellHeight, 0.1f);
-      shot.palettes = &figure.palettes();
       shot.box = box_of(skin_all(file, character, Deformer::as));
       shot.box.add(ramp.box().min);
       shot.box.add(ramp.box().max);

@@ -56,8 +56,8 @@ float largest_over(const File& file, Character& character, const Play& play) {
 Rows shoot_rows(const Gl& gl, const File& file, const Play& play) {
   Character character(file, AsNormals::tangents);
   const Performance performance(file, character, play);
-  Figure figure(gl, file, nullptr, AsNormals::tangents);
   Studio studio(gl, kCellWidth, kCellHeight);
+  Figure figure(gl, studio.programs(), file, nullptr, AsNormals::tangents);
   Rows rows;
   rows.largest_m = largest_over(file, character, play);
   rows.full_scale_m = sensible_scale(rows.largest_m, performance.diagonal());
@@ -67,7 +67,6 @@ Rows shoot_rows(const Gl& gl, const File& file, const Play& play) {
     const std::vector<PosedMesh> ssd = skin_all(file, character, Deformer::ssd);
     const std::vector<PosedMesh> as = skin_all(file, character, Deformer::as);
     Shot shot = performance.shot(character, as_float(kCellWidth) / kCellHeight, 0.05f, moment.turn_rad);
-    shot.palettes = &figure.palettes();
     shot.box = box_of(ssd);
     rows.cells[0].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::ssd)));
     rows.cells[1].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::as)));

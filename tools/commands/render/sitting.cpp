@@ -26,10 +26,10 @@ Sitting::Sitting(const LookArguments& arguments)
       character_(loaded_.file, normals_, arguments.lod),
       performance_(loaded_.file, reaching(), chosen_.play),
       textures_(gl_, arguments.file, loaded_.file, folder_of_images(arguments)),
-      figure_(gl_, loaded_.file, &textures_, normals_, arguments.lod),
-      studio_(gl_, size_.first, size_.second) {
+      studio_(gl_, size_.first, size_.second),
+      figure_(gl_, studio_.programs(), loaded_.file, &textures_, normals_, arguments.lod) {
   if (manner_.path != SkinPath::crowd || manner_.heat) return;
-  baked_ = figure_.bake(arguments.file, chosen_.play);
+  baked_ = figure_.bake(arguments.file, chosen_.play, manner_.deformer);
   manner_.baked = baked_.get();
 }
 

@@ -46,8 +46,8 @@ class Sitting {
   Performance performance_;
   Gl gl_;
   Textures textures_;
-  Figure figure_;
   Studio studio_;
+  Figure figure_;
   std::unique_ptr<BakedPlay> baked_;  // of path crowd
 };
 

@@ -36,8 +36,10 @@ std::string first_name(const Play& play) {
 
 }  // namespace
 
-Actor::Actor(const Gl& gl, const LookArguments& arguments, LoadedFile loaded, Chosen chosen)
+Actor::Actor(const Gl& gl, gles3::ProgramSet& programs, const LookArguments& arguments, LoadedFile loaded,
+             Chosen chosen)
     : gl_(gl),
+      programs_(programs),
       arguments_(arguments),
       loaded_(std::move(loaded)),
       joints_(all_joints(loaded_.file)),
@@ -74,7 +76,7 @@ void Actor::make(const Made& wanted) {
   if (wanted.lod != made_.lod || wanted.normals != made_.normals) {
     const auto level = static_cast<std::uint32_t>(wanted.lod);
     character_.emplace(file(), wanted.normals, level);
-    figure_.emplace(gl_, file(), &textures_, wanted.normals, level);
+    figure_.emplace(gl_, programs_, file(), &textures_, wanted.normals, level);
   }
   performance_.emplace(file(), *character_, plays_[wanted.clip].play);
   heat_largest_ = 0;
@@ -98,7 +100,6 @@ void Actor::pose(const Settings& settings) {
 
 std::vector<Drawable> Actor::drawables(const Settings& settings, Shot& shot) {
   shot.box = performance_->box(*character_);
-  shot.palettes = &figure_->palettes();
   std::vector<Drawable> out;
   times_.skin = milliseconds_of([&] {
     if (settings.colours == Colours::distance) {

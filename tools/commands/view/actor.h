@@ -30,8 +30,9 @@ struct ActorTimes {
 
 class Actor {
  public:
-  // Of a file, and what choose() made of it. Throws Failure: what textures throw. `gl` and `arguments` outlive it.
-  Actor(const Gl& gl, const LookArguments& arguments, LoadedFile loaded, Chosen chosen);
+  // Of a file, and what choose() made of it. programs: of the studio. Throws Failure: what textures throw. `gl`,
+  // `programs` and `arguments` outlive it.
+  Actor(const Gl& gl, gles3::ProgramSet& programs, const LookArguments& arguments, LoadedFile loaded, Chosen chosen);
 
   // The rest pose, each clip of the file, and what --clips chose.
   const std::vector<NamedPlay>& plays() const { return plays_; }
@@ -67,6 +68,7 @@ class Actor {
   std::vector<Drawable> heat(const Settings& settings, Shot& shot);
 
   const Gl& gl_;
+  gles3::ProgramSet& programs_;
   const LookArguments& arguments_;
   LoadedFile loaded_;
   std::optional<LoadedFile> pack_;

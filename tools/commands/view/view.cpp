@@ -89,9 +89,9 @@ class View {
         context_(window_),
         gl_(Window::load_proc),
         painter_(gl_),
-        actor_(gl_, arguments, std::move(loaded_), std::move(chosen_)),
-        settings_(settings ? *settings : first_settings(arguments, pair_, actor_)),
-        studio_(gl_, 1, 1) {
+        studio_(gl_, 1, 1),
+        actor_(gl_, studio_.programs(), arguments, std::move(loaded_), std::move(chosen_)),
+        settings_(settings ? *settings : first_settings(arguments, pair_, actor_)) {
     // The processor draws a quarter of a million soft shadows in a second or so.
     if (!settings && arguments.screenshot.empty() && drawn_by_processor(gl_)) settings_.coarseness = 3;
   }
@@ -171,9 +171,9 @@ class View {
   PanelContext context_;
   Gl gl_;
   Painter painter_;
+  Studio studio_;
   Actor actor_;
   Settings settings_;
-  Studio studio_;
   FrameTimes times_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   bool first_ = true;
