@@ -65,8 +65,8 @@ class ClipExport {
     channels_.push_back({{"sampler", samplers_.size() - 1}, {"target", std::move(target)}});
   }
 
-  void add_path(std::uint32_t joint, TrackPath path, const std::vector<float>& seconds, const std::vector<float>& values,
-                Interpolation interpolation) {
+  void add_path(std::uint32_t joint, TrackPath path, const std::vector<float>& seconds,
+                const std::vector<float>& values, Interpolation interpolation) {
     add_channel({{"node", scene_.joint_nodes[clip_.skeleton][joint]}, {"path", kPaths[static_cast<std::size_t>(path)]}},
                 seconds, values, path == TrackPath::rotation ? kVec4 : kVec3, interpolation);
   }

@@ -1,6 +1,5 @@
 #include "pose/evaluate.h"
 
-
 #include "common/failure.h"
 
 namespace marrow::tools {

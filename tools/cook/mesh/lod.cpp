@@ -189,12 +189,12 @@ RawPrimitive with_vertices(const RawPrimitive& primitive, const std::vector<std:
 }
 
 // Which vertices and triangles of a primitive a level has.
-struct Kept {
+struct KeptParts {
   std::vector<std::uint32_t> vertices, indices, part_of;
 };
 
 // Parts that have lost all their triangles get one without area.
-void keep_parts(const RawPrimitive& primitive, const std::vector<std::uint32_t>& part_of, Kept& kept) {
+void keep_parts(const RawPrimitive& primitive, const std::vector<std::uint32_t>& part_of, KeptParts& kept) {
   if (part_of.empty()) return;
   std::vector<char> has(std::size_t{1} + std::ranges::max(part_of), 0);
   for (const std::uint32_t part : kept.part_of) has[part] = 1;
@@ -207,8 +207,8 @@ void keep_parts(const RawPrimitive& primitive, const std::vector<std::uint32_t>&
   }
 }
 
-std::vector<Kept> kept_of(const Source& source, const deform::SimplerSurface& surface, std::size_t primitives) {
-  std::vector<Kept> out(primitives);
+std::vector<KeptParts> kept_of(const Source& source, const deform::SimplerSurface& surface, std::size_t primitives) {
+  std::vector<KeptParts> out(primitives);
   std::vector<std::uint32_t> number;
   for (const deform::Combination& v : surface.vertices) {
     const Source::Vertex& from = source.vertices[v.front().vertex];
@@ -228,7 +228,7 @@ std::vector<Kept> kept_of(const Source& source, const deform::SimplerSurface& su
 // before: what a primitive that has lost all its triangles keeps.
 MeshLevel level_of(const RawMesh& mesh, const SkinBinding* binding, const Source& source,
                    const deform::SimplerSurface& surface, const MeshLevel& before) {
-  std::vector<Kept> kept = kept_of(source, surface, mesh.primitives.size());
+  std::vector<KeptParts> kept = kept_of(source, surface, mesh.primitives.size());
   MeshLevel out;
   for (std::size_t p = 0; p < kept.size(); ++p) {
     const bool lost = kept[p].indices.empty();

@@ -91,8 +91,8 @@ class Compressor {
 bool Compressor::stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const {
   double least = promise.error[joint];
   for (const std::size_t below : rig_.subtrees[joint]) least = std::min(least, promise.error[below]);
-  const double most =
-      kStillShare * least / (path == TrackPath::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
+  const double most = kStillShare * least /
+                      (path == TrackPath::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
   return std::all_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
     if (path == TrackPath::translation) return glm::length(t.translation - at.translation) <= most;
     if (path == TrackPath::scale) return glm::length(t.scale - at.scale) <= most;
@@ -126,9 +126,10 @@ void Compressor::sort_tracks(const Promise& promise) {
         if (track == nullptr || jumps(clip_, *track) || stays(j, path, rig_.rest[j], promise)) continue;
         const Transform& rest = rig_.rest[j];
         Transform at = middle(j);
-        const format::Constant numbers = path == TrackPath::rotation      ? code_rotation(at.rotation)
-                                         : path == TrackPath::translation ? code_offset(at.translation - rest.translation)
-                                                                     : code_offset(at.scale - rest.scale);
+        const format::Constant numbers = path == TrackPath::rotation ? code_rotation(at.rotation)
+                                         : path == TrackPath::translation
+                                             ? code_offset(at.translation - rest.translation)
+                                             : code_offset(at.scale - rest.scale);
         if (path == TrackPath::rotation) at.rotation = decode_rotation(numbers);
         if (path == TrackPath::translation) at.translation = rest.translation + decode_offset(numbers);
         if (path == TrackPath::scale) at.scale = rest.scale + decode_offset(numbers);

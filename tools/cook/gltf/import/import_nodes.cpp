@@ -11,6 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include "cook/gltf/import/import.h"
+#include "cook/scene/matrices.h"
 
 namespace marrow::cook::gltf {
 namespace {
@@ -114,13 +115,6 @@ RawNode import_node(const tinygltf::Node& node, std::size_t index, Report& repor
   }
   keep_invertible(raw, where, report);
   return raw;
-}
-
-glm::dmat4 local_matrix(const RawNode& node) {
-  glm::dmat4 matrix = glm::mat4_cast(node.rotation);
-  for (int i = 0; i < 3; ++i) matrix[i] *= node.scale[i];
-  matrix[3] = glm::dvec4(node.translation, 1);
-  return matrix;
 }
 
 // scene_from_node at rest, for all nodes; chains may be too long to recurse along.
