@@ -1,5 +1,7 @@
-// The rows from local poses to a palette: blend/…, local_to_model, palette and frame, on one skeleton.
+// The rows from local poses to a palette: blend/…, local_to_model, palette, frame and character, on one skeleton.
 #include "bench/workload.h"
+#include "common/aligned_bytes.h"
+#include "marrow/character.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
@@ -155,6 +157,40 @@ class Frame : public Workload {
   FullPalette palette_;
 };
 
+// The same frame through marrow/character.h: of all skeletons and meshes of the file, each mesh with its own palette.
+class CharacterFrame : public Workload {
+ public:
+  CharacterFrame(const File& file, const Stage& stage)
+      : shared_(animations_bytes(file, file)), own_(character_bytes(file, {})) {
+    check(make_animations(file, file, {shared_.data(), shared_.size()}, animations_));
+    check(make_character(file, {}, {own_.data(), own_.size()}, character_));
+    for (int c = 0; c < 2; ++c) layers_[c] = {find_animation(animations_, stage.clips[c]), 0, 0.5f};
+  }
+  std::uint32_t items() const override { return character_.skeletons[0].skeleton.joint_count; }
+  std::uint32_t period() const override { return 512; }
+  std::uint64_t hash_output(std::uint64_t state) const override {
+    for (const CharacterMesh& mesh : character_.meshes)
+      state = hash_of(std::vector<Affine>(mesh.palette.begin(), mesh.palette.end()), state);
+    return state;
+  }
+  void run(std::uint64_t iterations) override {
+    for (std::uint64_t i = 0; i < iterations; ++i) {
+      for (AnimationLayer& layer : layers_) {
+        layer.time_s += 1.0f / 60;
+        if (layer.time_s >= layer.animation->duration_s) layer.time_s -= layer.animation->duration_s;
+      }
+      check(pose_character(character_, layers_));
+      check(finish_character(character_));
+    }
+  }
+
+ private:
+  AlignedBytes shared_, own_;
+  Animations animations_;
+  marrow::Character character_;
+  AnimationLayer layers_[2];
+};
+
 }  // namespace
 
 RowGroup pose_rows(const Models& models) {
@@ -176,7 +212,10 @@ RowGroup pose_rows(const Models& models) {
   add_row("palette", [clip](Models& from) { return std::make_unique<BuildPalette>(clip(from, 0)); });
   add_row("frame", [clip](Models& from) { return std::make_unique<Frame>(clip(from, 0), clip(from, 1)); });
   group.rows.back().clips.emplace_back(stage.clips[1]);
-  group.names = fmt::format("blend/{}\nlocal_to_model\npalette\nframe\n", choice(blends));
+  add_row("character",
+          [stage](Models& from) { return std::make_unique<CharacterFrame>(from.get(*stage.model), stage); });
+  group.rows.back().clips.emplace_back(stage.clips[1]);
+  group.names = fmt::format("blend/{}\nlocal_to_model\npalette\nframe\ncharacter\n", choice(blends));
   return group;
 }
 

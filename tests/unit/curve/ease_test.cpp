@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "math/elementary.h"
 #include "marrow/curve.h"
+#include "math/elementary.h"
 
 namespace marrow {
 namespace {
