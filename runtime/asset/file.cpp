@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "asset/section_views.h"
 
 namespace marrow {
 namespace {
@@ -96,8 +97,7 @@ Clip File::clip(std::uint32_t index) const {
   return c;
 }
 
-Geometry File::geometry(std::uint32_t index) const {
-  const std::byte* const base = section(format::kGeometries, index);
+Geometry view_geometry(const std::byte* base) {
   const auto& header = *at<format::GeometryHeader>(base, 0);
   const format::GeometryLayout l = layout(header);
   const auto has = [&](format::GeometryFlags flag) { return (header.flags & flag) != 0; };
@@ -140,6 +140,10 @@ Geometry File::geometry(std::uint32_t index) const {
   std::memcpy(g.box_min, header.box_min, sizeof g.box_min);
   std::memcpy(g.box_max, header.box_max, sizeof g.box_max);
   return g;
+}
+
+Geometry File::geometry(std::uint32_t index) const {
+  return view_geometry(section(format::kGeometries, index));
 }
 
 Mesh File::mesh(std::uint32_t index, std::uint32_t level) const {

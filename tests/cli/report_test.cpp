@@ -55,7 +55,8 @@ TEST(Report, HoldsEveryField) {
   EXPECT_EQ(r["clips"][0].at("name"), "wave");
   EXPECT_EQ(r["clips"][0].at("duration_s"), 1.25);
   for (const auto& clip : r["clips"]) {
-    for (const char* field : {"raw_bytes", "bytes", "max_error_m"}) EXPECT_TRUE(clip.at(field).is_number()) << field;
+    for (const char* field : {"raw_bytes", "bytes", "max_error_m", "max_vertex_error_m"})
+      EXPECT_TRUE(clip.at(field).is_number()) << field;
     EXPECT_NEAR(clip.at("ratio").get<double>() * clip.at("raw_bytes").get<double>(), clip.at("bytes").get<double>(),
                 0.01);
   }

@@ -18,6 +18,7 @@ cook::CookResult cook_file(const char* name, bool raw_clips, const std::vector<c
   options.additive = additive;
   options.keep_vertex_order = raw_clips;
   options.raw_clips = raw_clips;
+  options.clip_shell = 0.03;
   return cook::cook_file(test::in_golden(name), options);
 }
 

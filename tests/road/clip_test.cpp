@@ -15,6 +15,7 @@
 #include "cook/scene/views.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
+#include "road/cooked.h"
 #include "road/models.h"
 #include "road/reference.h"
 #include "support/places.h"
@@ -156,6 +157,38 @@ TEST_P(Clips, KeepTheirPromise) {
   if (std::filesystem::path(GetParam()).stem() == "dance") {
     EXPECT_EQ(coded, 1u) << "at least one, so that this test tests";
   }
+}
+
+// Vertices are where the specification has them, at any time of a clip: nobody watches joints.
+TEST_P(Clips, KeepTheirPromiseAtTheVertices) {
+  if (std::filesystem::file_size(GetParam()) > kMostBytes) GTEST_SKIP() << "thinned under sanitizers";
+  const Cooked cooked(GetParam(), without_meshes());
+  const Reference reference(GetParam());
+  const std::vector<std::size_t> animations = animations_of(built_once(GetParam()), reference.source());
+  const double scale = scale_of(built_once(GetParam()));
+  const double noise = 2e-6 * reference.diagonal();  // of 32-bit floats, as road_test.cpp has it
+  std::mt19937 random(11);
+  double worst = 0, stated = 0;
+  std::size_t compared = 0;
+  for (std::uint32_t c = 0; c < cooked.file().clip_count(); c = next_animation(cooked.file(), c)) {
+    stated = std::max(stated, cooked.report()["clips"][c]["max_vertex_error_m"].get<double>());
+    for (int i = 0; i < (in_long_form() ? 40 : 6); ++i) {
+      const auto time_s = static_cast<float>(static_cast<double>(random()) / 4294967296.0 *
+                                             static_cast<double>(cooked.file().clip(c).duration_s));
+      const ReferencePose want = reference.at(animations[c], static_cast<double>(time_s));
+      const CookedPose got = cooked.pose(c, time_s, Deformer::ssd);
+      for (std::size_t v = 0; v < want.positions.size(); ++v) {
+        if (!got.used[v] || !reference.comparable(v)) continue;
+        worst = std::max(worst, length(minus(got.positions[v], want.positions[v])));
+        ++compared;
+      }
+    }
+  }
+  std::printf("%-28s %8zu vertices compared  worst %.4f of the promise, %.4f stated\n",
+              std::filesystem::path(GetParam()).stem().c_str(), compared, worst / (kError * scale),
+              stated / (kError * scale));
+  EXPECT_LE(stated, kError * scale);
+  EXPECT_LE(worst, 1.1 * std::max(stated, kError * scale) + noise);
 }
 
 // A set of joints, and a pose that already holds what stays: the same bits as of the whole pose.

@@ -26,15 +26,20 @@ std::uint32_t next_animation(const File& file, std::uint32_t clip) {
   return clip;
 }
 
-Cooked::Cooked(const std::string& path, cook::MeshCodec codec) {
-  cook::CookOptions options;
+Cooked::Cooked(const std::string& path, cook::MeshCodec codec)
+    : Cooked(path, [codec] {
+        cook::CookOptions options;
+        options.mesh_codec = codec;
+        options.raw_clips = true;
+        return options;
+      }()) {}
+
+Cooked::Cooked(const std::string& path, cook::CookOptions options) {
   options.keep_vertex_order = true;
-  options.mesh_codec = codec;
-  options.raw_clips = true;  // compression is judged apart, by clip_test.cpp
   const cook::CookResult result = cook::cook_file(path, options);
   report_ = result.report;
   bytes_ = result.file.size();
-  if (codec == cook::MeshCodec::none) {
+  if (options.mesh_codec == cook::MeshCodec::none) {
     block_ = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
   } else {
     const tools::AlignedBytes unpacked = tools::unpacked(result.file, path);

@@ -25,8 +25,11 @@ std::uint32_t next_animation(const File& file, std::uint32_t clip);
 
 class Cooked {
  public:
-  // Cooks with the vertex order kept; throws what the cooker throws.
+  // Cooks with the vertex order kept, and clips as they are, whose compression is judged apart, by clip_test.cpp.
+  // Throws what the cooker throws.
   explicit Cooked(const std::string& path, cook::MeshCodec codec = cook::MeshCodec::none);
+  // As the options have it, with the vertex order kept.
+  Cooked(const std::string& path, cook::CookOptions options);
 
   const File& file() const { return file_; }
   const nlohmann::ordered_json& report() const { return report_; }

@@ -1,9 +1,11 @@
 // The road from an artist's scene to a cooked file, stage by stage.
 #include "cook/cook.h"
 
+#include <memory>
 #include <utility>
 
 #include "common/failure.h"
+#include "common/hash.h"
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
 #include "cook/mesh/build_materials.h"
@@ -11,6 +13,7 @@
 #include "cook/mesh/derive_binds.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/prepare/prepare_scene.h"
+#include "cook/scene/views.h"
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_nodes.h"
 #include "cook/skeleton/build_skeletons.h"
@@ -49,8 +52,19 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
     throw tools::Failure(tools::Exit::invalid, scene.source, "/animations", "no-clips",
                          "no animation moves a node of the scene; cook without --clips-only");
   out.is_pack = true;
-  out.clips = build_clips(scene, out, options, notes);
+  Carried carried;
+  if (options.onto) carried.meshes = options.onto->meshes;
+  out.clips = build_clips(scene, out, carried, options, notes);
   return without_unmoved(std::move(out));
+}
+
+std::vector<Mesh> views_of(const BuiltMeshes& built) {
+  std::vector<Mesh> out;
+  for (const BuiltMesh& mesh : built.meshes) {
+    out.push_back(view(mesh, built.geometries[mesh.geometry]));
+    for (const BuiltLod& lod : mesh.lods) out.push_back(view(mesh, built.geometries[lod.geometry]));
+  }
+  return out;
 }
 
 // Of a scene that is prepared.
@@ -58,12 +72,14 @@ BuiltScene build_whole(const RawScene& scene, const CookOptions& options, Notes&
   BuiltScene out = build_skeletons(scene);
   std::vector<std::vector<JointLimit>> limits = build_limits(scene, out, notes);
   for (std::size_t s = 0; s < limits.size(); ++s) out.skeletons[s].limits = std::move(limits[s]);
-  out.clips = build_clips(scene, out, options, notes);
+  // What learning and levels of detail look at.
+  out.clips = build_raw_clips(scene, out, options.additive);
   BuiltMeshes meshes = build_meshes(scene, out, options, notes);
   if (options.mesh_codec != MeshCodec::none) meshes = derive_inverse_binds(out.skeletons, std::move(meshes));
   BuiltLooks looks = build_materials(scene, meshes.meshes, options.images, notes);
   for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
   BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
+  out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes}, options, notes);
   out.geometries = std::move(meshes.geometries);
   out.learnt = std::move(meshes.learnt);
   out.meshes = std::move(meshes.meshes);
@@ -93,6 +109,28 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   // A scene in memory has none.
   if (!result.reads.empty()) result.reads.insert(result.reads.end(), notes.reads.begin(), notes.reads.end());
   return result;
+}
+
+Character read_character(const std::string& gltf_path) {
+  struct Cooked {
+    tools::AlignedBytes bytes;
+    File file;
+  };
+  RawScene scene = read_gltf(gltf_path);
+  std::vector<BuiltSkeleton> skeletons = build_skeletons(scene).skeletons;
+  CookOptions plain;
+  plain.mesh_codec = MeshCodec::none;
+  plain.images = Images::none;
+  plain.raw_clips = true;
+  const auto cooked = std::make_shared<Cooked>();
+  cooked->bytes = tools::AlignedBytes(cook_scene(std::move(scene), plain).file);
+  if (load({cooked->bytes.data(), cooked->bytes.size()}, cooked->file) != Status::ok)
+    throw tools::Failure(tools::Exit::internal, gltf_path, "", "it cannot be loaded as cooked", "please report this");
+  Character out = view_character(gltf_path, cooked->file);
+  out.holds = cooked;
+  out.hash = tools::hash_of({cooked->bytes.data(), cooked->bytes.size()});
+  out.skeletons = std::move(skeletons);
+  return out;
 }
 
 CookResult cook_file(const std::string& path, const CookOptions& options) {

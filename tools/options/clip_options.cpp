@@ -21,6 +21,16 @@ void set_clip_error(CookOptions& options, const Value& given) {
   options.clip_error.push_back(rule);
 }
 
+// "vertices", or a length.
+void set_clip_shell(CookOptions& options, const Value& given) {
+  options.clip_shell.reset();
+  if (given.text == "vertices") return;
+  Amount amount;
+  if (!read_amount(given.text, amount) || amount.is_share)
+    refuse(given, "\"" + given.text + "\" is no shell", "give vertices, or a length as in 3cm or 0.03m");
+  options.clip_shell = amount.value;
+}
+
 // "CLIP" or "CLIP=REFERENCE", divided at the last "=".
 void set_additive(CookOptions& options, const Value& given) {
   const std::size_t divide = given.text.rfind('=');
@@ -38,10 +48,19 @@ constexpr Option kClipOptions[] = {
     {"clip-error",
      OptionKind::list,
      "[JOINT=]E",
-     "how far clips may stray, on a shell of 3 cm round each joint: 0.1mm (the default), 0.0001m or 0.05% of the "
-     "skeleton; with JOINT= for some joints only, JOINT may have * and ?; repeatable, the last that fits counts",
+     "how far clips may stray, at every vertex and on a shell of 3 cm round each joint: 0.1mm (the default), 0.0001m "
+     "or "
+     "0.05% of the skeleton; with JOINT= for some joints only, JOINT may have * and ?; repeatable, the last that fits "
+     "counts",
      {},
      set_clip_error},
+    {"clip-shell",
+     OptionKind::text,
+     "WHERE",
+     "vertices: --clip-error holds at every vertex too (the default); a length, as 3cm: only on a shell of that radius "
+     "round each joint, to compare with others",
+     {},
+     set_clip_shell},
     {"clip-codec", OptionKind::text, "TEXT", "segments: compressed within --clip-error; raw: without loss",
      names_in<kClipCodecs>, [](CookOptions& o, const Value& v) { o.raw_clips = *value_of(kClipCodecs, v.text); }},
     {"additive",

@@ -58,7 +58,8 @@ constexpr Option kPrecisionOptions[] = {
     {"position-error",
      OptionKind::text,
      "E",
-     "how far quantisation may move vertices: 0.1mm, 0.0001m or 0.01% of the mesh's longest side; the default is 14 "
+     "how far quantisation may move vertices, in the scene at rest: 0.1mm, 0.0001m or 0.01% of the mesh's longest "
+     "side; the default is 14 "
      "bits on the longest side, 0.0053%",
      {},
      set_position_error},

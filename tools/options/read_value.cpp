@@ -18,7 +18,7 @@ bool read_amount(std::string_view text, Amount& out) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, out.value);
   const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
-  const double scale = unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
+  const double scale = unit == "m" ? 1.0 : unit == "cm" ? 1e-2 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
   out.is_share = unit == "%";
   out.value *= scale;
   return error == std::errc() && out.value > 0 && std::isfinite(out.value);

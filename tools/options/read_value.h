@@ -11,7 +11,7 @@ namespace marrow::cook {
 // For a value that cannot be used: which rule it breaks, and what to do.
 [[noreturn]] void refuse(const Value& value, const std::string& rule, const std::string& advice);
 
-// "0.1mm", "0.0001m", or a share as in "0.05%".
+// "0.1mm", "3cm", "0.0001m", or a share as in "0.05%".
 struct Amount {
   double value = 0;  // metres or, if is_share, 1 for 100 %
   bool is_share = false;

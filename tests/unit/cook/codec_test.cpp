@@ -7,6 +7,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
@@ -94,6 +95,54 @@ Loaded cook_and_load(RawScene scene, const CookOptions& options) {
   out.report = cooked.report;
   out.cooked_bytes = bytes.size();
   return out;
+}
+
+// At rest, how far vertices are from where this map takes the source's.
+double farthest_from(const Loaded& cooked, const std::vector<glm::vec3>& source, const glm::dmat4& scene_from_mesh) {
+  const Mesh mesh = cooked.file.mesh(0);
+  const test::PosedMesh posed = test::pose_mesh(cooked.file, cooked.file.clip_count(), 0, 0, test::Deformer::ssd);
+  double worst = 0;
+  for (std::size_t v = 0; v < source.size(); ++v) {
+    const std::size_t slot = mesh.geometry.source_slots[v];
+    if (slot == kNoSlot) continue;
+    const glm::dvec3 want(scene_from_mesh * glm::dvec4(glm::dvec3(source[v]), 1));
+    glm::dvec3 got;
+    for (int c = 0; c < 3; ++c) got[c] = static_cast<double>(posed.positions[3 * slot + static_cast<std::size_t>(c)]);
+    worst = std::max(worst, glm::length(got - want));
+  }
+  return worst;
+}
+
+// A tenth of a millimetre is one of the scene's, whatever the units of the mesh are.
+TEST(Codecs, PositionErrorsAreInTheScenesUnits) {
+  const RawPrimitive source = tube(8, 7, 3, 2);
+  constexpr double kMost = 1e-4, kFloats = 3e-5;  // 32-bit floats, two at 217 m
+  for (const glm::dvec3& scale :
+       {glm::dvec3(217), glm::dvec3(-217, 217, 217), glm::dvec3(217, 3, -40), glm::dvec3(0.01)})
+    for (const bool skinned : {true, false}) {
+      RawScene scene = scene_of(source, skinned ? 3 : 0);
+      glm::dmat4 map = glm::scale(glm::dmat4(1.0), scale);
+      if (skinned) {
+        scene.nodes[0].scale = scale;
+      } else {  // turned below a scale, and so sheared
+        scene.nodes[0].parent = 1;
+        scene.nodes[0].rotation = glm::angleAxis(0.5, glm::normalize(glm::dvec3(1, 2, 3)));
+        map = map * glm::mat4_cast(scene.nodes[0].rotation);
+        scene.nodes.emplace_back().scale = scale;
+      }
+      CookOptions options;
+      options.mesh_codec = MeshCodec::meshopt;
+      options.keep_vertex_order = true;
+      options.position_error = kMost;
+      options.precision.weight_error = 1e-6;
+      const Loaded cooked = cook_and_load(std::move(scene), options);
+      const double stated = cooked.report["meshes"][0]["max_position_error_m"].get<double>();
+      const double found = farthest_from(cooked, source.positions, map);
+      EXPECT_LE(stated, kMost * 1.001) << scale.x << ' ' << skinned;
+      EXPECT_LE(found, stated + kFloats) << scale.x << ' ' << skinned;
+      EXPECT_GE(stated, 0.5 * kMost) << "no finer than asked for";
+      EXPECT_GE(found, 0.25 * stated) << scale.x << ' ' << skinned;
+    }
 }
 
 // Joint of the skeleton → weight, of one slot; and that the weights sum to one.

@@ -168,8 +168,8 @@ TEST(CookDeformers, TheRuntimeMakesOfThemWhatTheFitMeant) {
   ASSERT_EQ(source.data.pose_space.examples.size(), 8u);
   for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt}) {
     const BuiltGeometry built = build_fitted(source, source.data, codec);
-    EXPECT_LE(built.error.multi_weight_m, FittedCylinder::kStep);
-    EXPECT_LE(built.error.pose_space_m, FittedCylinder::kStep);
+    EXPECT_LE(built.error.multi_weight, FittedCylinder::kStep);
+    EXPECT_LE(built.error.pose_space, FittedCylinder::kStep);
     const CookedDeformers loaded(built);
     ASSERT_EQ(loaded.file.mesh_count(), 1u);
     const Mesh mesh = loaded.file.mesh(0);

@@ -86,11 +86,9 @@ Json bulging_elbow() {
 // The elbow, ready for examples.
 struct Character {
   Character() : scene(read_gltf(kElbow)) {
-    CookOptions options;
-    options.raw_clips = true;
     Notes notes;
     built = build_skeletons(scene);
-    built.clips = build_clips(scene, built, options, notes);
+    built.clips = build_raw_clips(scene, built, {});
     source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
   }
   std::vector<ShownPose> read(const Json& document) const {

@@ -91,7 +91,7 @@ struct Offline {
     const CookOptions options = options_for(MeshCodec::none);
     Notes notes;
     BuiltScene built = build_skeletons(scene);
-    built.clips = build_clips(scene, built, options, notes);
+    built.clips = build_raw_clips(scene, built, {});
     source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
     truth = make_truth(source, options.learn);
     const std::vector<deform::TrainingPose> trained =

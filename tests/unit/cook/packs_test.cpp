@@ -5,6 +5,7 @@
 #include "cook/prepare/match_skeletons.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/write/write_scene.h"
+#include "support/places.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -45,6 +46,24 @@ struct Apart {
   Notes notes;
   int ground, root, hips, spine, arm, cup;
 };
+
+// An arm's length from the shoulder a shell of 3 cm says little.
+TEST(Packs, KeepTheirPromiseAtTheCharactersVertices) {
+  const std::string path = test::in_golden("dance.gltf");
+  CookOptions options;
+  options.clips_only = true;
+  const auto vertex_error = [&] {
+    return cook_file(path, options).report["clips"][0]["max_vertex_error_m"].get<double>();
+  };
+  EXPECT_EQ(vertex_error(), 0) << "no mesh is known";
+  options.onto = std::make_shared<const Character>(read_character(path));
+  EXPECT_EQ(options.onto->meshes.size(), 1u);
+  const double at_vertices = vertex_error();
+  EXPECT_GT(at_vertices, 0);
+  EXPECT_LE(at_vertices, 1e-4);
+  options.clip_shell = 1e-4;  // at the joints alone
+  EXPECT_GT(vertex_error(), 1e-4) << "measured, if not kept";
+}
 
 TEST(Packs, HoldTheSkeletonsThatClipsMove) {
   SceneDocument d;

@@ -91,7 +91,8 @@ TEST(Settings, MistakesAreLocated) {
       {"clip-error = 1", "1:14", "must be a string or a list of them"},
       {"clip-error = ['1mm', 2]", "1:22", "must list strings"},
       {"clip-error = ['1mm',\n  'x=']", "2:3", "\"x=\" is not an error"},
-      {"clip-error = '1cm'", "1:14", "\"1cm\" is not an error"},
+      {"clip-error = '1km'", "1:14", "\"1km\" is not an error"},
+      {"clip-shell = '3%'", "1:14", "\"3%\" is no shell"},
       {"clip-codec = 'magic'", "1:14", "give segments or raw"},
       {"clip-codec = ['raw']", "1:14", "must be a string"},
       {"keep-vertex-order = 'yes'", "1:21", "must be true or false"},
@@ -118,7 +119,7 @@ TEST(Settings, MistakesAreLocated) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 22);
+  EXPECT_EQ(checked, 23);
 }
 
 // Whatever the text, an answer: no crash, no endless work.

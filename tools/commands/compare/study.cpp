@@ -108,10 +108,8 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   study.scene = read_gltf(path);
   const RawScene scene = study.scene;
   BuiltScene built = build_skeletons(scene);
-  CookOptions options;
-  options.raw_clips = true;
   Notes notes;  // that only cooking says
-  built.clips = build_clips(scene, built, options, notes);
+  built.clips = build_raw_clips(scene, built, {});
   const RawInstance* const instance = largest_skinned(scene);
   if (instance == nullptr)
     throw Failure(Exit::invalid, path, "/skins", "not-skinned",

@@ -152,25 +152,11 @@ class SettingsOf {
 // The character that a clip pack is for.
 cook::Character read_character(const std::string& path) {
   if (!path.ends_with(".mrw")) return cook::read_character(path);
-  const LoadedFile loaded = load_mrw(path);
-  return cook::view_character(path, loaded.file);
-}
-
-// All that cooking onto it depends on.
-std::string hash_of(const cook::Character& character) {
-  Hasher hasher;
-  const auto add = [&](const auto& values) {
-    hasher.add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]});
-  };
-  hasher.add(character.file);
-  for (const cook::BuiltSkeleton& skeleton : character.skeletons) {
-    hasher.add(skeleton.name);
-    for (const std::string& name : skeleton.joint_names) hasher.add(name);
-    add(skeleton.parents);
-    add(skeleton.scene_from_root);
-    add(skeleton.rest);
-  }
-  return hasher.hex();
+  const auto loaded = std::make_shared<LoadedFile>(load_mrw(path));
+  cook::Character out = cook::view_character(path, loaded->file);
+  out.holds = loaded;
+  out.hash = hash_of({loaded->bytes.data(), loaded->bytes.size()});
+  return out;
 }
 
 // Masks and examples by where they are from the scene and by what they hold: their names in the options are from the
@@ -204,7 +190,7 @@ class Cook {
     std::string options_text = order.options_text;
     if (!options.skeleton_file.empty()) {
       options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
-      options_text += "\nskeleton " + hash_of(*options.onto);
+      options_text += "\nskeleton " + options.onto->file + ' ' + options.onto->hash;
     }
     if (cache_ && !options.clips_only) options_text += named_files_text(order);
     if (cache_) result = cache_->find(order.job.in, options_text);

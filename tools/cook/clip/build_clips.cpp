@@ -23,8 +23,12 @@ Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double large
   const double scale = largest < 0.2 || largest > 20 ? largest / kPerson : 1.0;
   const double size = rig.diagonal_m > 0 ? rig.diagonal_m : largest;  // one joint has no extent
   Promise promise;
+  if (options.clip_shell) promise.shell = *options.clip_shell;
+  promise.of_vertices = !options.clip_shell;
   promise.shell *= scale;
   promise.error.resize(rig.size());
+  promise.points.resize(rig.size());
+  promise.reach.assign(rig.size(), promise.shell);
   for (const ClipErrorRule& rule : options.clip_error)
     for (std::size_t j = 0; j < rig.size(); ++j)
       if (rule.joints.empty() || tools::fits(rule.joints, skeleton.joint_names[j]))
@@ -48,27 +52,49 @@ void check_clip_error_rules(const std::vector<BuiltSkeleton>& skeletons, const C
   }
 }
 
+// Everything that the clips of one skeleton are compressed for.
+struct Rigged {
+  Rig rig;
+  Promise promise;
+  Hung hung;
+};
+
+void hang_all(std::uint32_t skeleton, const Carried& carried, Rigged& to) {
+  std::vector<Mesh> meshes;
+  for (const Mesh& mesh : carried.meshes)
+    if (mesh.skeleton == skeleton) meshes.push_back(mesh);
+  Promise watched = to.promise;
+  to.hung = hang(meshes, to.rig, watched);
+  for (const BuiltNode& node : carried.nodes)
+    if (node.skeleton == skeleton && node.joint != kNoJoint) {
+      const auto& rows = node.joint_from_node.rows;
+      hang(node.joint, {rows[0][3], rows[1][3], rows[2][3]}, to.rig, watched);
+    }
+  if (to.promise.of_vertices) to.promise = std::move(watched);
+}
+
 std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vector<BuiltSkeleton>& skeletons,
-                                  const CookOptions& options) {
-  std::map<std::uint32_t, Rig> rigs;
-  for (const BuiltClip& clip : clips) rigs.try_emplace(clip.skeleton, skeletons[clip.skeleton]);
+                                  const Carried& carried, const CookOptions& options) {
+  std::map<std::uint32_t, Rigged> rigged;
+  for (const BuiltClip& clip : clips) rigged.try_emplace(clip.skeleton, Rigged{Rig(skeletons[clip.skeleton]), {}, {}});
   double largest = 0;
-  for (const auto& [skeleton, rig] : rigs) largest = std::max(largest, rig.diagonal_m);
+  for (const auto& [skeleton, of] : rigged) largest = std::max(largest, of.rig.diagonal_m);
   if (!(largest > 0)) largest = kPerson;
-  std::map<std::uint32_t, Promise> promises;
-  for (const auto& [skeleton, rig] : rigs)
-    promises.emplace(skeleton, make_promise(skeletons[skeleton], rig, largest, options));
+  for (auto& [skeleton, of] : rigged) {
+    of.promise = make_promise(skeletons[skeleton], of.rig, largest, options);
+    hang_all(skeleton, carried, of);
+  }
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
-    const std::uint32_t skeleton = clips[i].skeleton;
-    compress_clip(clips[i], skeletons[skeleton], rigs.at(skeleton), promises.at(skeleton));
+    const Rigged& of = rigged.at(clips[i].skeleton);
+    compress_clip(clips[i], skeletons[clips[i].skeleton], of.rig, of.promise, of.hung);
   });
   return clips;
 }
 
 }  // namespace
 
-std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const CookOptions& options,
-                                   Notes& notes) {
+std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const Carried& carried,
+                                   const CookOptions& options, Notes& notes) {
   const std::vector<ClipPart> parts = split_clips(scene, built);
   std::vector<BuiltClip> clips;
   for (const ClipPart& part : parts) {
@@ -78,9 +104,11 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
   }
   const std::vector<AdditiveReference> references =
       additive_references(built.skeletons, clips, options.additive, notes);
+  if (options.raw_clips)
+    for (BuiltClip& clip : clips) clip.raw_because = "--clip-codec raw";
   if (!options.raw_clips) {
     check_clip_error_rules(built.skeletons, options, notes);
-    clips = compressed(std::move(clips), built.skeletons, options);
+    clips = compressed(std::move(clips), built.skeletons, carried, options);
   }
   for (std::size_t i = 0; i < clips.size(); ++i) {
     add_channels(parts[i].clip, options.raw_clips, clips[i]);
@@ -88,6 +116,15 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
     clips[i].reference = references[i].pose;
   }
   return clips;
+}
+
+std::vector<BuiltClip> build_raw_clips(const RawScene& scene, const BuiltScene& built,
+                                       const std::vector<AdditiveRule>& additive) {
+  CookOptions raw;
+  raw.raw_clips = true;
+  raw.additive = additive;
+  Notes of_the_others;
+  return build_clips(scene, built, {}, raw, of_the_others);
 }
 
 }  // namespace marrow::cook

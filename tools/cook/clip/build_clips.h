@@ -9,9 +9,18 @@
 
 namespace marrow::cook {
 
+// What clips carry along, and must not take far from where the source has it.
+struct Carried {
+  std::vector<Mesh> meshes;  // every level of detail of each
+  std::vector<BuiltNode> nodes;
+};
+
 // Clip by clip of the source, in each skeleton by skeleton. built: its skeletons. Throws tools::Failure (usage) if an
 // option names what there is not.
-std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const CookOptions& options,
-                                   Notes& notes);
+std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const Carried& carried,
+                                   const CookOptions& options, Notes& notes);
+// The same without compression and without notes, for those who look at poses.
+std::vector<BuiltClip> build_raw_clips(const RawScene& scene, const BuiltScene& built,
+                                       const std::vector<AdditiveRule>& additive);
 
 }  // namespace marrow::cook

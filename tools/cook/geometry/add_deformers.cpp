@@ -105,7 +105,7 @@ void add_multi_weights(const RawPrimitive& p, const std::vector<Binding>& bindin
     const double finest = of_a_step > 0 ? grid.step / of_a_step : 1;
     step = static_cast<float>(std::max(finest, most / kMost * 1.0001));
     bits = 1 + static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(std::lround(most / double{step}))));
-    error.multi_weight_m = of_a_step * double{step};
+    error.multi_weight = of_a_step * double{step};
   }
   for (std::size_t j = 0; j < out.mesh.influences; ++j) {
     Stream& s = out.add(StreamKind::multi_weight, 12, bits);
@@ -146,7 +146,7 @@ void add_deltas(const std::vector<glm::dvec3>& deltas, std::uint32_t example, do
     }
     worst = std::max(worst, glm::length(miss));
   }
-  error.pose_space_m += worst;
+  error.pose_space += worst;
 }
 
 void add_rotations(const PoseSpaceData& data, const PoseSpaceData::Example& example, OwnedStreams& out) {

@@ -69,7 +69,7 @@ void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& opti
     const bool draco = options.mesh_codec == MeshCodec::draco;
     const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
     out.codec = draco ? packed::kDraco : packed::kMeshopt;
-    out.position_step_m = grid.step;
+    out.position_step = grid.step;
     out.record = geometry_record(streams, encoded);
     out.scratch_bytes = geometry_scratch_bytes(streams.view());
   }

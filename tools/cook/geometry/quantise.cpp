@@ -73,7 +73,7 @@ void add_positions(const RawPrimitive& p, const MeshGrid& grid, OwnedStreams& ou
       out.values_of(StreamKind::position)->push_back(q);
       miss[c] = double{s.origin[c] + static_cast<float>(q) * s.step} - double{v[c]};
     }
-    error.position_m = std::max(error.position_m, glm::length(miss));
+    error.position = std::max(error.position, glm::length(miss));
   }
   s.bits = static_cast<std::uint8_t>(bits_for(most));
 }
@@ -319,7 +319,7 @@ bool add_changes(const std::vector<glm::vec3>& changes, std::uint32_t target, st
       out.values.back().push_back(nothing + static_cast<std::int32_t>(steps));
       miss[c] = steps * step - double{d[c]};
     }
-    if (attribute == 0) error.target_m = std::max(error.target_m, glm::length(miss));
+    if (attribute == 0) error.target = std::max(error.target, glm::length(miss));
   }
   return true;
 }

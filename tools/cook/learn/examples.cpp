@@ -209,11 +209,8 @@ std::vector<ShownPose> read_examples(const std::string& path, const Shown& shown
   std::vector<ShownPose> out;
   const RawInstance* const skinned = skinned_like(sheet, shown.mesh);
   if (skinned != nullptr) {
-    CookOptions options;
-    options.raw_clips = true;
-    Notes of_example;
     sheet.built = build_skeletons(sheet.scene);
-    sheet.built.clips = build_clips(sheet.scene, sheet.built, options, of_example);
+    sheet.built.clips = build_raw_clips(sheet.scene, sheet.built, {});
     add_moments(sheet, *skinned, shown, out);
   }
   for (const RawInstance& instance : sheet.scene.instances)

@@ -7,6 +7,7 @@
 
 #include "cook/learn/learn.h"
 #include "cook/learn/learn_deformers.h"
+#include "cook/mesh/scene_scale.h"
 #include "cook/mesh/subdivide_mesh.h"
 #include "cook/skin/deform_source.h"
 #include "cook/skin/split_primitives.h"
@@ -27,7 +28,8 @@ void bind_mesh(const RawScene& scene, int number, int skin, const BuiltScene& bu
   const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
   const RawSkin& onto = skin_of(scene, skin);
   auto [binding, report] = learn_binding(scene, mesh, onto, built, options.learn, bind_to_skin(mesh, notes), notes);
-  LearntDeformers learnt = learn_deformers(scene, mesh, onto, built, options, mesh_grid(mesh, options), binding, notes);
+  const MeshGrid grid = mesh_grid(mesh, SceneScale(built.skeletons).of(scene, built, number), options);
+  LearntDeformers learnt = learn_deformers(scene, mesh, onto, built, options, grid, binding, notes);
   binding.deformers = std::move(learnt.deformers);
   binding.report = static_cast<int>(out.learnt.size());
   report.multi_weights = learnt.multi_weights;
@@ -74,7 +76,7 @@ bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive) {
   return instance.skin != kNone && !primitive.influences.empty();
 }
 
-MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
+MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const CookOptions& options) {
   if (options.mesh_codec == MeshCodec::none) return {};
   constexpr double kSteps = (1 << 14) - 1;
   glm::dvec3 low(0), high(0);
@@ -88,8 +90,9 @@ MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options) {
   }
   const glm::dvec3 size = high - low;
   const double side = std::max({size.x, size.y, size.z});
+  const double unit = options.position_error_is_share ? side : scene_scale > 0 ? 1 / scene_scale : 1.0;
   // Half a step along each axis is the farthest.
-  double step = options.position_error * (options.position_error_is_share ? side : 1.0) * 2 / std::sqrt(3.0);
+  double step = options.position_error * unit * 2 / std::sqrt(3.0);
   if (step <= 0) step = side / kSteps;
   constexpr double kMostSteps = (1 << packed::kMaxValueBits) - 1;
   step = std::max(step, side / kMostSteps);

@@ -23,8 +23,8 @@ struct BoundMeshes {
 // Whether the primitive moves with the instance's skin.
 bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive);
 
-// One grid for all primitives of a mesh, so that where they touch they still do.
-MeshGrid mesh_grid(const RawMesh& mesh, const CookOptions& options);
+// One grid for all primitives of a mesh, so that where they touch they still do. scene_scale: see SceneScale.
+MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const CookOptions& options);
 
 // built: its skeletons and clips. Throws tools::Failure: unsupported for what needs too large a palette, invalid for
 // examples that do not fit.

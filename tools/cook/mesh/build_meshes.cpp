@@ -11,6 +11,7 @@
 #include "cook/geometry/build_geometry.h"
 #include "cook/mesh/bind_meshes.h"
 #include "cook/mesh/lod.h"
+#include "cook/mesh/scene_scale.h"
 #include "cook/scene/matrices.h"
 #include "cook/skin/bound_deformers.h"
 #include "cook/skin/primitive_palette.h"
@@ -184,7 +185,8 @@ std::vector<std::vector<std::uint32_t>> build_tasks(const std::string& source, c
 }
 
 BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
-                     const Bound& bound, std::uint32_t part, int skin, int subdivide, const BuiltScene& built) {
+                     const Bound& bound, std::uint32_t part, int skin, int subdivide, const BuiltScene& built,
+                     const SceneScale& scale) {
   // All joints of a skin are of one skeleton.
   const int follows = skin == kNone ? instance.node : scene.skins[static_cast<std::size_t>(skin)].joints.front();
   const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(follows)];
@@ -201,6 +203,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
   mesh.half_joints = palette.half_joints;
+  mesh.scene_scale = scale.of(mesh.skeleton, mesh.joints, mesh.inverse_bind);
   mesh.lods = bound.lods;
   if (subdivide > 0) mesh.source_triangles = primitive.indices.size() / 3 >> (2 * subdivide);
   mesh.targets = instance.weights;
@@ -225,15 +228,19 @@ Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMes
                   const CookOptions& options, Notes& notes) {
   Drawn out;
   BoundPrimitives bound;
+  const SceneScale scale(built.skeletons);
+  std::map<int, MeshGrid> grids;
   for (const RawInstance& instance : scene.instances) {
     const RawMesh& source = bound_meshes.mesh(scene, instance.mesh);
+    if (!grids.contains(instance.mesh))
+      grids[instance.mesh] = mesh_grid(source, scale.of(scene, built, instance.mesh), options);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
       const RawPrimitive& primitive = source.primitives[i];
       const int skin = is_skinned(instance, primitive) ? instance.skin : kNone;
       const auto [found, is_new] = bound.try_emplace({instance.mesh, i, skin});
       if (is_new) {
         Task task;
-        task.grid = mesh_grid(source, options);
+        task.grid = grids[instance.mesh];
         const SkinBinding* const binding = skin == kNone ? nullptr : &bound_meshes.bindings.at({instance.mesh, skin});
         const std::vector<MeshLevel>& lods =
             levels_of(scene, source, instance.mesh, skin, binding, options, built, out.levels, notes);
@@ -246,7 +253,7 @@ Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMes
       const std::size_t parts = std::max<std::size_t>(1, found->second.palettes.size());
       for (std::uint32_t part = 0; part < parts; ++part)
         out.meshes.push_back(
-            build_mesh(scene, instance, primitive, found->second, part, skin, options.subdivide, built));
+            build_mesh(scene, instance, primitive, found->second, part, skin, options.subdivide, built, scale));
     }
   }
   return out;

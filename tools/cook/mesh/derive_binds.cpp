@@ -9,20 +9,13 @@
 #include <glm/matrix.hpp>
 
 #include "cook/scene/matrices.h"
-#include "cook/scene/views.h"
-#include "marrow/local_to_model.h"
+#include "cook/skin/sampled_poses.h"
 #include "unpack/structure.h"
 
 namespace marrow::cook {
 namespace {
 
 constexpr std::size_t kTries = 4;  // joints whose bind pose may say where the mesh stands
-
-std::vector<Affine> rest_in_model_space(const BuiltSkeleton& s) {
-  std::vector<Affine> model(s.parents.size());
-  (void)local_to_model(view(s), {s.rest.data(), s.rest.size()}, {model.data(), model.size()});
-  return model;
-}
 
 // How far a corner of the box goes if one inverse bind takes the place of another, in the mesh's space. Infinite for
 // what cannot be inverted.
@@ -96,7 +89,7 @@ void derive_parts(const std::vector<Affine>& model, std::span<BuiltMesh> parts,
       binds.inverse_bind.push_back(part.inverse_bind[i]);
     }
   }
-  const Derived derived = derive(model, geometries[parts.front().geometry].position_step_m / 8, box, binds);
+  const Derived derived = derive(model, geometries[parts.front().geometry].position_step / 8, box, binds);
   for (BuiltMesh& part : parts) {
     part.scene_from_mesh = derived.place;
     part.bind_is_given.clear();
@@ -113,12 +106,12 @@ void derive_parts(const std::vector<Affine>& model, std::span<BuiltMesh> parts,
 
 BuiltMeshes derive_inverse_binds(const std::vector<BuiltSkeleton>& skeletons, BuiltMeshes meshes) {
   std::vector<std::vector<Affine>> models;
-  for (const BuiltSkeleton& skeleton : skeletons) models.push_back(rest_in_model_space(skeleton));
+  for (const BuiltSkeleton& skeleton : skeletons) models.push_back(model_pose(skeleton, skeleton.rest));
   std::vector<double> moved_m(meshes.geometries.size(), 0);
   std::vector<BuiltMesh>& all = meshes.meshes;
   for (std::size_t m = 0; m < all.size(); m += all[m].parts)
     derive_parts(models[all[m].skeleton], std::span(all).subspan(m, all[m].parts), meshes.geometries, moved_m);
-  for (std::size_t i = 0; i < moved_m.size(); ++i) meshes.geometries[i].error.position_m += moved_m[i];
+  for (std::size_t i = 0; i < moved_m.size(); ++i) meshes.geometries[i].error.position += moved_m[i];
   return meshes;
 }
 

@@ -182,14 +182,9 @@ void Matching::hold_others() {
 
 }  // namespace
 
-Character read_character(const std::string& gltf_path) {
-  const RawScene scene = read_gltf(gltf_path);
-  BuiltScene built = build_skeletons(scene);
-  return {gltf_path, std::move(built.skeletons)};
-}
-
 Character view_character(const std::string& path, const File& file) {
-  Character out{path, {}};
+  Character out;
+  out.file = path;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) {
     const Skeleton s = file.skeleton(i);
     BuiltSkeleton& built = out.skeletons.emplace_back();
@@ -199,6 +194,8 @@ Character view_character(const std::string& path, const File& file) {
     built.scene_from_root.assign(s.scene_from_root, s.scene_from_root + s.root_count);
     built.rest.assign(s.rest, s.rest + s.soa_size());
   }
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i)
+    for (std::uint32_t level = 0; level <= file.mesh(i).lods.size; ++level) out.meshes.push_back(file.mesh(i, level));
   return out;
 }
 

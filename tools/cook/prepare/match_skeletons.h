@@ -9,8 +9,7 @@
 
 namespace marrow::cook {
 
-// The skeletons of a glTF file as cooking it would make them, or of a cooked file's view. Both throw tools::Failure.
-Character read_character(const std::string& gltf_path);
+// Of a cooked file, which outlives it.
 Character view_character(const std::string& path, const File& file);
 
 struct Matched {

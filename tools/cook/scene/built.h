@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct ClipError {
   double share = 0;  // of what is promised for the joint; the largest of any
   std::size_t joint = 0;
   double time_s = 0;
+  double vertex_error_m = 0, vertex_share = 0;  // of vertices, of what is promised for each
 };
 
 struct BuiltClip {
@@ -64,20 +66,21 @@ struct BuiltClip {
   std::vector<float> values;
   BuiltCoded coded;
   ClipError error;
+  std::string raw_because;              // why its keys are as they were; empty: coded, or nothing moves
   std::string additive;                 // over what, in --additive's words; empty: an ordinary clip
   std::vector<SoaTransform> reference;  // empty: the rest pose
 };
 
-// What quantisation has done at worst.
+// What quantisation has done at worst, lengths in the mesh's own units.
 struct MeshError {
-  double position_m = 0;
+  double position = 0;
   double normal_deg = 0;
   double uv = 0;
   double weight = 0;
-  double target_m = 0;  // of a morph target's positions, at weight 1
+  double target = 0;  // of a morph target's positions, at weight 1
   // Of a vertex by multi-weight enveloping, in poses that take no joint's origin further from the root than the
   // diagonal of the mesh's box, and scale nothing; and of one by pose-space deformation, before the blend.
-  double multi_weight_m = 0, pose_space_m = 0;
+  double multi_weight = 0, pose_space = 0;
 };
 
 struct BuiltGeometry {
@@ -88,7 +91,7 @@ struct BuiltGeometry {
   std::vector<std::byte> record;    // what a packed file has instead
   std::uint64_t scratch_bytes = 0;  // of memory, to unpack the record
   std::uint32_t target_count = 0;   // morph targets; 0 if none moves anything
-  double position_step_m = 0;       // of a packed one's positions
+  double position_step = 0;         // of a packed one's positions
   MeshError error;
 };
 
@@ -129,6 +132,7 @@ struct BuiltMesh {
   Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
   std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
   std::vector<HalfJoint> half_joints;
+  double scene_scale = 1;                // scene units a unit of its own, at rest, at most
   std::vector<BuiltLod> lods;            // levels 1, 2, …
   std::size_t source_triangles = 0;      // of a subdivided mesh; else 0
   int learnt = kNone;                    // index into BuiltScene::learnt
@@ -162,7 +166,10 @@ struct Kept {
 // A character that is cooked already, or will be, for clip packs.
 struct Character {
   std::string file;
-  std::vector<BuiltSkeleton> skeletons;
+  std::vector<BuiltSkeleton> skeletons = {};
+  std::vector<Mesh> meshes = {};           // of every level of detail
+  std::shared_ptr<const void> holds = {};  // what they point into
+  std::string hash = {};                   // of all of it
 };
 
 struct BuiltScene {

@@ -107,6 +107,7 @@ struct CookOptions {
   std::vector<AdditiveRule> additive;            // the last that fits a clip counts
   bool raw_clips = false;                        // keep clips' keys as they are
   std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
+  std::optional<double> clip_shell;              // metres: clips keep their promise there; none: at the vertices too
   bool clips_only = false;                       // a clip pack
   std::string skeleton_file;                     // the file of `onto`, for whoever reads it
   std::shared_ptr<const Character> onto;         // that the pack is for; null: the file's own skeletons

@@ -1,5 +1,11 @@
 #include "cook/scene/matrices.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
 namespace marrow::cook {
 
 glm::dmat4 local_matrix(const RawNode& node) {
@@ -7,6 +13,20 @@ glm::dmat4 local_matrix(const RawNode& node) {
   for (int axis = 0; axis < 3; ++axis) m[axis] *= node.scale[axis];
   m[3] = glm::dvec4(node.translation, 1.0);
   return m;
+}
+
+// The largest eigenvalue of a symmetric matrix of three rows in closed form: Smith, "Eigenvalues of a symmetric 3 × 3
+// matrix", Communications of the ACM 4(4), 1961.
+double largest_stretch(const glm::dmat3& linear) {
+  const glm::dmat3 a = glm::transpose(linear) * linear;
+  const double mean = (a[0][0] + a[1][1] + a[2][2]) / 3;
+  const glm::dmat3 b = a - glm::dmat3(mean);
+  double squares = 0;
+  for (int c = 0; c < 3; ++c) squares += glm::dot(b[c], b[c]);
+  const double p = std::sqrt(squares / 6);
+  if (!(p > 0)) return std::sqrt(mean);
+  const double r = std::clamp(glm::determinant(b) / (2 * p * p * p), -1.0, 1.0);
+  return std::sqrt(std::max(0.0, mean + 2 * p * std::cos(std::acos(r) / 3)));
 }
 
 Affine to_affine(const glm::dmat4& m) {

@@ -1,5 +1,7 @@
 #include "cook/scene/views.h"
 
+#include "asset/section_views.h"
+
 namespace marrow::cook {
 
 Skeleton view(const BuiltSkeleton& skeleton) {
@@ -33,6 +35,17 @@ Clip view(const BuiltClip& clip, const Skeleton& skeleton) {
   out.coded.segment_offsets = c.offsets.data();
   out.coded.constants = reinterpret_cast<const std::byte*>(c.constants.data());
   out.coded.payload = c.payload.data();
+  return out;
+}
+
+Mesh view(const BuiltMesh& mesh, const BuiltGeometry& geometry) {
+  Mesh out;
+  out.skeleton = mesh.skeleton;
+  out.joint_count = static_cast<std::uint32_t>(mesh.joints.size());
+  out.joints = mesh.joints.data();
+  out.inverse_bind = mesh.inverse_bind.data();
+  out.half_joints = {mesh.half_joints.data(), mesh.half_joints.size()};
+  out.geometry = view_geometry(geometry.section.data());
   return out;
 }
 

@@ -15,6 +15,9 @@ namespace marrow::cook {
 Skeleton view(const BuiltSkeleton& skeleton);
 Clip view(const BuiltClip& clip, const Skeleton& skeleton);
 
+// A mesh at the level of detail that `geometry` is; without names, materials and morph targets' names.
+Mesh view(const BuiltMesh& mesh, const BuiltGeometry& geometry);
+
 struct Transform {
   glm::dvec3 translation{0};
   glm::dquat rotation{1, 0, 0, 0};

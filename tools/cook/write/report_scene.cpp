@@ -50,12 +50,12 @@ ordered_json report_deformer(const DeformerReport& learnt, double error_m) {
 }
 
 // What was learnt for a mesh; of what was not asked for nothing.
-void report_learning(const LearnReport& learnt, const BuiltGeometry& geometry, ordered_json& mesh) {
+void report_learning(const LearnReport& learnt, const MeshError& error, double scale, ordered_json& mesh) {
   mesh["animation_space"] = report_learnt(learnt);
   if (*learnt.multi_weights.truth != '\0')
-    mesh["multi_weights"] = report_deformer(learnt.multi_weights, geometry.error.multi_weight_m);
+    mesh["multi_weights"] = report_deformer(learnt.multi_weights, error.multi_weight * scale);
   if (*learnt.pose_space.truth == '\0') return;
-  mesh["pose_space"] = report_deformer(learnt.pose_space, geometry.error.pose_space_m);
+  mesh["pose_space"] = report_deformer(learnt.pose_space, error.pose_space * scale);
   mesh["pose_space"]["examples"] = learnt.pose_space.examples;
 }
 
@@ -77,17 +77,18 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"joints", mesh.joints.size()},
                    {"codec", tools::mesh_codec_name(geometry.codec)},
                    {"bytes", bytes},
-                   {"max_position_error_m", geometry.error.position_m},
+                   {"max_position_error_m", geometry.error.position * mesh.scene_scale},
                    {"max_normal_error_deg", geometry.error.normal_deg},
                    {"max_uv_error", geometry.error.uv},
                    {"max_weight_error", geometry.error.weight},
-                   {"max_target_error_m", geometry.error.target_m}});
+                   {"max_target_error_m", geometry.error.target * mesh.scene_scale}});
     if (mesh.source_triangles > 0) out.back()["source_triangles"] = mesh.source_triangles;
     if (mesh.parts > 1)
       out.back()["split"] = {{"part", mesh.part}, {"parts", mesh.parts}, {"doubled_vertices", mesh.doubled}};
     if (!mesh.lods.empty()) out.back()["lods"] = report_lods(built, mesh, written);
     if (mesh.learnt != kNone)
-      report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry, out.back());
+      report_learning(built.learnt[static_cast<std::size_t>(mesh.learnt)], geometry.error, mesh.scene_scale,
+                      out.back());
   }
   return out;
 }
@@ -103,6 +104,7 @@ ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
                    {"skeleton", clip.skeleton},
                    {"duration_s", clip.duration_s},
                    {"codec", clip.coded.header.frame_count > 0 ? "segments" : "raw"},
+                   {"raw_because", clip.raw_because.empty() ? ordered_json() : ordered_json(clip.raw_because)},
                    {"raw_bytes", raw_bytes},
                    {"bytes", bytes},
                    {"ratio", raw_bytes > 0 ? ordered_json(static_cast<double>(bytes) / static_cast<double>(raw_bytes))
@@ -111,7 +113,8 @@ ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
                    {"channels", clip.channel_names},
                    {"max_error_m", clip.error.error_m},
                    {"max_error_joint", skeleton.joint_names[clip.error.joint]},
-                   {"max_error_time_s", clip.error.time_s}});
+                   {"max_error_time_s", clip.error.time_s},
+                   {"max_vertex_error_m", clip.error.vertex_error_m}});
   }
   return out;
 }

@@ -103,7 +103,7 @@ void Segment::find_targets() {
 }
 
 void Segment::find_reach() {
-  reach_.assign(rig_.size(), promise_.shell);
+  reach_ = promise_.reach;
   scale_above_.assign(rig_.size(), 1);
   least_ = promise_.error;
   for (std::size_t j = 0; j < rig_.size(); ++j) {
@@ -112,8 +112,8 @@ void Segment::find_reach() {
     for (const std::size_t below : rig_.subtrees[j]) least_[j] = std::min(least_[j], promise_.error[below]);
     for (const std::size_t below : rig_.subtrees[j])
       for (std::size_t e = 0; e < moment_count(); e += kMoments)
-        reach_[j] = std::max(reach_[j],
-                             promise_.shell + glm::length(source_world_[below][e].origin - source_world_[j][e].origin));
+        reach_[j] = std::max(reach_[j], promise_.reach[below] +
+                                            glm::length(source_world_[below][e].origin - source_world_[j][e].origin));
   }
 }
 
@@ -157,7 +157,7 @@ Segment::Trial Segment::attempt(std::size_t track, const CodedTrack& candidate) 
     double energy = 0;
     for (std::size_t e = 0; e < moment_count(); ++e) {
       trial_world_[j][e] = rig_.place(j, up == nullptr ? nullptr : &(*up)[e], local[e]);
-      const double error = shell_error(source_world_[j][e], trial_world_[j][e], promise_.shell);
+      const double error = joint_error(source_world_[j][e], trial_world_[j][e], promise_, j);
       if (!(error <= promise_.error[j])) return trial;
       energy += eighth_power(error / promise_.error[j]);
     }
@@ -200,7 +200,7 @@ bool Segment::start(double share) {
     for (std::size_t e = 0; e < moment_count(); ++e) {
       const World* parent = rig_.parents[j] == kNone ? nullptr : &world_[static_cast<std::size_t>(rig_.parents[j])][e];
       world_[j][e] = rig_.place(j, parent, local_[j][e]);
-      const double error = shell_error(source_world_[j][e], world_[j][e], promise_.shell);
+      const double error = joint_error(source_world_[j][e], world_[j][e], promise_, j);
       if (!(error <= promise_.error[j])) return false;
       energy_[j] += eighth_power(error / promise_.error[j]);
     }

@@ -57,7 +57,7 @@ class Segment {
   std::vector<std::vector<Transform>> source_;
   std::vector<std::vector<World>> source_world_;
   std::vector<std::vector<glm::dvec3>> targets_;  // a track and frame: what is rounded
-  std::vector<double> reach_;                     // a joint: metres to the farthest shell below it
+  std::vector<double> reach_;                     // a joint: metres to the farthest of what it carries
   std::vector<double> scale_above_;               // a joint: scene units a unit of its translation
   std::vector<double> least_;                     // a joint: the strictest promise for it and those below it
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "cook/clip/compress/choose_steps.h"
 #include "cook/clip/compress/constant.h"
 #include "cook/clip/compress/grid.h"
@@ -17,7 +19,9 @@ namespace {
 constexpr std::size_t kMostTransforms = 1'000'000;              // a joint and moment: 80 MB; larger clips stay raw
 constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
 constexpr double kStillShare = 0.05;                            // of the promise, below which a movement does not count
-constexpr double kShares[] = {0.97, 0.9, 0.75};                 // of the promise, that the search may use up
+constexpr double kShare = 0.97;                                 // of the promise, that the search may use up
+constexpr int kMostTries = 6;                                   // with ever less of it, until the vertices keep theirs
+constexpr std::size_t kMostSkinned = 15'000'000;  // vertices that one measurement skins, if it need not more
 
 // The tracks that stay raw, with the times and values that they use.
 BuiltClip keep_jumping(const BuiltClip& clip) {
@@ -50,8 +54,14 @@ BuiltClip keep_jumping(const BuiltClip& clip) {
 class Compressor {
  public:
   Compressor(const BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Grid& grid,
-             const Promise& promise)
-      : clip_(clip), skeleton_(skeleton), rig_(rig), curves_(clip, skeleton), grid_(grid), intervals_(grid.intervals) {
+             const Promise& promise, const Hung& hung)
+      : clip_(clip),
+        skeleton_(skeleton),
+        rig_(rig),
+        hung_(hung),
+        curves_(clip, skeleton),
+        grid_(grid),
+        intervals_(grid.intervals) {
     for (std::size_t j = 0; j < rig.size(); ++j) {
       source_.emplace_back();
       for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) source_[j].push_back(curves_.at(j, time_of(e)));
@@ -61,7 +71,8 @@ class Compressor {
     sort_tracks(promise);
   }
 
-  std::optional<BuiltClip> compress(const Promise& promise, double share) const;
+  // length: of segments, at most; 0: all that are worth it are tried, and the best one is left in it.
+  std::optional<BuiltClip> compress(const Promise& promise, double share, std::size_t& length) const;
 
  private:
   double time_of(std::size_t moment) const {
@@ -77,6 +88,7 @@ class Compressor {
   const BuiltClip& clip_;
   const BuiltSkeleton& skeleton_;
   const Rig& rig_;
+  const Hung& hung_;
   SourceCurves curves_;
   Grid grid_;
   std::size_t intervals_;
@@ -92,7 +104,7 @@ bool Compressor::stays(std::size_t joint, TrackPath path, const Transform& at, c
   double least = promise.error[joint];
   for (const std::size_t below : rig_.subtrees[joint]) least = std::min(least, promise.error[below]);
   const double most = kStillShare * least /
-                      (path == TrackPath::translation ? rig_.scale_above[joint] : rig_.reach[joint] + promise.shell);
+                      (path == TrackPath::translation ? rig_.scale_above[joint] : reach_below(joint, rig_, promise));
   return std::all_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
     if (path == TrackPath::translation) return glm::length(t.translation - at.translation) <= most;
     if (path == TrackPath::scale) return glm::length(t.scale - at.scale) <= most;
@@ -144,14 +156,19 @@ void Compressor::sort_tracks(const Promise& promise) {
       }
 }
 
+// Of the joints at every moment; of the vertices too, or at every few where that would be too many, as long as the
+// joints keep the promise.
 ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) const {
   const Skeleton skeleton = view(skeleton_);
   const Clip clip = view(out, skeleton);
+  const std::size_t moments = intervals_ * kMoments + 1, stride = 1 + hung_.slots * moments / kMostSkinned;
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<World> source(rig_.size()), decoded(rig_.size());
+  VertexErrors vertices(hung_);
+  VertexError vertex;
   ClipError worst;
-  for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) {
-    if (sample(skeleton, clip, static_cast<float>(time_of(e)), local) != Status::ok) return {INFINITY, INFINITY, 0, 0};
+  for (std::size_t e = 0; e < moments; ++e) {
+    if (sample(skeleton, clip, static_cast<float>(time_of(e)), local) != Status::ok) return {INFINITY, INFINITY};
     BuiltSkeleton posed;
     posed.rest = local;
     posed.parents = skeleton_.parents;
@@ -165,7 +182,10 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
       const double share = error / promise.error[j];
       if (!(share <= worst.share)) worst = {error, share, j, time_of(e)};
     }
+    if (e % stride == 0 && worst.share <= 1) vertices.add(source, decoded, vertex);
   }
+  worst.vertex_error_m = vertex.error_m;
+  worst.vertex_share = vertex.share;
   return worst;
 }
 
@@ -188,22 +208,24 @@ std::optional<BuiltCoded> Compressor::code(const Promise& promise, std::size_t l
   return packer.finish(grid_, each);
 }
 
-std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
+std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share, std::size_t& length) const {
   std::optional<BuiltClip> best;
   if (moving_.empty() && constant_.empty()) best = keep_jumping(clip_);
   Promise stricter = promise;
   for (double& error : stricter.error) error *= share;
   std::size_t last_count = 0;
-  for (const std::size_t length : kSegmentIntervals) {
+  const std::size_t wanted = length;
+  for (const std::size_t most : kSegmentIntervals) {
     if (best && best->coded.header.frame_count == 0) break;  // nothing to code
-    const std::size_t count = (intervals_ + length - 1) / length;
-    if (count == last_count) continue;
+    const std::size_t count = (intervals_ + most - 1) / most;
+    if (count == last_count || (wanted != 0 && most != wanted)) continue;
     last_count = count;
-    std::optional<BuiltCoded> coded = code(stricter, length);
+    std::optional<BuiltCoded> coded = code(stricter, most);
     if (!coded) break;  // a finer grid may help, other segments will not
     if (best && coded->payload.size() >= best->coded.payload.size()) continue;
     best = keep_jumping(clip_);
     best->coded = std::move(*coded);
+    length = most;
   }
   if (best) best->error = measure(*best, promise);
   return best;
@@ -216,19 +238,58 @@ std::size_t bytes_of(const BuiltClip& clip) {
          (clip.coded.header.frame_count > 0 ? sizeof(format::CodedHeader) : 0);
 }
 
+// The smallest that came out but strayed too far.
+struct Strayed {
+  double share = INFINITY;  // of the promise
+  std::size_t bytes = 0;
+};
+
+// nullopt if nothing that keeps the promise comes out on this grid.
+std::optional<BuiltClip> compress_on(const Compressor& compressor, const BuiltClip& clip, const Promise& promise,
+                                     Strayed& strayed) {
+  double share = kShare, last = INFINITY;
+  std::size_t length = 0;
+  for (int i = 0; i < kMostTries; ++i) {
+    std::optional<BuiltClip> made = compressor.compress(promise, share, length);
+    if (!made) return std::nullopt;
+    const double worst = std::max(made->error.share, promise.of_vertices ? made->error.vertex_share : 0.0);
+    if (worst <= 1) return made;
+    if (bytes_of(*made) < bytes_of(clip) && worst < strayed.share) strayed = {worst, bytes_of(*made)};
+    if (worst > 1.5 && worst > 0.98 * last) return std::nullopt;  // it is the grid that strays
+    last = worst;
+    share *= std::clamp(kShare / worst, 0.5, 0.93);
+  }
+  return std::nullopt;
+}
+
+std::string why_it_strays(const Strayed& strayed) {
+  std::string out = "no steps of time and value that are tried keep --clip-error";
+  if (strayed.bytes > 0)
+    out += fmt::format("; {:.2g} times as large, it would be {} bytes", 1.1 * strayed.share, strayed.bytes);
+  return out;
+}
+
 }  // namespace
 
-void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise) {
+void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
+                   const Hung& hung) {
+  if (clip.tracks.empty()) return;
+  clip.raw_because = "its curves are STEP, or all at one time";
+  Strayed strayed;
   for (const Grid& grid : grids(clip)) {
+    clip.raw_because = "it has more than a million joints times moments";
     if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) return;
-    const Compressor compressor(clip, skeleton, rig, grid, promise);
-    for (const double share : kShares) {
-      std::optional<BuiltClip> made = compressor.compress(promise, share);
-      if (!made) break;
-      if (!(made->error.share <= 1)) continue;
-      if (bytes_of(*made) < bytes_of(clip)) clip = std::move(*made);
-      return;
+    const Compressor compressor(clip, skeleton, rig, grid, promise, hung);
+    std::optional<BuiltClip> made = compress_on(compressor, clip, promise, strayed);
+    if (!made) {
+      clip.raw_because = why_it_strays(strayed);
+      continue;
     }
+    if (bytes_of(*made) < bytes_of(clip))
+      clip = std::move(*made);
+    else
+      clip.raw_because = fmt::format("in segments it would be {} bytes, not fewer", bytes_of(*made));
+    return;
   }
 }
 

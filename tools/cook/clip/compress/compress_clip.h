@@ -1,15 +1,16 @@
 // A clip of keys → the same clip in coded segments, within a promised error.
 #pragma once
 
-#include "cook/clip/compress/rig.h"
+#include "cook/clip/compress/hung.h"
 
 namespace marrow::cook {
 
 // Replaces the tracks of `clip` by coded ones where that keeps the promise and saves bytes; STEP tracks stay as they
 // are. The promise is checked with the runtime's own decoder, in scene space through the whole hierarchy, against the
-// source curves at every frame and the quarters between; clip.error says the largest error found. Deterministic.
-// Method: the cooker's own; the search for bit rates against the error of the whole hierarchy follows Frechette's
-// "Compression by object-space error" in the Animation Compression Library.
-void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise);
+// source curves at every frame and the quarters between, of joints' shells and of `hung`'s vertices; clip.error says
+// the largest errors found. Deterministic. Method: the cooker's own; the search for bit rates against the error of the
+// whole hierarchy follows Frechette's "Compression by object-space error" in the Animation Compression Library.
+void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
+                   const Hung& hung);
 
 }  // namespace marrow::cook

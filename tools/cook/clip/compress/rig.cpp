@@ -21,8 +21,7 @@ Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
   const std::size_t count = skeleton.parents.size();
   above.resize(count);
   subtrees.resize(count);
-  reach.resize(count);
-  std::vector<World> world(count);
+  world.resize(count);
   glm::dvec3 low(1e300), high(-1e300);
   for (std::size_t j = 0; j < count; ++j) {
     const bool root = skeleton.parents[j] == kNoParent;
@@ -44,8 +43,6 @@ Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
   for (std::size_t j = count; j-- > 0;) {
     subtrees[j].push_back(j);
     std::sort(subtrees[j].begin(), subtrees[j].end());
-    for (const std::size_t below : subtrees[j])
-      reach[j] = std::max(reach[j], glm::length(world[below].origin - world[j].origin));
     if (parents[j] == kNone) continue;
     std::vector<std::size_t>& up = subtrees[static_cast<std::size_t>(parents[j])];
     up.insert(up.end(), subtrees[j].begin(), subtrees[j].end());
@@ -63,6 +60,33 @@ double shell_error(const World& source, const World& other, double shell) {
         std::max({squared, glm::dot(offset + turned, offset + turned), glm::dot(offset - turned, offset - turned)});
   }
   return std::sqrt(squared);
+}
+
+void Promise::watch(std::size_t joint, const glm::dvec4& point, const Rig& rig) {
+  const double distance = glm::length(rig.world[joint].linear * glm::dvec3(point));
+  if (distance <= shell) return;
+  points[joint].push_back(point);
+  reach[joint] = std::max(reach[joint], distance);
+}
+
+double joint_error(const World& source, const World& other, const Promise& promise, std::size_t joint) {
+  const double shell = shell_error(source, other, promise.shell);
+  if (promise.points[joint].empty()) return shell;
+  const glm::dmat3 turned = other.linear - source.linear;
+  const glm::dvec3 moved = other.origin - source.origin;
+  double squared = shell * shell;
+  for (const glm::dvec4& point : promise.points[joint]) {
+    const glm::dvec3 off = turned * glm::dvec3(point) + moved * point.w;
+    squared = std::max(squared, glm::dot(off, off));
+  }
+  return std::sqrt(squared);
+}
+
+double reach_below(std::size_t joint, const Rig& rig, const Promise& promise) {
+  double out = 0;
+  for (const std::size_t below : rig.subtrees[joint])
+    out = std::max(out, glm::length(rig.world[below].origin - rig.world[joint].origin) + promise.reach[below]);
+  return out;
 }
 
 }  // namespace marrow::cook

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
 
 #include "cook/clip/compress/source_curves.h"
 
@@ -31,19 +32,31 @@ struct Rig {
   std::vector<World> above;                        // what stands above a root; the identity for others
   std::vector<Transform> rest;                     // parent_from_joint
   std::vector<std::vector<std::size_t>> subtrees;  // a joint and everything below it, ascending
-  std::vector<double> reach;                       // metres from a joint to the farthest one below it, at rest
+  std::vector<World> world;                        // scene_from_joint at rest
   std::vector<double> scale_above;                 // scene units a unit of a joint's translation, at rest
   double diagonal_m = 0;                           // of the box around the joints at rest, scene units
 };
 
-// What is promised about a clip: how far points on a shell round each joint may stray, in scene units.
+// What is promised about a clip: how far points on a shell round each joint, and what hangs on it, may stray, in scene
+// units.
 struct Promise {
   std::vector<double> error;  // a joint
   double shell = 0.03;
+  bool of_vertices = true;  // vertices keep it too, measured in the end
+  // A joint: what hangs on it farther out than the shell. A place in its space times a weight, and the weight.
+  std::vector<std::vector<glm::dvec4>> points;
+  std::vector<double> reach;  // a joint: how far out the shell and the points are, at rest
+
+  void watch(std::size_t joint, const glm::dvec4& point, const Rig& rig);
 };
 
 // The largest distance between the six points of the shell of a joint in two poses. The shell is round in the source's
 // pose at scene scale, however its joint is scaled.
 double shell_error(const World& source, const World& other, double shell);
+// The same, and of the points.
+double joint_error(const World& source, const World& other, const Promise& promise, std::size_t joint);
+
+// How far what a joint carries is from it, at rest: the joints below it, their shells and points.
+double reach_below(std::size_t joint, const Rig& rig, const Promise& promise);
 
 }  // namespace marrow::cook

@@ -1,0 +1,265 @@
+#include "cook/clip/compress/hung.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "common/aligned_bytes.h"
+#include "common/failure.h"
+#include "cook/scene/matrices.h"
+#include "marrow/morph.h"
+#include "marrow/palette.h"
+#include "marrow/skin.h"
+
+namespace marrow::cook {
+namespace {
+
+void check(Status status) {
+  if (status != Status::ok)
+    throw tools::Failure(tools::Exit::internal, "", "", to_string(status), "please report this");
+}
+
+// One influence of a vertex: what its palette entry's matrix is multiplied by.
+struct Influence {
+  std::uint32_t entry;
+  double weight;
+  glm::dvec4 coordinate;  // of animation space, where its residual has it
+};
+
+// Calls visit(slot, influences) for every vertex, without those that fill up blocks.
+template <class Visit>
+void for_each_vertex(const Geometry& g, Visit visit) {
+  const std::uint16_t* set = g.sets;
+  const float *skin = g.skin, *residual = g.as_residual;
+  std::size_t block = 0;
+  std::vector<Influence> influences;
+  for (const Run& run : g.runs) {
+    const std::size_t k = run.influences;
+    for (std::uint32_t v = 0; v < run.vertex_count; ++v) {
+      const std::size_t lane = v % 4;
+      const float* const at = skin + (v / 4) * (12 + 4 * (k - 1)) + lane;
+      const glm::dvec4 place(at[0], at[4], at[8], 1);
+      influences.resize(k);
+      double left = 1;
+      for (std::size_t j = 0; j < k; ++j) {
+        const double weight = j + 1 < k ? static_cast<double>(at[12 + 4 * j]) : left;
+        left -= weight;
+        influences[j] = {set[j], weight, place * weight};
+        if (residual == nullptr) continue;
+        const float* const r = residual + ((v / 4) * k + j) * 16 + lane;
+        influences[j].coordinate += glm::dvec4(r[0], r[4], r[8], r[12]);
+      }
+      visit(4 * (block + v / 4) + lane, influences);
+    }
+    const std::size_t blocks = (run.vertex_count + 3) / 4;
+    block += blocks;
+    skin += blocks * (12 + 4 * (k - 1));
+    if (residual != nullptr) residual += blocks * 16 * k;
+    set += k;
+  }
+}
+
+// Calls visit(joint, inverse bind, share) for the joints that a palette entry follows.
+template <class Visit>
+void for_each_joint(const Mesh& mesh, std::uint32_t entry, Visit visit) {
+  const auto one = [&](std::uint32_t e, double share) { visit(mesh.joints[e], mesh.inverse_bind[e], share); };
+  if (entry < mesh.joint_count) return one(entry, 1);
+  const HalfJoint& half = mesh.half_joints[entry - mesh.joint_count];
+  one(half.parent, 1 - static_cast<double>(half.share));
+  one(half.joint, static_cast<double>(half.share));
+}
+
+glm::dvec4 transformed(const Affine& m, const glm::dvec4& v) {
+  glm::dvec4 out(0, 0, 0, v.w);
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) out[r] += static_cast<double>(m.rows[r][c]) * v[c];
+  return out;
+}
+
+// The points that are farthest along each axis and against it.
+class Farthest {
+ public:
+  void add(const glm::dvec4& point) {
+    for (std::size_t side = 0; side < 6; ++side) {
+      const double along = (side < 3 ? 1 : -1) * point[static_cast<int>(side % 3)];
+      if (along <= along_[side]) continue;
+      along_[side] = along;
+      points_[side] = point;
+    }
+  }
+  std::vector<glm::dvec4> distinct() const {
+    std::vector<glm::dvec4> out;
+    for (std::size_t side = 0; side < 6; ++side)
+      if (along_[side] > 0 && std::ranges::find(out, points_[side]) == out.end()) out.push_back(points_[side]);
+    return out;
+  }
+
+ private:
+  std::array<double, 6> along_ = {};
+  std::array<glm::dvec4, 6> points_ = {};
+};
+
+// How much of a vertex's error one of its joints may make alone: all of it if it has half of the weight or more. The
+// vertices themselves are measured in the end.
+double alone(double weight) {
+  const double size = std::fabs(weight);
+  return size > 1e-6 ? std::min(1.0, 2 * size) / size : 1;
+}
+
+void add_points(const Mesh& mesh, std::vector<Farthest>& farthest) {
+  for_each_vertex(mesh.geometry, [&](std::size_t, const std::vector<Influence>& influences) {
+    for (const Influence& i : influences)
+      for_each_joint(mesh, i.entry, [&](std::uint16_t joint, const Affine& bind, double share) {
+        farthest[joint].add(transformed(bind, i.coordinate) * (share * alone(i.coordinate.w * share)));
+      });
+  });
+}
+
+std::vector<float> most_of(const Mesh& mesh, const Promise& promise) {
+  std::vector<float> out(mesh.geometry.slot_count);
+  for_each_vertex(mesh.geometry, [&](std::size_t slot, const std::vector<Influence>& influences) {
+    double sum = 0;
+    for (const Influence& i : influences)
+      for_each_joint(mesh, i.entry, [&](std::uint16_t joint, const Affine&, double share) {
+        sum += i.weight * share * promise.error[joint];
+      });
+    out[slot] = static_cast<float>(sum);
+  });
+  return out;
+}
+
+double squared_distance(const float* a, const float* b) {
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) sum += std::pow(static_cast<double>(a[4 * c]) - static_cast<double>(b[4 * c]), 2);
+  return sum;
+}
+
+// The floats of a geometry's skin.
+std::size_t skin_size(const Geometry& g) {
+  std::size_t floats = 0;
+  for (const Run& run : g.runs) floats += (run.vertex_count + 3) / 4 * (12 + 4 * (std::size_t{run.influences} - 1));
+  return floats;
+}
+
+// The skin with each vertex where the target that takes it farthest has it.
+std::vector<float> farthest_skin(const Geometry& g) {
+  tools::AlignedBytes memory(morphed_bytes(g));
+  MorphedGeometry morphed;
+  check(make_morphed(g, {memory.data(), memory.size()}, morphed));
+  std::vector<float> out(g.skin, g.skin + skin_size(g)), weights(g.targets.size, 0.0f);
+  for (float& weight : weights) {
+    weight = 1;
+    check(morph(weights, morphed));
+    weight = 0;
+    const float* block = g.skin;
+    for (const Run& run : g.runs)
+      for (std::uint32_t b = 0; b < (run.vertex_count + 3) / 4; ++b, block += 12 + 4 * (run.influences - 1))
+        for (std::ptrdiff_t lane = 0; lane < 4; ++lane) {
+          float* const best = out.data() + (block - g.skin) + lane;
+          const float* const moved = morphed.geometry.skin + (block - g.skin) + lane;
+          if (squared_distance(moved, block + lane) <= squared_distance(best, block + lane)) continue;
+          for (int c = 0; c < 3; ++c) best[4 * c] = moved[4 * c];
+        }
+  }
+  return out;
+}
+
+HungMesh hung_mesh(const Mesh& mesh, const Promise& promise) {
+  HungMesh out{mesh, {}, {}, most_of(mesh, promise)};
+  if (mesh.geometry.as_residual == nullptr) return out;
+  out.coordinates.resize(as_coordinate_count(mesh.geometry));
+  check(as_coordinates(mesh.geometry, out.coordinates));
+  return out;
+}
+
+Affine to_affine(const World& w) {
+  Affine out;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) out.rows[r][c] = static_cast<float>(w.linear[c][r]);
+    out.rows[r][3] = static_cast<float>(w.origin[r]);
+  }
+  return out;
+}
+
+// How a mesh's vertices may be skinned, besides rigidly.
+enum Deforming { kSsd, kAs, kMwe, kPsd, kDeformings };
+
+bool has(const HungMesh& hung, int deformer) {
+  const Geometry& g = hung.mesh.geometry;
+  return deformer == kSsd || (deformer == kAs && !hung.coordinates.empty()) ||
+         (deformer == kMwe && g.mwe_residual != nullptr) ||
+         (deformer == kPsd && !g.pose_space.examples.empty() && hung.skin.empty());
+}
+
+}  // namespace
+
+Hung hang(const std::vector<Mesh>& meshes, const Rig& rig, Promise& promise) {
+  Hung out;
+  std::vector<Farthest> farthest(rig.size());
+  for (const Mesh& mesh : meshes) {
+    out.meshes.push_back(hung_mesh(mesh, promise));
+    if (mesh.geometry.targets.empty()) continue;
+    std::vector<float> skin = farthest_skin(mesh.geometry);
+    Mesh moved = mesh;
+    moved.geometry.skin = skin.data();
+    out.meshes.push_back(hung_mesh(moved, promise));
+    out.meshes.back().skin = std::move(skin);
+  }
+  for (const HungMesh& hung : out.meshes) {
+    add_points(hung.mesh, farthest);
+    for (int deformer = kSsd; deformer < kDeformings; ++deformer)
+      if (has(hung, deformer)) out.slots += hung.mesh.geometry.slot_count;
+  }
+  for (std::size_t j = 0; j < rig.size(); ++j)
+    for (const glm::dvec4& point : farthest[j].distinct()) promise.watch(j, point, rig);
+  return out;
+}
+
+void hang(std::size_t joint, const glm::dvec3& place, const Rig& rig, Promise& promise) {
+  promise.watch(joint, {place, 1}, rig);
+}
+
+VertexErrors::VertexErrors(const Hung& hung) : hung_(hung) {
+  std::size_t slots = 0;
+  for (const HungMesh& h : hung.meshes) slots = std::max<std::size_t>(slots, h.mesh.geometry.slot_count);
+  here_.resize(3 * slots);
+  there_.resize(3 * slots);
+}
+
+void VertexErrors::skin(const HungMesh& hung, const std::vector<World>& pose, int deformer, std::vector<float>& out) {
+  joints_.clear();
+  for (const World& w : pose) joints_.push_back(to_affine(w));
+  palette_.resize(hung.mesh.palette_size());
+  check(build_palette(hung.mesh, joints_, palette_));
+  const SkinOutput to{{out.data(), std::size_t{3} * hung.mesh.geometry.slot_count}};
+  if (deformer == kSsd) return check(skin_ssd(hung.mesh, palette_, to));
+  if (deformer == kAs) return check(skin_as(hung.mesh, hung.coordinates, palette_, to));
+  if (deformer == kMwe) return check(skin_mwe(hung.mesh, palette_, to));
+  distances_.resize(psd_distance_count(hung.mesh.geometry));
+  check(psd_distances(hung.mesh.geometry, palette_, distances_));
+  check(skin_psd(hung.mesh, distances_, palette_, to));
+}
+
+void VertexErrors::add(const std::vector<World>& source, const std::vector<World>& other, VertexError& worst) {
+  for (const HungMesh& hung : hung_.meshes)
+    for (int deformer = kSsd; deformer < kDeformings; ++deformer) {
+      if (!has(hung, deformer)) continue;
+      skin(hung, source, deformer, here_);
+      skin(hung, other, deformer, there_);
+      double largest = 0, share = 0;
+      for (std::size_t slot = 0; slot < hung.most.size(); ++slot) {
+        if (hung.most[slot] == 0) continue;
+        double sum = 0;
+        for (std::size_t c = 3 * slot; c < 3 * slot + 3; ++c)
+          sum += std::pow(static_cast<double>(here_[c]) - static_cast<double>(there_[c]), 2);
+        largest = std::max(largest, sum);
+        share = std::max(share, sum / std::pow(static_cast<double>(hung.most[slot]), 2));
+      }
+      worst.error_m = std::max(worst.error_m, std::sqrt(largest));
+      worst.share = std::max(worst.share, std::sqrt(share));
+    }
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,28 @@
+// How large what is measured in a mesh's own units is in the scene.
+#pragma once
+
+#include <vector>
+
+#include "cook/scene/built.h"
+#include "cook/scene/raw.h"
+
+namespace marrow::cook {
+
+// In the rest pose; the largest of all directions, joints and places where a mesh stands.
+class SceneScale {
+ public:
+  explicit SceneScale(const std::vector<BuiltSkeleton>& skeletons);
+
+  // Of what is drawn through a palette.
+  double of(std::uint32_t skeleton, const std::vector<std::uint16_t>& joints,
+            const std::vector<Affine>& inverse_bind) const;
+  // Of a mesh wherever the scene has it; built: skeletons, and which joint a node is.
+  double of(const RawScene& scene, const BuiltScene& built, int mesh) const;
+
+ private:
+  double of_joint(int skeleton, int joint, const glm::dmat4& joint_from_mesh) const;
+
+  std::vector<std::vector<Affine>> rest_;  // scene_from_joint, a skeleton
+};
+
+}  // namespace marrow::cook
