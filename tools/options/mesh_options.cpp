@@ -53,8 +53,10 @@ void set_palette(CookOptions& options, const Value& given) {
 
 constexpr Option kPrecisionOptions[] = {
     {"mesh-codec", OptionKind::text, "TEXT",
-     "draco: the smallest; meshopt: the fastest to unpack; none: not packed, floats as they are", names_in<kMeshCodecs>,
-     [](CookOptions& o, const Value& v) { o.mesh_codec = *value_of(kMeshCodecs, v.text); }},
+     "draco: the smallest, but meshopt for a mesh with a hundred morph targets or so, which are too many for it; "
+     "meshopt: "
+     "the fastest to unpack; none: not packed, floats as they are",
+     names_in<kMeshCodecs>, [](CookOptions& o, const Value& v) { o.mesh_codec = *value_of(kMeshCodecs, v.text); }},
     {"position-error",
      OptionKind::text,
      "E",

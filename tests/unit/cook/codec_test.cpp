@@ -97,6 +97,24 @@ Loaded cook_and_load(RawScene scene, const CookOptions& options) {
   return out;
 }
 
+// More attributes than Draco counts.
+TEST(Codecs, ManyMorphTargetsGoThroughAnother) {
+  RawPrimitive p = tube(6, 5, 2, 2);
+  for (int t = 0; t < 130; ++t) {
+    RawTarget& target = p.targets.emplace_back();
+    target.positions.resize(p.positions.size());
+    target.normals.resize(p.positions.size());
+    const std::size_t moved = static_cast<std::size_t>(t) % p.positions.size();
+    target.positions[moved] = {0.1F, 0, 0};
+    target.normals[moved] = {0, 0.5F, 0};
+  }
+  RawScene scene = scene_of(std::move(p), 2);
+  scene.instances[0].weights.resize(130);
+  const Loaded cooked = cook_and_load(std::move(scene), {});
+  EXPECT_EQ(cooked.report["meshes"][0]["codec"], "meshopt");
+  EXPECT_EQ(cooked.file.mesh(0).targets.size, 130u);
+}
+
 // At rest, how far vertices are from where this map takes the source's.
 double farthest_from(const Loaded& cooked, const std::vector<glm::vec3>& source, const glm::dmat4& scene_from_mesh) {
   const Mesh mesh = cooked.file.mesh(0);

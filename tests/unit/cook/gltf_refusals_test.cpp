@@ -44,6 +44,9 @@ const BadDocument kBadDocuments[] = {
      "wrong number"},
     {R"([{"op":"replace","path":"/nodes/2/translation/1","value":1e39}])", Exit::invalid, "/nodes/2/translation/1",
      "out of range"},
+    {R"([{"op":"replace","path":"/nodes/2/translation/1","value":1e13}])", Exit::invalid, "/nodes/2", "beyond 1e12"},
+    {R"([{"op":"add","path":"/nodes/1/scale","value":[1e7,1,1]},{"op":"replace","path":"/nodes/2/translation/0","value":1e7}])",
+     Exit::invalid, "/nodes/2", "with the nodes above"},
     {R"([{"op":"replace","path":"/nodes/2/name","value":7}])", Exit::invalid, "/nodes/2/name", "wrong type"},
     {R"([{"op":"replace","path":"/skins/0/joints","value":[1,1]}])", Exit::invalid, "/skins/0/joints/1",
      "listed twice"},
@@ -166,6 +169,10 @@ TEST(GltfRefusals, DamagedNumbersAreFound) {
   Builder value;
   value.channel(value.times({0, 1}), value.numbers<float>(kF32, "VEC3", 3, {0, 0, 0, 0, kNan, 0}), "translation");
   expect_failure([&] { read(value); }, Exit::invalid, "/animations/0/samplers/0/output", "not a finite number");
+
+  Builder huge;
+  huge.channel(huge.times({0, 1}), huge.numbers<float>(kF32, "VEC3", 3, {0, 0, 0, 0, 2e12F, 0}), "translation");
+  expect_failure([&] { read(huge); }, Exit::invalid, "/animations/0/samplers/0/output", "beyond 1e12");
 
   Builder index;
   index.primitive({{"POSITION", index.curve(3)}})["indices"] =

@@ -15,6 +15,10 @@
 namespace marrow::cook {
 namespace {
 
+// Draco counts a mesh's attributes in a byte, and crashes rather than refuse more. Only meshes with a hundred morph
+// targets or so have as many.
+constexpr std::size_t kMostDracoStreams = 240;
+
 // The section that these streams become in the runtime.
 tools::AlignedBytes expand(OwnedStreams& streams) {
   const MeshStreams mesh = streams.view();
@@ -66,7 +70,7 @@ OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Bindi
 void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& options, BuiltGeometry& out) {
   optimise_order(streams);
   if (is_packed(options)) {
-    const bool draco = options.mesh_codec == MeshCodec::draco;
+    const bool draco = options.mesh_codec == MeshCodec::draco && streams.streams.size() <= kMostDracoStreams;
     const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
     out.codec = draco ? packed::kDraco : packed::kMeshopt;
     out.position_step = grid.step;

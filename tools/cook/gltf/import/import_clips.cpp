@@ -1,6 +1,7 @@
 // Imports animations as clips whose keys a sampler can stand on.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cook/gltf/import/import.h"
 
@@ -76,12 +77,13 @@ class ChannelImporter {
                                                     : RawInterpolation::linear;
   }
 
-  std::vector<float> read(const Accessor& accessor, const std::string& where) {
+  std::vector<float> read(const Accessor& accessor, const std::string& where,
+                          float most = std::numeric_limits<float>::max()) {
     budget_.take(accessor.count * accessor.components() * 8, where, report_);
     std::vector<float> values = read_floats(accessor);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::isfinite(values[i])) continue;
-      report_.invalid(where, "not a finite number",
+      if (std::abs(values[i]) <= most) continue;  // false for NaN too
+      report_.invalid(where, std::isfinite(values[i]) ? "a number beyond 1e12" : "not a finite number",
                       "key " + std::to_string(i / accessor.components()) + "; export again");
     }
     return values;
@@ -116,7 +118,7 @@ class ChannelImporter {
 
   std::vector<glm::vec4> values_of(const Accessor& output, const std::vector<Key>& keys, const RawChannel& raw) {
     const std::size_t per_key = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
-    std::vector<float> all = read(output, under(sampler_where_, "output"));
+    std::vector<float> all = read(output, under(sampler_where_, "output"), static_cast<float>(kLargestNumber));
     if (raw.path == RawPath::rotation && output.has_data()) mend_rotations(all, per_key);
     const std::size_t components = output.components();
     std::vector<glm::vec4> values;

@@ -139,6 +139,21 @@ std::vector<glm::dmat4> rest_matrices(const std::vector<RawNode>& nodes) {
   return matrices;
 }
 
+void refuse_huge(const std::vector<RawNode>& nodes, const Report& report) {
+  const auto fits = [](double number) { return std::abs(number) <= kLargestNumber; };  // false for NaN too
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!fits(nodes[i].translation[c]) || !fits(nodes[i].scale[c]))
+        report.invalid(pointer("nodes", i), "a number beyond 1e12", "export again, in metres");
+  const std::vector<glm::dmat4> rest = rest_matrices(nodes);
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 3; ++row)
+        if (!fits(rest[i][column][row]))
+          report.invalid(pointer("nodes", i), "a number beyond 1e12, with the nodes above it",
+                         "export again, in metres");
+}
+
 bool is_usable(const glm::dmat4& matrix) {
   double lengths = 1;
   for (int column = 0; column < 4; ++column) {
@@ -225,6 +240,7 @@ std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& gra
     nodes.back().parent = graph.parent[i];
     nodes.back().in_scene = graph.in_scene[i];
   }
+  refuse_huge(nodes, report);
   return nodes;
 }
 
