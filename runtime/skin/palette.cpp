@@ -5,6 +5,18 @@
 #include "skin/half_way.h"
 
 namespace marrow {
+namespace {
+
+// The determinant, in double precision: in single one of tiny scales would be 0.
+double volume(const Affine& map) {
+  double m[3][3];
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) m[r][c] = static_cast<double>(map.rows[r][c]);
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) + m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+}  // namespace
 
 Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
                      Span<Affine> out, Span<const HalfJoint> half_joints) {
@@ -33,6 +45,19 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
 Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out) {
   return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, scene_from_joint, out,
                        mesh.half_joints);
+}
+
+bool turns_inside_out(const Affine& map) {
+  return volume(map) < 0;
+}
+
+bool turns_inside_out(Span<const Affine> palette) {
+  std::ptrdiff_t mirrors = 0;
+  for (const Affine& map : palette) {
+    const double v = volume(map);
+    mirrors += (v < 0 ? 1 : 0) - (v > 0 ? 1 : 0);
+  }
+  return mirrors > 0;
 }
 
 }  // namespace marrow

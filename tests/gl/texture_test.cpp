@@ -1,18 +1,13 @@
 // Textures in pictures: the right texel in the right corner, holes, and pictures that nobody can decode.
-#include <array>
-#include <cstdlib>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <png.h>
-#include <unistd.h>
 
-#include "support/places.h"
-#include "unit/cook/gltf_document.h"
+#include "gl/rendered.h"
 
 namespace marrow::cook {
 namespace {
@@ -37,29 +32,8 @@ std::vector<std::uint8_t> corners(std::uint8_t left_alpha = 255) {
   return {255, 0, 0, left_alpha, 0, 255, 0, 255, 0, 0, 255, left_alpha, 255, 255, 0, 255};
 }
 
-// Where a hue is in a picture: pixels, and their middle.
-struct Patch {
-  std::size_t count = 0;
-  double x = 0, y = 0;
-};
-
-class TexturedQuad : public ::testing::Test {
+class TexturedQuad : public Rendered {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("marrow_texture_" + std::to_string(::getpid()));
-    fs::create_directories(folder_ / "elsewhere");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-  }
-  static int run(const std::string& arguments) {
-    const int status = std::system((test::program() + " " + arguments + " >/dev/null 2>&1").c_str());
-    return status < 0 ? -1 : status / 256;
-  }
-
   // Faces the camera, from (-1, -1) to (1, 1). The corner at the upper left has (0, 0), as in the image.
   Builder quad(const std::string& uri, const std::string& alpha = "OPAQUE") const {
     Builder b;
@@ -77,45 +51,10 @@ class TexturedQuad : public ::testing::Test {
   static std::string data_uri(const std::string& bytes) {
     return "data:image/png;base64," + base64(std::as_bytes(std::span(bytes.data(), bytes.size())));
   }
-  void cook(Builder b, const std::string& options) const {
-    write("quad.gltf", b.text());
-    ASSERT_EQ(run("cook " + path("quad.gltf") + " -o " + path("quad.mrw") + " " + options), 0);
-  }
-  int render(const std::string& options = "") const {
-    fs::remove(path("quad.png"));
-    return run("render " + path("quad.mrw") + " --size 240x200 " + options + " -o " + path("quad.png"));
-  }
-
-  // Pixels in which the channels of `high` are at least twice as bright as the others.
-  Patch patch(const std::array<bool, 3>& high) const {
-    png_image image = {};
-    image.version = PNG_IMAGE_VERSION;
-    EXPECT_NE(png_image_begin_read_from_file(&image, path("quad.png").c_str()), 0);
-    image.format = PNG_FORMAT_RGB;
-    std::vector<png_byte> rgb(PNG_IMAGE_SIZE(image));
-    EXPECT_NE(png_image_finish_read(&image, nullptr, rgb.data(), 0, nullptr), 0);
-    Patch out;
-    for (std::size_t i = 0; i < rgb.size(); i += 3) {
-      int low_most = 0, high_least = 255;
-      for (std::size_t c = 0; c < 3; ++c) {
-        if (high[c]) high_least = std::min(high_least, int{rgb[i + c]});
-        if (!high[c]) low_most = std::max(low_most, int{rgb[i + c]});
-      }
-      if (high_least < 60 || high_least < 2 * low_most) continue;
-      ++out.count;
-      out.x += static_cast<double>(i / 3 % image.width);
-      out.y += static_cast<double>(i / 3 / image.width);
-    }
-    if (out.count > 0) {
-      out.x /= static_cast<double>(out.count);
-      out.y /= static_cast<double>(out.count);
-    }
-    return out;
-  }
-  Patch red() const { return patch({true, false, false}); }
-  Patch green() const { return patch({false, true, false}); }
-  Patch blue() const { return patch({false, false, true}); }
-  Patch yellow() const { return patch({true, true, false}); }
+  Patch red() const { return patch_of(pixels(), {true, false, false}); }
+  Patch green() const { return patch_of(pixels(), {false, true, false}); }
+  Patch blue() const { return patch_of(pixels(), {false, false, true}); }
+  Patch yellow() const { return patch_of(pixels(), {true, true, false}); }
 
   void expect_corners() const {
     const Patch r = red(), g = green(), b = blue(), y = yellow();
@@ -125,9 +64,6 @@ class TexturedQuad : public ::testing::Test {
     EXPECT_LT(r.y + 20, b.y) << "red is above blue";
     EXPECT_LT(g.y + 20, y.y) << "green is above yellow";
   }
-
- private:
-  fs::path folder_;
 };
 
 TEST_F(TexturedQuad, ShowsEachTexelInItsCorner) {
@@ -144,6 +80,7 @@ TEST_F(TexturedQuad, FindsPicturesByReference) {
   cook(quad("a%20b.png"), "");
   ASSERT_EQ(render(), 0);
   expect_corners();
+  fs::create_directory(path("elsewhere"));
   fs::rename(path("a b.png"), path("elsewhere/a b.png"));
   ASSERT_EQ(render(), 0) << "what is not there is not drawn";
   EXPECT_EQ(red().count + green().count + blue().count, 0u);
@@ -153,12 +90,13 @@ TEST_F(TexturedQuad, FindsPicturesByReference) {
 }
 
 TEST_F(TexturedQuad, LinksOutOfTheFolderAreRefused) {
+  fs::create_directory(path("elsewhere"));
   write("elsewhere/a.png", encode(2, 2, corners()));
   fs::create_directory(path("here"));
   fs::create_symlink(path("elsewhere/a.png"), path("here/a.png"));
   cook(quad("a.png"), "");
   EXPECT_EQ(render("--images-from " + path("here")), 3);
-  EXPECT_FALSE(fs::exists(path("quad.png")));
+  EXPECT_FALSE(fs::exists(path("document.png")));
 }
 
 TEST_F(TexturedQuad, MaskAndBlend) {
@@ -181,14 +119,9 @@ TEST_F(TexturedQuad, BlendIsBetween) {
   const auto redness = [&](const char* mode, std::uint8_t alpha) {
     cook(quad(data_uri(encode(1, 1, {255, 0, 0, alpha})), mode), "--images embed");
     EXPECT_EQ(render(), 0);
-    png_image image = {};
-    image.version = PNG_IMAGE_VERSION;
-    EXPECT_NE(png_image_begin_read_from_file(&image, path("quad.png").c_str()), 0);
-    image.format = PNG_FORMAT_RGB;
-    std::vector<png_byte> rgb(PNG_IMAGE_SIZE(image));
-    EXPECT_NE(png_image_finish_read(&image, nullptr, rgb.data(), 0, nullptr), 0);
-    const std::size_t middle = 3 * (std::size_t{100} * 240 + 120);
-    return int{rgb[middle]} - int{rgb[middle + 2]};
+    const Pixels picture = pixels();
+    const png_byte* const middle = picture.at(120, 100);
+    return int{middle[0]} - int{middle[2]};
   };
   const int opaque = redness("OPAQUE", 128), half = redness("BLEND", 128), none = redness("BLEND", 0);
   EXPECT_GT(opaque, half + 10);
@@ -203,7 +136,7 @@ TEST_F(TexturedQuad, DamagedPicturesAreRefused) {
   for (const std::string& bytes : {good.substr(0, 40), huge, good.substr(0, 8) + std::string(64, 'x')}) {
     cook(quad(data_uri(bytes)), "--images embed");
     EXPECT_EQ(render(), 3);
-    EXPECT_FALSE(fs::exists(path("quad.png")));
+    EXPECT_FALSE(fs::exists(path("document.png")));
     ++refused;
   }
   EXPECT_EQ(refused, 3u);

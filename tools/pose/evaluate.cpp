@@ -90,6 +90,7 @@ void Character::skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) cons
   out.positions.resize(slots * 3);
   out.normals.resize(g.normals != nullptr ? slots * 3 : 0);
   out.tangents.resize(g.tangents != nullptr && g.normals != nullptr ? slots * 4 : 0);
+  out.inside_out = turns_inside_out(m.palette);
   const SkinOutput output{out.positions, out.normals, out.tangents};
   switch (deformer) {
     case Deformer::rigid:

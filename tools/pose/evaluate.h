@@ -34,6 +34,7 @@ struct PosedMesh {
   std::vector<float> positions;  // 3 a slot, scene space
   std::vector<float> normals;    // 3 a slot; empty if the mesh has none
   std::vector<float> tangents;   // 4 a slot; empty if the mesh has none
+  bool inside_out = false;       // turns_inside_out() of its palette: its triangles' fronts are clockwise
 };
 
 // What the skeletons of a file play together, and the memory that this lies in. Empty: all rest.

@@ -150,6 +150,9 @@ Drawable Figure::drawable(std::uint32_t index, const Character& character) const
   Drawable d;
   set_look(index, mesh, d);
   d.features = features(index);
+  d.double_sided = mesh.double_sided;
+  const std::span<const Affine> palette = character.palette(index);
+  d.inside_out = turns_inside_out({palette.data(), palette.size()});
   d.centre = carried_centre(mesh, character.scene_from_joint(mesh.skeleton));
   return d;
 }
@@ -207,6 +210,8 @@ std::vector<Drawable> Figure::from_cpu(std::span<const PosedMesh> posed, std::sp
     d.index_type = g.index_bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
     int has = gles3::kColours;
     if (g.normals != nullptr) has |= gles3::kNormals;
+    d.double_sided = mesh.double_sided;
+    d.inside_out = posed[i].inside_out;
     if (colours.empty()) {
       set_look(i, mesh, d);
       has |= features(i) & gles3::kUvs;

@@ -28,6 +28,7 @@
   X(void, DepthMask, (GLboolean on))                                                                              \
   X(void, DrawBuffers, (GLsizei count, const GLenum* buffers))                                                    \
   X(void, FramebufferRenderbuffer, (GLenum target, GLenum attachment, GLenum kind, GLuint renderbuffer))          \
+  X(void, FrontFace, (GLenum winding))                                                                            \
   X(void, GenRenderbuffers, (GLsizei count, GLuint * renderbuffers))                                              \
   X(void, GenSamplers, (GLsizei count, GLuint * samplers))                                                        \
   X(void, GenerateMipmap, (GLenum target))                                                                        \

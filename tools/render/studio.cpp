@@ -181,6 +181,13 @@ void Studio::draw(const Drawable& d, const gles3::Program& program) {
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(d.index_count), d.index_type, nullptr);
 }
 
+// Back faces of what has one side alone are not drawn until the next call.
+void Studio::cull(const Drawable& d) {
+  if (d.double_sided) return gl_.Disable(GL_CULL_FACE);
+  gl_.Enable(GL_CULL_FACE);
+  gl_.FrontFace(d.inside_out ? GL_CW : GL_CCW);
+}
+
 void Studio::draw_depth(const ShadowMap& map, const LightView& view, std::span<const Drawable> drawables) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
   gl_.Viewport(0, 0, map.size, map.size);
@@ -192,6 +199,7 @@ void Studio::draw_depth(const ShadowMap& map, const LightView& view, std::span<c
     set_surface(with.id, drawable, {solid ? -1 : drawable.look.alpha_cutoff, 2});  // blended surfaces have 0.5
     gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
                          glm::value_ptr(view.clip_from_scene));
+    cull(drawable);
     draw(drawable, with);
   }
 }
@@ -244,6 +252,7 @@ void Studio::draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 
   gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
                        glm::value_ptr(shot.camera.clip_from_scene));
   gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), shot.shading);
+  cull(drawable);
   draw(drawable, with);
 }
 
@@ -267,6 +276,8 @@ void Studio::draw_surfaces(const Shot& shot, std::span<const Drawable> drawables
   for (const Drawable* drawable : blended) draw_surface(shot, *drawable, {-1, kAllButOpaque});
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.FrontFace(GL_CCW);
 }
 
 Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {

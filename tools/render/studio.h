@@ -33,6 +33,8 @@ struct Drawable {
   glm::vec4 base_colour{1};   // linear
   Look look;                  // its texture is drawn where `features` has kUvs
   glm::vec3 centre{0};        // scene space; blended surfaces are drawn from the farthest on
+  bool double_sided = true;   // else its back faces are not drawn
+  bool inside_out = false;    // its fronts are clockwise
 };
 
 // The texture unit of palettes; morph targets and crowds take the one behind it.
@@ -86,6 +88,7 @@ class Studio {
   void draw_surfaces(const Shot& shot, std::span<const Drawable> drawables);
   void draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range);
   void set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range);
+  void cull(const Drawable& drawable);
   void draw(const Drawable& drawable, const gles3::Program& program);
   void set_studio(GLuint id, const Shot& shot);
   void make_targets();

@@ -306,7 +306,9 @@ Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<con
                   std::uint32_t texture_unit, const Program& program);
 
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
-// `program` must be in use, its palette bound. Leaves the vertex array at 0.
+// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
+// say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
+// turns_inside_out() of the palette, see palette.h. So characters that mirror take a draw call of their own.
 // Errors: bad_argument if the mesh was not prepared for this deformer.
 Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program,
             std::uint32_t instances = 1);

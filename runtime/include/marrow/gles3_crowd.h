@@ -9,6 +9,11 @@
 //   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
 //   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
+// Back faces are culled as gles3.h says at draw(): by each mesh's double_sided. Which way fronts are wound is the same
+// for all instances of a draw call, so those whose scene_from_character mirrors, see turns_inside_out() in palette.h,
+// stand behind the others in the crowd, and each of the two ranges is bound and drawn with its own glFrontFace. Where
+// the character itself is mirrored, which turns_inside_out() of its palette tells, both are the other way round.
+//
 // The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/architecture.md, "Crowds".
 #pragma once
 

@@ -26,4 +26,15 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
 // The palette of a mesh.
 Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out);
 
+// Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
+// are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
+// not finite do not.
+bool turns_inside_out(const Affine& map);
+
+// The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
+// double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
+// turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
+// matrix.
+bool turns_inside_out(Span<const Affine> palette);
+
 }  // namespace marrow

@@ -1,4 +1,5 @@
 // build_palette against products in double precision.
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,37 @@ TEST(Palette, AHalfJointTurnsHalfAboutItsJoint) {
   const float want[3][4] = {{h, -h, 0, 2 - 2 * h}, {h, h, 0, -2 * h}, {0, 0, 1, 0}};
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c) EXPECT_NEAR(out[2].rows[r][c], want[r][c], 1e-6f);
+}
+
+// Signs of determinants, by hand.
+TEST(Palette, TurnsInsideOutWhereItMirrors) {
+  const auto scaled = [](float x, float y, float z) { return Affine{{{x, 0, 0, 5}, {0, y, 0, -6}, {0, 0, z, 7}}}; };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(turns_inside_out(scaled(1, 1, 1)));
+  EXPECT_TRUE(turns_inside_out(scaled(-1, 1, 1)));
+  EXPECT_FALSE(turns_inside_out(scaled(-1, 1, -2))) << "half a turn";
+  EXPECT_TRUE(turns_inside_out(scaled(-1, -1, -1)));
+  EXPECT_TRUE(turns_inside_out(scaled(1e-30f, -1e-30f, 1e-30f))) << "of floats the product would be 0";
+  EXPECT_TRUE(turns_inside_out(scaled(1e30f, -1e30f, 1e30f)));
+  EXPECT_FALSE(turns_inside_out(scaled(-1, 0, 1)));
+  EXPECT_FALSE(turns_inside_out(scaled(-1, nan, 1)));
+  // Two axes changed places.
+  EXPECT_TRUE(turns_inside_out(Affine{{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}}));
+  EXPECT_TRUE(turns_inside_out(Affine{{{0, 0, 1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}}}));
+  EXPECT_FALSE(turns_inside_out(Affine{{{0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}}})) << "a third of a turn";
+}
+
+TEST(Palette, TurnsInsideOutAsMostOfItDoes) {
+  const Affine plain = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}, none = {};
+  Affine mirrored = plain;
+  mirrored.rows[0][0] = -1;
+  const auto turns = [](const std::vector<Affine>& palette) { return turns_inside_out(Span<const Affine>(palette)); };
+  EXPECT_FALSE(turns({}));
+  EXPECT_TRUE(turns({mirrored}));
+  EXPECT_FALSE(turns({mirrored, plain}));
+  EXPECT_TRUE(turns({none, none, none, mirrored})) << "what has shrunk to a point has no say";
+  EXPECT_TRUE(turns({plain, mirrored, mirrored}));
+  EXPECT_FALSE(turns({mirrored, plain, plain}));
 }
 
 // Nothing divides by what is not there.

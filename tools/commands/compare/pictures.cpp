@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "common/aligned_bytes.h"
 #include "cook/cook.h"
@@ -36,12 +37,17 @@ class Stage {
     figure_.emplace(*gl_, studio_->programs(), file_);
   }
 
-  // normals: empty for those of the triangles.
-  std::vector<PosedMesh> posed(const deform::Positions& positions, std::vector<glm::dvec3> normals) const {
+  // Where a deformer has put the vertices in a pose. normals: empty for those of the triangles.
+  std::vector<PosedMesh> posed(const deform::Pose& pose, const deform::Positions& positions,
+                               std::vector<glm::dvec3> normals) const {
     if (normals.empty()) normals = deform::vertex_normals(positions, study_.source.mesh.indices);
+    // Most of its matrices, as turns_inside_out() has it.
+    std::ptrdiff_t votes = 0;
+    for (const deform::Matrix& m : pose) votes += glm::determinant(deform::linear_of(m)) < 0 ? 1 : -1;
     std::vector<PosedMesh> out(file_.mesh_count());
     for (std::uint32_t m = 0; m < file_.mesh_count(); ++m) {
       const Geometry g = file_.mesh(m).geometry;
+      out[m].inside_out = votes > 0;
       out[m].positions.resize(std::size_t{3} * g.slot_count);
       out[m].normals.resize(g.normals != nullptr ? std::size_t{3} * g.slot_count : 0);
       const std::vector<std::uint32_t>& vertex_of = study_.source.vertex_of[m];
@@ -122,14 +128,14 @@ std::vector<PictureRow> draw_worst_poses(const Study& study, const DeformerCompa
     row.title = held.clip.empty() ? fmt::format("pose {}", i) : fmt::format("{} at {:.2f} s", held.clip, held.time_s);
     deform::Positions positions;
     truth(held.pose, positions);
-    const std::vector<PosedMesh> wanted = stage.posed(positions, {});
+    const std::vector<PosedMesh> wanted = stage.posed(held.pose, positions, {});
     row.pictures.push_back(stage.shoot(wanted, wanted, "truth", nullptr));
     std::vector<std::vector<PosedMesh>> shapes;
     float scale = 0;
     for (const std::size_t d : deformers) {
       const Trained& trained = comparison.trained_in_first_round[d];
       trained.deform(held.pose, positions);
-      shapes.push_back(stage.posed(positions, shading_normals(trained, bind_normals, held.pose, false)));
+      shapes.push_back(stage.posed(held.pose, positions, shading_normals(trained, bind_normals, held.pose, false)));
       scale = std::max(scale, largest_distance(shapes.back(), wanted));
       row.pictures.push_back(stage.shoot(shapes.back(), wanted, comparison.rows[d].deformer, nullptr));
     }
