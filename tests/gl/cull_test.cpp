@@ -82,12 +82,13 @@ class Culled : public Rendered {
     return out;
   }
 
-  // Red in the middle, its neighbour to the left black.
+  // Red in the middle and in the light, which its hull does not keep out; its neighbour to the left black.
   void expect_outlined(const std::string& options = "") const {
     ASSERT_EQ(render(options), 0);
     const Pixels picture = pixels();
     const std::size_t row = picture.height / 2;
     ASSERT_TRUE(has_hue(picture.at(picture.width / 2, row), kRed));
+    EXPECT_GT(int{picture.at(picture.width / 2, row)[0]}, 190) << "in the shadow it is 156";
     EXPECT_GT(patch_of(picture, kRed).count, 5000u);
     std::size_t left = picture.width / 2;
     while (left > 0 && has_hue(picture.at(left - 1, row), kRed)) --left;
