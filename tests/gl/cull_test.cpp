@@ -94,7 +94,11 @@ class Culled : public Rendered {
     while (left > 0 && has_hue(picture.at(left - 1, row), kRed)) --left;
     ASSERT_GT(left, 8u);
     const png_byte* const rim = picture.at(left - 3, row);
-    for (int c = 0; c < 3; ++c) EXPECT_LT(rim[c], 45) << "channel " << c << " of the rim";
+    const png_byte* const backdrop = picture.at(2, 2);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_LT(rim[c], 45) << "channel " << c << " of the rim";
+      EXPECT_GT(backdrop[c], 60) << "channel " << c << " of the backdrop";
+    }
   }
   void expect_outlined_by_every_path(const std::string& options = "") const {
     for (const std::string& way : paths()) {

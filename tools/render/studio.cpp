@@ -181,11 +181,16 @@ void Studio::draw(const Drawable& d, const gles3::Program& program) {
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(d.index_count), d.index_type, nullptr);
 }
 
-// Back faces of what has one side alone are not drawn until the next call.
+// Back faces of what has one side alone are not drawn until the next call, or cull_nothing().
 void Studio::cull(const Drawable& d) {
-  if (d.double_sided) return gl_.Disable(GL_CULL_FACE);
+  if (d.double_sided) return cull_nothing();
   gl_.Enable(GL_CULL_FACE);
   gl_.FrontFace(d.inside_out ? GL_CW : GL_CCW);
+}
+
+void Studio::cull_nothing() {
+  gl_.Disable(GL_CULL_FACE);
+  gl_.FrontFace(GL_CCW);
 }
 
 void Studio::draw_depth(const ShadowMap& map, const LightView& view, std::span<const Drawable> drawables) {
@@ -202,6 +207,7 @@ void Studio::draw_depth(const ShadowMap& map, const LightView& view, std::span<c
     cull(drawable);
     draw(drawable, with);
   }
+  cull_nothing();
 }
 
 void Studio::set_studio(GLuint id, const Shot& shot) {
@@ -276,8 +282,7 @@ void Studio::draw_surfaces(const Shot& shot, std::span<const Drawable> drawables
   for (const Drawable* drawable : blended) draw_surface(shot, *drawable, {-1, kAllButOpaque});
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_BLEND);
-  gl_.Disable(GL_CULL_FACE);
-  gl_.FrontFace(GL_CCW);
+  cull_nothing();
 }
 
 Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {

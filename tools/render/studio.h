@@ -89,6 +89,7 @@ class Studio {
   void draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range);
   void set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range);
   void cull(const Drawable& drawable);
+  void cull_nothing();
   void draw(const Drawable& drawable, const gles3::Program& program);
   void set_studio(GLuint id, const Shot& shot);
   void make_targets();
