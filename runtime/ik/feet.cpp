@@ -38,9 +38,8 @@ bool near(const Affine& a) {
 
 BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
   const Skeleton& skeleton = call.skeleton;
-  MARROW_CHECK(foot.ankle < skeleton.joint_count);
-  MARROW_CHECK(foot.hip < foot.knee && hangs_below(skeleton, foot.knee, foot.hip));
-  MARROW_CHECK(foot.knee < foot.ankle && hangs_below(skeleton, foot.ankle, foot.knee));
+  MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count);
+  MARROW_CHECK(hangs_below(skeleton, foot.knee, foot.hip) && hangs_below(skeleton, foot.ankle, foot.knee));
   MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
   MARROW_CHECK(near(vector3(foot.sole)));
   MARROW_CHECK(near(vector3(foot.bend_axis)));

@@ -15,7 +15,7 @@ inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float 
   set_rotation(local, joint, normalised(rotation_of(local, joint) * own));
 }
 
-// Whether `joint` is below `above`, at any depth.
+// Whether `joint` is below `above`, at any depth. Both are joints of the skeleton.
 inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above) {
   while (joint > above && joint >= skeleton.root_count) joint = skeleton.parents[joint];
   return joint == above;

@@ -466,7 +466,15 @@ TEST(Feet, BadCallsWriteNothing) {
   refuses([&] { w.legs[1].hip = w.legs[1].knee; });
   refuses([&] { w.feet.pelvis = 2; });
   refuses([&] { w.feet.pelvis = 11; });
-  EXPECT_EQ(refused, 4 * 8 + 3 * 8 + 7);
+  // Of the skeleton's 11 joints none is called so; a look at its parent would be far outside.
+  for (const std::uint32_t far : {11u, 100u, 0xF0000000u, 0xFFFFFFFFu}) {
+    refuses([&] { w.legs[1].hip = far; });
+    refuses([&] { w.legs[1].knee = far; });
+    refuses([&] { w.legs[1].ankle = far; });
+    refuses([&] { w.legs[1] = {.hip = far, .knee = far, .ankle = far}; });
+    refuses([&] { w.feet.pelvis = far; });
+  }
+  EXPECT_EQ(refused, 4 * 8 + 3 * 8 + 7 + 4 * 5);
   EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, {w.ground.data(), 1}, w.motion, w.local, w.scene),
             Status::bad_argument);
   EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, w.ground, {w.motion.data(), 1}, w.local, w.scene),
