@@ -29,6 +29,12 @@ BadCall check_table(const Curve& curve, std::uint32_t steps, std::size_t length_
   return {};
 }
 
+// How far `x` is on the way, 0 … 1: also in a table that build_arc_length() has not written.
+float part_of(float from, float to, float x) {
+  const float part = (x - from) / (to - from);
+  return part > 0.0f ? (part < 1.0f ? part : 1.0f) : 0.0f;
+}
+
 }  // namespace
 
 Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out) {
@@ -56,13 +62,13 @@ Status time_at_distance(const Curve& curve, const ArcLength& table, float distan
   MARROW_REQUIRE(distance == distance);
   const std::size_t last = arc_length_count(curve.times_s.size, table.steps) - 1;
   const float* const lengths = table.lengths.data;
+  if (distance < 0.0f) distance = 0.0f;
   if (!(distance < lengths[last])) {
     time_s = curve.times_s[curve.times_s.size - 1];
     return Status::ok;
   }
-  if (distance < 0.0f) distance = 0.0f;
   const std::size_t step = find_interval(lengths, last, distance);
-  const float part = (distance - lengths[step]) / (lengths[step + 1] - lengths[step]);
+  const float part = part_of(lengths[step], lengths[step + 1], distance);
   const std::size_t key = step / table.steps;
   const float u = (static_cast<float>(step % table.steps) + part) / static_cast<float>(table.steps);
   time_s = (1.0f - u) * curve.times_s[key] + u * curve.times_s[key + 1];

@@ -56,9 +56,24 @@ TEST(ArcLength, OfAPathThatRestsAllAlong) {
   const Keys keys{CurveKind::catmull_rom, false, 1, {2, 3}, {7, 7}};
   const std::vector<float> lengths = measure(keys, 3);
   EXPECT_EQ(lengths, (std::vector<float>{0, 0, 0, 0}));
-  EXPECT_EQ(time_at(keys, 3, lengths, 0), 3);
   const Keys one{CurveKind::linear, false, 1, {2}, {7}};
-  EXPECT_EQ(time_at(one, 3, measure(one, 3), 1), 2);
+  for (const double distance : {-HUGE_VAL, -1.0, -0.0, 0.0, 1.0, HUGE_VAL}) {
+    EXPECT_EQ(time_at(keys, 3, lengths, distance), 3) << distance;
+    EXPECT_EQ(time_at(one, 3, measure(one, 3), distance), 2) << distance;
+  }
+}
+
+TEST(ArcLength, TablesOfAnything) {
+  const Keys keys{CurveKind::linear, false, 1, {2, 3, 7}, {0, 1, 2}};
+  const float values[] = {NAN, -INFINITY, -1, 0, 1e-45f, 1, 3e38f, INFINITY};
+  constexpr int kCount = 8;
+  for (int i = 0; i < kCount * kCount * kCount; ++i) {
+    const std::vector<float> table = {values[i % kCount], values[i / kCount % kCount], values[i / kCount / kCount]};
+    for (const double distance : {-1.0, 0.0, 0.5, 1e38, HUGE_VAL}) {
+      const double time_s = time_at(keys, 1, table, distance);
+      EXPECT_TRUE(time_s >= 2 && time_s <= 7) << i << ' ' << distance << ": " << time_s;
+    }
+  }
 }
 
 // A cubic Bézier curve in the plane in double precision.
