@@ -10,19 +10,36 @@ namespace {
 constexpr std::uint32_t kMaxVertices = 1u << 28;  // counts times components and bytes stay below 2^36
 constexpr std::uint32_t kMaxTriangles = 1u << 28;
 constexpr std::uint32_t kMaxTargets = 1u << 16;
+constexpr std::size_t kStreamBytes = 32;  // what files count it as, whatever a pointer takes
+static_assert(sizeof(Stream) <= kStreamBytes);
 
 bool is_sane(float x) {
   return x > -1e30f && x < 1e30f;  // false for NaN
 }
 
-Stream& add(MeshStreams& mesh, StreamKind kind, std::uint32_t components, std::uint32_t bits) {
-  Stream& s = mesh.streams[mesh.stream_count++];
-  s = {};
-  s.kind = kind;
-  s.components = static_cast<std::uint8_t>(components);
-  s.bits = static_cast<std::uint8_t>(bits);
-  return s;
-}
+// A record that is read, or only measured: then there is no memory, and one stream in place of another.
+struct Reading {
+  ByteReader& reader;
+  Memory& memory;
+  MeshStreams& out;
+  bool measures = false;
+  Stream last = {};
+
+  Stream& add(const Stream& stream) {
+    if (measures) memory.take<std::int32_t>(std::uint64_t{out.vertex_count} * stream.components);
+    Stream& s = measures ? last : out.streams[out.stream_count];
+    ++out.stream_count;
+    s = stream;
+    return s;
+  }
+  Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits) {
+    Stream s;
+    s.kind = kind;
+    s.components = static_cast<std::uint8_t>(components);
+    s.bits = static_cast<std::uint8_t>(bits);
+    return add(s);
+  }
+};
 
 // bits, origin of `axes`, step.
 bool read_values(ByteReader& reader, std::uint32_t axes, Stream& s) {
@@ -42,28 +59,29 @@ bool read_bits(ByteReader& reader, std::uint32_t least, std::uint32_t most, Stre
 }
 
 // u8 attributes; for each u8 bits, f32 step.
-bool read_target(ByteReader& reader, std::uint32_t target, MeshStreams& out) {
-  const std::uint32_t attributes = reader.take<std::uint8_t>();
+bool read_target(Reading& in, std::uint32_t target) {
+  const MeshStreams& out = in.out;
+  const std::uint32_t attributes = in.reader.take<std::uint8_t>();
   const std::uint32_t allowed = kMorphsPositions | ((out.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
                                 ((out.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
   if ((attributes & ~allowed) != 0) return false;
   for (std::uint8_t a = 0; a < 3; ++a) {
     if ((attributes >> a & 1) == 0) continue;
-    Stream& s = add(out, StreamKind::target, 3, 0);
+    Stream& s = in.add(StreamKind::target, 3, 0);
     s.target = target;
     s.attribute = a;
-    if (!read_values(reader, 0, s) || s.bits > packed::kMaxTargetBits) return false;
+    if (!read_values(in.reader, 0, s) || s.bits > packed::kMaxTargetBits) return false;
   }
   return true;
 }
 
 // u8 bits, f32 step, varint root; a stream an influence.
-bool read_multi_weights(ByteReader& reader, MeshStreams& out) {
+bool read_multi_weights(Reading& in) {
   Stream first;
-  if (!read_values(reader, 0, first)) return false;
-  out.mwe_root = reader.take_varint();
-  for (std::uint32_t j = 0; j < out.influences; ++j) {
-    Stream& s = add(out, StreamKind::multi_weight, 12, first.bits);
+  if (!read_values(in.reader, 0, first)) return false;
+  in.out.mwe_root = in.reader.take_varint();
+  for (std::uint32_t j = 0; j < in.out.influences; ++j) {
+    Stream& s = in.add(StreamKind::multi_weight, 12, first.bits);
     s.step = first.step;
     s.target = j;
   }
@@ -72,18 +90,22 @@ bool read_multi_weights(ByteReader& reader, MeshStreams& out) {
 
 // f32 sigma; a varint a palette entry: 0 without a parent, else 1 + which; then of each example u8 bits and, unless
 // they are 0, f32 step; and four i16 for each entry with a parent.
-bool read_pose_space(ByteReader& reader, Memory& memory, MeshStreams& out) {
+bool read_pose_space(Reading& in) {
+  MeshStreams& out = in.out;
+  ByteReader& reader = in.reader;
   const std::uint64_t joints = out.joint_count;
-  auto* const parents = memory.take<std::uint16_t>(joints).data;
-  auto* const rotations = memory.take<std::int16_t>(4 * joints * out.example_count).data;
-  if (memory.failed) return false;
+  auto* const parents = in.memory.take<std::uint16_t>(joints).data;
+  auto* const rotations = in.memory.take<std::int16_t>(4 * joints * out.example_count).data;
+  if (in.memory.failed) return false;
   out.parents = parents;
   out.rotations = rotations;
   out.sigma = reader.take<float>();
+  std::size_t given = 0;  // entries with a parent
   for (std::uint64_t j = 0; j < joints; ++j) {
     const std::uint32_t parent = reader.take_varint();
     if (parent > joints) return false;
-    parents[j] = parent == 0 ? kNoParent : static_cast<std::uint16_t>(parent - 1);
+    given += parent != 0 ? 1 : 0;
+    if (!in.measures) parents[j] = parent == 0 ? kNoParent : static_cast<std::uint16_t>(parent - 1);
   }
   std::int16_t* rotation = rotations;
   for (std::uint32_t k = 0; k < out.example_count; ++k) {
@@ -93,9 +115,13 @@ bool read_pose_space(ByteReader& reader, Memory& memory, MeshStreams& out) {
     if (s.bits > 0) {
       s.step = reader.take<float>();
       if (!is_sane(s.step)) return false;
-      Stream& added = add(out, StreamKind::pose_delta, 3, s.bits);
+      Stream& added = in.add(StreamKind::pose_delta, 3, s.bits);
       added.step = s.step;
       added.target = k;
+    }
+    if (in.measures) {
+      reader.take_bytes(given * 8);
+      continue;
     }
     for (std::uint64_t j = 0; j < joints; ++j, rotation += 4) {
       constexpr std::int16_t kNone[4] = {0, 0, 0, 32767};
@@ -105,9 +131,7 @@ bool read_pose_space(ByteReader& reader, Memory& memory, MeshStreams& out) {
   return true;
 }
 
-}  // namespace
-
-const char* read_geometry_record(ByteReader& reader, Memory& memory, MeshStreams& out) {
+const char* read_counts(ByteReader& reader, MeshStreams& out) {
   out = {};
   out.flags = reader.take_varint();
   out.vertex_count = reader.take_varint();
@@ -129,49 +153,94 @@ const char* read_geometry_record(ByteReader& reader, Memory& memory, MeshStreams
     return "joint_count or influences out of range";
   if ((out.flags & format::kHasTangents) != 0 && (out.flags & format::kHasNormals) == 0)
     return "tangents without normals";
-  out.streams = memory.take<Stream>(geometry_stream_count(out.target_count, out.example_count)).data;
-  if (memory.failed) return "memory_bytes too small";
+  return out.influences > out.joint_count ? "more influences than joints" : nullptr;
+}
 
-  const auto has = [&](std::uint32_t flag) { return (out.flags & flag) != 0; };
-  bool sane = read_values(reader, 3, add(out, StreamKind::position, 3, 0));
-  if (has(format::kHasNormals))
-    sane = sane && read_bits(reader, 2, packed::kMaxDirectionBits, add(out, StreamKind::normal, 2, 0));
-  if (has(format::kHasTangents)) {
-    sane = sane && read_bits(reader, 2, packed::kMaxDirectionBits, add(out, StreamKind::tangent, 2, 0));
-    add(out, StreamKind::tangent_sign, 1, 1);
+// Streams, whose counts have been read.
+const char* read_streams(Reading& in) {
+  ByteReader& reader = in.reader;
+  MeshStreams& out = in.out;
+  const std::uint64_t most = geometry_stream_count(out.target_count, out.example_count);
+  if (in.measures) {
+    in.memory.take<std::byte>(most * kStreamBytes);
+  } else {
+    out.streams = in.memory.take<Stream>(most).data;
   }
-  if (has(format::kHasUvs)) sane = sane && read_values(reader, 2, add(out, StreamKind::uv, 2, 0));
-  if (has(format::kHasColours)) add(out, StreamKind::colour, 4, 8);
-  if (out.joint_count > 1) add(out, StreamKind::joints, out.influences, 15);
+  if (in.memory.failed) return "memory_bytes too small";
+  const auto has = [&](std::uint32_t flag) { return (out.flags & flag) != 0; };
+  bool sane = read_values(reader, 3, in.add(StreamKind::position, 3, 0));
+  if (has(format::kHasNormals))
+    sane = sane && read_bits(reader, 2, packed::kMaxDirectionBits, in.add(StreamKind::normal, 2, 0));
+  if (has(format::kHasTangents)) {
+    sane = sane && read_bits(reader, 2, packed::kMaxDirectionBits, in.add(StreamKind::tangent, 2, 0));
+    in.add(StreamKind::tangent_sign, 1, 1);
+  }
+  if (has(format::kHasUvs)) sane = sane && read_values(reader, 2, in.add(StreamKind::uv, 2, 0));
+  if (has(format::kHasColours)) in.add(StreamKind::colour, 4, 8);
+  if (out.joint_count > 1) in.add(StreamKind::joints, out.influences, 15);
   if (out.influences > 1) {
-    Stream& weights = add(out, StreamKind::weights, out.influences - 1, 0);
+    Stream& weights = in.add(StreamKind::weights, out.influences - 1, 0);
     sane = sane && read_bits(reader, 1, packed::kMaxWeightBits, weights);
     if (sane) weights.step = weight_step(weights.bits);
   }
   if (has(format::kHasAsResidual)) {
-    Stream& first = add(out, StreamKind::residual, 4, 0);
+    Stream& first = in.add(StreamKind::residual, 4, 0);
     sane = sane && read_values(reader, 1, first);
-    for (std::uint32_t j = 1; j < out.influences; ++j) {
-      Stream& other = out.streams[out.stream_count++] = first;
-      other.target = j;
-    }
+    for (std::uint32_t j = 1; j < out.influences; ++j) in.add(Stream{first}).target = j;
   }
   const std::uint32_t before = out.stream_count;
-  if (has(format::kHasMwe)) sane = sane && read_multi_weights(reader, out);
+  if (has(format::kHasMwe)) sane = sane && read_multi_weights(in);
   const std::uint32_t behind = out.stream_count;
-  if (out.influences > out.joint_count) return "more influences than joints";
-  for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(reader, t, out);
+  for (std::uint32_t t = 0; t < out.target_count; ++t) sane = sane && read_target(in, t);
   // Multi-weights are coded behind targets.
-  std::rotate(out.streams + before, out.streams + behind, out.streams + out.stream_count);
-  if (has_examples) sane = sane && read_pose_space(reader, memory, out);
-  if (memory.failed) return "memory_bytes too small";
+  if (!in.measures) std::rotate(out.streams + before, out.streams + behind, out.streams + out.stream_count);
+  if (out.example_count > 0) sane = sane && read_pose_space(in);
+  if (in.memory.failed) return "memory_bytes too small";
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";
+}
+
+// At most: each vertex may be in a run of its own, and be moved by all targets and examples.
+std::uint64_t most_section_bytes(const MeshStreams& mesh) {
+  format::GeometryHeader h{};
+  h.flags = mesh.flags;
+  h.block_count = h.run_count = mesh.vertex_count;
+  h.influence_blocks = h.set_count = mesh.vertex_count * mesh.influences;
+  h.index_count = 3 * mesh.triangle_count;
+  h.source_vertex_count = mesh.source_vertex_count;
+  const std::uint64_t moves = std::uint64_t{mesh.target_count} + mesh.example_count, blocks = mesh.vertex_count;
+  std::uint64_t bytes = layout(h).bytes;
+  if (moves == 0) return bytes;
+  bytes += 2 * (3 + sizeof(format::MorphHeader)) + moves * (sizeof(MorphTarget) + 4 * blocks);
+  bytes += mesh.stream_count * blocks * format::kMorphRecordBytes;
+  return bytes + std::uint64_t{mesh.joint_count} * (8 * std::uint64_t{mesh.example_count} + 2);
+}
+
+}  // namespace
+
+const char* read_geometry_record(ByteReader& reader, Memory& memory, MeshStreams& out) {
+  if (const char* const rule = read_counts(reader, out)) return rule;
+  Reading in{reader, memory, out};
+  return read_streams(in);
+}
+
+const char* measure_geometry_record(Span<const std::byte> record, GeometryNeeds& out) {
+  ByteReader reader(record.data, record.size);
+  Memory memory;
+  MeshStreams mesh;
+  if (const char* const rule = read_counts(reader, mesh)) return rule;
+  Reading in{reader, memory, mesh, true};
+  if (const char* const rule = read_streams(in)) return rule;
+  memory.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3);
+  memory.take<std::uint32_t>(mesh.source_vertex_count);
+  if (memory.failed) return "more memory than there can be";
+  out = {memory.whole() + expand_scratch_bytes(mesh), most_section_bytes(mesh)};
+  return nullptr;
 }
 
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
   const auto array = [](std::uint64_t count) { return (count * 4 + 15) / 16 * 16; };
   std::uint64_t bytes = array(std::uint64_t{mesh.triangle_count} * 3) + array(mesh.source_vertex_count);
-  bytes += (geometry_stream_count(mesh.target_count, mesh.example_count) * sizeof(Stream) + 15) / 16 * 16;
+  bytes += (geometry_stream_count(mesh.target_count, mesh.example_count) * kStreamBytes + 15) / 16 * 16;
   if (mesh.example_count > 0)
     bytes += format::align16(std::uint64_t{mesh.joint_count} * 2) +
              format::align16(std::uint64_t{mesh.joint_count} * mesh.example_count * 8);

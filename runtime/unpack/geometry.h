@@ -17,6 +17,14 @@ constexpr std::uint64_t geometry_stream_count(std::uint64_t target_count, std::u
 // null, or the rule that is broken.
 const char* read_geometry_record(ByteReader& reader, Memory& memory, MeshStreams& out);
 
+// What a record will need, by the counts that it states.
+struct GeometryNeeds {
+  std::uint64_t scratch_bytes;       // as geometry_scratch_bytes()
+  std::uint64_t most_section_bytes;  // how many depends on which joints vertices share
+};
+// Needs no memory. Returns null, or the rule that is broken.
+const char* measure_geometry_record(Span<const std::byte> record, GeometryNeeds& out);
+
 // Bytes of scratch memory for the arrays of these streams and for expanding them.
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);
 

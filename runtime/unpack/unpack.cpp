@@ -3,6 +3,7 @@
 #include "core/check.h"
 #include "marrow/block.h"
 #include "unpack/geometry.h"
+#include "unpack/records.h"
 #include "unpack/structure.h"
 
 namespace marrow {
@@ -29,19 +30,23 @@ Status read_header(Span<const std::byte> packed, Header& h, DataError* error) {
   return Status::ok;
 }
 
-// One record: u8 kind, u8 codec, varint bytes.
-struct Record {
-  std::uint32_t kind = 0;
-  std::uint32_t codec = 0;
-  Span<const std::byte> bytes;
-};
-
-Record take_record(ByteReader& reader) {
-  Record r;
-  r.kind = reader.take<std::uint8_t>();
-  r.codec = reader.take<std::uint8_t>();
-  r.bytes = reader.take_bytes(reader.take_varint());
-  return r;
+// The header lies outside the checksum: what it says of memory must be what the records need.
+Status check_sizes(Span<const std::byte> packed, const Header& h, DataError* error) {
+  ByteReader reader(packed.data + sizeof h, packed.size - sizeof h);
+  RecordNeeds needs;
+  needs.most_file_bytes = sizeof(format::Header) + std::uint64_t{h.record_count} * sizeof(File::Section);
+  for (std::uint32_t i = 0; i < h.record_count; ++i) {
+    const std::size_t offset = packed.size - reader.left();
+    const Record record = take_record(reader);
+    if (reader.failed()) return fail(error, Status::truncated, offset, "the file ends within a record");
+    if (const char* const rule = add_needs(record, needs)) return fail(error, Status::bad_data, offset, rule);
+  }
+  if (reader.left() != 0) return fail(error, Status::bad_data, packed.size - reader.left(), "bytes behind the records");
+  if (h.file_bytes > needs.most_file_bytes)
+    return fail(error, Status::bad_data, 12, "file_bytes is more than the records come to");
+  if (h.memory_bytes != format::align16(h.file_bytes) + format::align16(needs.scratch_bytes))
+    return fail(error, Status::bad_data, 16, "memory_bytes is not what the records need");
+  return Status::ok;
 }
 
 // The last record's bytes if they are compact names, else none.
@@ -165,7 +170,8 @@ bool is_packed(Span<const std::byte> bytes) {
 
 Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error) {
   Header h;
-  const Status status = read_header(packed, h, error);
+  Status status = read_header(packed, h, error);
+  if (status == Status::ok) status = check_sizes(packed, h, error);
   if (status == Status::ok) out = {h.file_bytes, h.memory_bytes};
   return status;
 }
@@ -173,7 +179,8 @@ Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* e
 Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
               Span<const std::byte>& file, DataError* error) {
   Header h;
-  const Status status = read_header(packed, h, error);
+  Status status = read_header(packed, h, error);
+  if (status == Status::ok) status = check_sizes(packed, h, error);
   if (status != Status::ok) return status;
   if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
     (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
@@ -181,17 +188,14 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
   MARROW_REQUIRE(is_on_boundary(memory.data));
   ByteReader reader(packed.data + sizeof h, packed.size - sizeof h);
   Unpacker unpacker(h, decoders, NameReader(find_names(reader, h.record_count)), memory);
-  if (format::align16(h.file_bytes) > h.memory_bytes || !unpacker.begin())
-    return fail(error, Status::bad_data, 12, "file_bytes or memory_bytes out of range");
+  if (!unpacker.begin()) return fail(error, Status::bad_data, 12, "file_bytes too small");
   for (std::uint32_t i = 0; i < h.record_count; ++i) {
     const std::size_t offset = packed.size - reader.left();
     const Record record = take_record(reader);
-    if (reader.failed()) return fail(error, Status::truncated, offset, "the file ends within a record");
     const char* rule = nullptr;
     const Status added = unpacker.add(i, record, rule);
     if (added != Status::ok) return fail(error, added, offset, rule);
   }
-  if (reader.left() != 0) return fail(error, Status::bad_data, packed.size - reader.left(), "bytes behind the records");
   if (!unpacker.finish()) return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
   file = {memory.data, h.file_bytes};
   return Status::ok;

@@ -8,6 +8,13 @@
 
 namespace marrow::tools {
 
+namespace {
+
+// What a few bytes may ask for, and each more: about ten times what the richest meshes take.
+constexpr std::uint64_t kMostMemory = 64 << 20, kMostMemoryAByte = 4096;
+
+}  // namespace
+
 AlignedBytes unpacked(std::span<const std::byte> packed, const std::string& path) {
   const Span<const std::byte> bytes(packed.data(), packed.size());
   const MeshDecoder decoders[] = {draco_decoder(), meshopt_decoder()};
@@ -16,6 +23,10 @@ AlignedBytes unpacked(std::span<const std::byte> packed, const std::string& path
   Span<const std::byte> file;
   AlignedBytes memory;
   Status status = unpack_sizes(bytes, sizes, &error);
+  if (status == Status::ok && sizes.memory_bytes > kMostMemory + kMostMemoryAByte * packed.size()) {
+    status = Status::bad_data;
+    error = {status, 16, "more memory than so small a file is given"};
+  }
   if (status == Status::ok) {
     memory = AlignedBytes(sizes.memory_bytes);
     status = unpack(bytes, {decoders, 2}, {memory.data(), memory.size()}, file, &error);

@@ -26,8 +26,9 @@ struct UnpackSizes {
 // Whether these are the first bytes of a packed file. Anything else is for load() to judge.
 bool is_packed(Span<const std::byte> bytes);
 
-// How much memory unpacking takes. Checks the header and the checksum, no more: sizes are the file's claim, and whoever
-// reads files of strangers should set a limit to them. Errors: bad_magic, bad_version, bad_checksum, truncated.
+// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
+// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
+// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
 Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error = nullptr);
 
 // Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()

@@ -184,10 +184,42 @@ TEST(Unpack, RefusesSizesThatDoNotFit) {
     DataError error;
     EXPECT_EQ(run(packed_fan(fan_record(), kPlain, extra), memory, file, error), Status::bad_data) << extra;
   }
-  Unpacked memory;
-  File file;
+}
+
+// Header fields are outside the checksum: what they claim is measured by the records, before any memory is.
+TEST(Unpack, TellsNoMoreMemoryThanRecordsNeed) {
+  const auto sizes_of = [](const std::vector<std::byte>& packed, UnpackSizes& sizes, DataError& error) {
+    const AlignedBlock copy(packed.data(), packed.size());
+    return unpack_sizes({copy.data(), copy.size()}, sizes, &error);
+  };
+  for (const std::vector<std::byte>& good : {packed_fan(), packed_deformers()}) {
+    UnpackSizes sizes;
+    DataError error;
+    ASSERT_EQ(sizes_of(good, sizes, error), Status::ok) << error.rule;
+    EXPECT_LT(sizes.memory_bytes, 8192u);
+    int refused = 0;
+    for (std::size_t bit = 8 * 12; bit < 8 * 20; ++bit) {
+      std::vector<std::byte> flipped = good;
+      flipped[bit / 8] ^= std::byte{1} << bit % 8;
+      UnpackSizes other;
+      if (sizes_of(flipped, other, error) == Status::ok) {  // a few bytes of file_bytes: unpack() will see
+        EXPECT_EQ(other.memory_bytes, sizes.memory_bytes) << bit;
+      } else {
+        EXPECT_TRUE(error.offset == 12 || error.offset == 16) << bit << " @" << error.offset;
+        ++refused;
+      }
+    }
+    EXPECT_GE(refused, 64 - 4);
+  }
+  UnpackSizes sizes;
   DataError error;
-  EXPECT_EQ(run(packed_fan(fan_record(), kPlain, 0, 1104), memory, file, error), Status::bad_data);
+  for (const std::uint32_t extra : {16u, 1u << 20, 1u << 30}) {  // both claims agree
+    EXPECT_EQ(sizes_of(packed_fan(fan_record(), kPlain, 0, extra), sizes, error), Status::bad_data) << extra;
+    EXPECT_EQ(error.offset, 16u);
+    if (extra == 16) continue;
+    EXPECT_EQ(sizes_of(packed_fan(fan_record(), kPlain, extra), sizes, error), Status::bad_data) << extra;
+    EXPECT_EQ(error.offset, 12u);
+  }
 }
 
 class UnpackDamaged : public ::testing::TestWithParam<std::vector<std::byte> (*)()> {};
@@ -216,7 +248,6 @@ TEST_P(UnpackDamaged, EveryChangedByteIsRefusedOrHarmless) {
   const std::vector<std::byte> packed = GetParam()();
   std::size_t changes = 0, caught = 0, loaded = 0;
   for (std::size_t i = 0; i < packed.size(); ++i) {
-    if (i >= 12 && i < 20) continue;  // sizes, which only say how much memory is wanted: gigabytes would be
     for (const std::uint32_t now : {0u, 1u, 127u, 128u, 255u}) {
       std::vector<std::byte> changed = packed;
       if (changed[i] == static_cast<std::byte>(now)) continue;
@@ -227,7 +258,10 @@ TEST_P(UnpackDamaged, EveryChangedByteIsRefusedOrHarmless) {
       ++changes;
       caught += run(changed, memory, file, error) != Status::ok;
       if (i >= 24 && i < 32) continue;
+      UnpackSizes sizes;
       forge(changed);
+      // Counts may say more than there is: a game sets a limit.
+      if (unpack_sizes({changed.data(), changed.size()}, sizes) == Status::ok && sizes.memory_bytes > 1 << 20) continue;
       loaded += run(changed, memory, file, error) == Status::ok;
     }
   }
