@@ -26,6 +26,17 @@ class Lists {
   std::uint32_t first_ = 0, end_ = 0;
 };
 
+// Of a coded sub-track, by the widest frame records that there are.
+float largest_of(const format::TrackHeader& track) {
+  std::int32_t far = 0;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const std::int32_t least = track.least[c];
+    far = far > least ? far : least;
+    far = far > -least ? far : -least;
+  }
+  return static_cast<float>((std::int64_t{far} << (track.codes[0] & 15u)) + (1 << 19)) * format::step_size(track.step);
+}
+
 }  // namespace
 
 // Of the skeleton or the reference that a clip is for; the number is in range.
@@ -89,6 +100,7 @@ bool Checker::segments(const File::Section& s, const format::CodedHeader& h, con
       std::memcpy(&track, segment + 4 + t * sizeof track, sizeof track);
       const std::uint32_t x = track.codes[0] >> 4u, y = track.codes[1] & 15u, z = track.codes[1] >> 4u;
       bits += format::component_bits(x) + format::component_bits(y) + format::component_bits(z);
+      if (largest_of(track) > format::kFarthest) return fail(segment, "a coded number beyond 1e12");
     }
     if ((bits + 7) / 8 != frame_bytes) return fail(segment, "a frame's bytes hold its tracks' bits");
     const std::uint64_t left = h.frame_count - 1 - std::uint64_t{i} * h.segment_intervals;
@@ -137,8 +149,8 @@ bool Checker::clip_header(const File::Section& s) {
   const bool has_reference = h->reference_groups != 0;
   if (has_reference && (h->additive == 0 || h->reference_groups != soa_count(joint_count_of(*h))))
     return fail(&h->reference_groups, "a reference is an additive clip's and has all joints");
-  if (!finite(at<float>(s, sizeof *h), std::uint64_t{h->reference_groups} * sizeof(SoaTransform))) return false;
-  if (!name(h->name) || !finite(&h->duration_s, 4)) return false;
+  if (!transforms(at<SoaTransform>(s, sizeof *h), h->reference_groups)) return false;
+  if (!name(h->name) || !bounded(&h->duration_s, 4)) return false;
   return h->duration_s >= 0 || fail(&h->duration_s, "a duration is not negative");
 }
 
@@ -156,11 +168,23 @@ bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::u
     if (!(key[0] >= 0) || key[t.key_count - 1] > h.duration_s) return fail(key, "times from 0 to the duration");
     return true;
   };
+  std::uint64_t first_value = h.value_count, values_end = 0;  // of what tracks use, and what is between
   for (const Track& t : Span<const Track>{at<Track>(s, l.tracks), h.track_count}) {
     if (t.joint >= joint_count) return fail(&t, "track's joint outside the skeleton");
     if (t.path > TrackPath::scale) return fail(&t, "unknown path");
-    if (!keys(h, t, format::floats_per_key(t.path, t.interpolation)) || !in_order(t)) return false;
+    const std::uint32_t floats = format::floats_per_key(t.path, t.interpolation);
+    if (!keys(h, t, floats) || !in_order(t)) return false;
+    const std::uint64_t end = t.first_value + std::uint64_t{t.key_count} * floats;
+    // Tracks that overlap are not looked at twice, as there may be any number of them.
+    const bool turns = t.path == TrackPath::rotation && t.interpolation != Interpolation::cubic_spline;
+    if (turns && t.first_value >= values_end &&
+        !units(at<float>(s, l.values) + t.first_value, 4 * (end - t.first_value)))
+      return false;
+    first_value = t.first_value < first_value ? t.first_value : first_value;
+    values_end = end > values_end ? end : values_end;
   }
+  if (values_end > 0 && !bounded(at<float>(s, l.values + 4 * first_value), 4 * (values_end - first_value)))
+    return false;
   for (const Channel& c : Span<const Channel>{at<Channel>(s, l.channels), h.channel_count}) {
     if ((c.reserved[0] | c.reserved[1] | c.reserved[2]) != 0) return fail(c.reserved, "reserved must be 0");
     if (!name(c.name) || !finite(&c.rest, 4)) return false;

@@ -36,16 +36,16 @@ bool Checker::image(const File::Section& s) {
   if ((h->reserved[0] | h->reserved[1] | h->reserved[2]) != 0) return fail(h->reserved, "reserved must be 0");
   if (h->format > ImageFormat::jpeg) return fail(&h->format, "unknown format of an image");
   if (h->byte_count > 0 && h->format == ImageFormat::unknown) return fail(&h->format, "bytes of an unknown format");
-  return name(h->name) && name(h->uri);
+  return name(h->name) && text(h->uri);
 }
 
 bool Checker::property(const Property& p) {
   if ((p.reserved[0] | p.reserved[1] | p.reserved[2]) != 0) return fail(p.reserved, "reserved must be 0");
   if (p.type > PropertyType::text) return fail(&p.type, "unknown type of a property");
-  if (!name(p.name)) return false;
+  if (!text(p.name)) return false;
   std::uint64_t bits = 0;
   std::memcpy(&bits, &p.number, sizeof bits);
-  if (p.type == PropertyType::text) return bits >> 32 != 0 ? fail(&p.number, "reserved must be 0") : name(p.text);
+  if (p.type == PropertyType::text) return bits >> 32 != 0 ? fail(&p.number, "reserved must be 0") : text(p.text);
   if ((bits >> 52 & 0x7FF) == 0x7FF) return fail(&p.number, "a number that is not finite");
   const bool truth = p.type == PropertyType::boolean;
   return !truth || bits == 0 || p.number == 1 || fail(&p.number, "a boolean is 0 or 1");
@@ -58,7 +58,7 @@ bool Checker::node(const File::Section& s) {
   if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
   const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
   if (h->joint != kNoJoint && h->joint >= skeleton->joint_count) return fail(&h->joint, "a joint outside the skeleton");
-  if (!name(h->name) || !finite(&h->joint_from_node, sizeof h->joint_from_node)) return false;
+  if (!name(h->name) || !bounded(&h->joint_from_node, sizeof h->joint_from_node)) return false;
   for (const Property& p : Span<const Property>{at<Property>(s, layout(*h).properties), h->property_count})
     if (!property(p)) return false;
   return true;

@@ -211,7 +211,7 @@ bool Checker::mesh(const File::Section& s) {
       return fail(&half, "a half-joint stands between two joints of the mesh");
   if (!lods({at<MeshLod>(s, l.lods), h->lod_count}, *h)) return false;
   return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
-         finite(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&
+         bounded(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&
          below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");
 }
 

@@ -19,6 +19,9 @@ class Checker {
   const DataError& error() const { return error_; }
 
  private:
+  static constexpr const char* kNotFinite = "a number that is not finite";
+  static constexpr const char* kTooFar = "a number that is not finite, or beyond 1e12";
+
   bool fail(const void* where, const char* rule) {
     const auto offset = static_cast<const std::byte*>(where) - block_.data;
     error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
@@ -40,10 +43,22 @@ class Checker {
     return reinterpret_cast<const T*>(block_.data + s.offset + offset);
   }
 
-  bool name(const std::uint32_t& n) {
+  // Names are compared with others, so how long they are has a limit; text() is only handed out.
+  bool name(const std::uint32_t& n);
+  bool text(const std::uint32_t& n) {
     return n < sections_[sections_.size - 1].bytes || fail(&n, "name outside the name section");
   }
-  bool finite(const void* first, std::uint64_t bytes);
+  bool finite(const void* first, std::uint64_t bytes) { return below_bits(first, bytes, 0x7F800000, kNotFinite); }
+  // Finite, and at most format::kFarthest: what becomes matrices that are multiplied.
+  bool bounded(const void* first, std::uint64_t bytes) {
+    return below_bits(first, bytes, std::bit_cast<std::uint32_t>(format::kFarthest) + 1, kTooFar);
+  }
+  // Quaternions of unit length but for rounding: their squares are multiplied with scales.
+  bool units(const void* first, std::uint64_t bytes) {
+    return below_bits(first, bytes, std::bit_cast<std::uint32_t>(1.01f), "a rotation that is no unit quaternion");
+  }
+  bool transforms(const SoaTransform* first, std::uint64_t count);
+  bool below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule);
   bool names(const File::Section& s);
   bool skeleton(const File::Section& s);
   bool reference(const File::Section& s);

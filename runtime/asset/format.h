@@ -20,6 +20,11 @@ inline constexpr std::uint32_t four_characters(const char (&s)[5]) {
 inline constexpr std::uint32_t kMagic = four_characters("MRRW");
 inline constexpr std::uint32_t kPackedMagic = four_characters("MRRP");  // for unpack(), see unpack/packed.h
 inline constexpr std::uint32_t kVersion = 1;
+// The largest number of a matrix, a place or a scale, in metres where it has a unit: the product of three such matrices
+// (what is above a root, a joint, its inverse bind) is finite, with room for a scene's places.
+inline constexpr float kFarthest = 1e12f;
+// Bytes of a name, without its zero. The cooker cuts names at 1024, and may put something behind them.
+inline constexpr std::uint32_t kLongestName = 2047;
 inline constexpr std::uint32_t kCodecRaw = 0;
 inline constexpr std::uint32_t kCodecSegments = 1;  // clips only
 

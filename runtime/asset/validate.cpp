@@ -9,16 +9,33 @@ namespace marrow {
 
 using format::layout;
 
-// Neither infinite nor not-a-number, in one pass without a branch a float.
-bool Checker::finite(const void* first, std::uint64_t bytes) {
+// Whether all floats are, without their signs, less than the one with these bits; in one pass without a branch a float.
+// What is not finite has the largest bits.
+bool Checker::below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule) {
   const auto* words = static_cast<const std::uint32_t*>(first);
   const std::uint64_t count = bytes / 4;
   std::uint32_t bad = 0;
-  for (std::uint64_t i = 0; i < count; ++i) bad |= (words[i] & 0x7F800000u) == 0x7F800000u;
+  for (std::uint64_t i = 0; i < count; ++i) bad |= (words[i] & 0x7FFFFFFFu) >= least;
   if (bad == 0) return true;
   std::uint64_t i = 0;
-  while ((words[i] & 0x7F800000u) != 0x7F800000u) ++i;
-  return fail(words + i, "a number that is not finite");
+  while ((words[i] & 0x7FFFFFFFu) < least) ++i;
+  return fail(words + i, rule);
+}
+
+// Of a pose.
+bool Checker::transforms(const SoaTransform* first, std::uint64_t count) {
+  if (!bounded(first, count * sizeof *first)) return false;
+  for (std::uint64_t i = 0; i < count; ++i)
+    if (!units(first[i].rotation, sizeof first[i].rotation)) return false;
+  return true;
+}
+
+bool Checker::name(const std::uint32_t& n) {
+  if (!text(n)) return false;
+  const File::Section& s = sections_[sections_.size - 1];
+  const std::uint64_t left = s.bytes - n;  // the last byte is a zero
+  return left <= format::kLongestName + 1 || std::memchr(at<char>(s, n), 0, format::kLongestName + 1) != nullptr ||
+         fail(&n, "a name of more than 2047 bytes");
 }
 
 bool Checker::names(const File::Section& s) {
@@ -38,7 +55,8 @@ bool Checker::skeleton(const File::Section& s) {
   const auto* parents = at<std::uint16_t>(s, l.parents);
   const auto* joint_names = at<std::uint32_t>(s, l.names);
   return joints(parents, joint_names, h->joint_count, h->root_count) && name(h->name) &&
-         finite(at<float>(s, l.roots), l.names - l.roots);
+         bounded(at<float>(s, l.roots), l.rest - l.roots) &&
+         transforms(at<SoaTransform>(s, l.rest), (l.names - l.rest) / sizeof(SoaTransform));
 }
 
 bool Checker::joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,

@@ -410,8 +410,10 @@ class File {
 //
 // The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
 // read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
-// bounds. `out` is written only on success. `error`, if not null, gets the place and the broken rule on failure. Cost:
-// one pass over the block; no allocation. Thread-safe.
+// bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
+// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
+// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
+// failure. Cost: one pass over the block; no allocation. Thread-safe.
 Status load(Span<const std::byte> block, File& out, DataError* error = nullptr);
 
 }  // namespace marrow

@@ -1,4 +1,5 @@
 // load: what it refuses, with which status, and that it says where.
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -6,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
+#include "marrow/local_to_model.h"
+#include "marrow/palette.h"
 #include "support/golden.h"
 #include "support/pose_file.h"
 
@@ -352,6 +355,68 @@ TEST_F(Load, Meshes) {
   refuse(base + l.inverse_bind, kInfinity, "an inverse bind that is not finite");
   refuse(base + l.joints, std::uint16_t{3}, "a joint outside the skeleton");
   EXPECT_EQ(refused_, 12);
+}
+
+// What becomes matrices has bounds, so that their products are finite: 1e12, and 1 for rotations.
+TEST_F(Load, NumbersOfMatricesBeyondTheirBounds) {
+  const std::size_t skeleton = at(format::kSkeletons);
+  const format::SkeletonLayout l = layout(header<format::SkeletonHeader>(format::kSkeletons));
+  refuse(skeleton + l.roots, 1.01e12f, "what is above a root");
+  refuse(skeleton + l.roots + 12, -3e38f, "where that stands");
+  refuse(skeleton + l.rest, -1.01e12f, "a translation");
+  refuse(skeleton + l.rest + 12 * 4, 1.02f, "a rotation");
+  refuse(skeleton + l.rest + 28 * 4, 1.01e12f, "a scale");
+  const std::size_t clip = at(format::kClips);
+  const format::ClipLayout c = layout(header<format::ClipHeader>(format::kClips));
+  const auto track = header<format::ClipHeader>(format::kClips).track_count;
+  ASSERT_GT(track, 0u);
+  Track first;
+  std::memcpy(&first, block_.data() + clip + c.tracks, sizeof first);
+  refuse(clip + c.values + 4 * first.first_value, 1.01e12f, "a key");
+  refuse(clip + 8, 1.01e12f, "a duration");
+  const std::size_t mesh = at(format::kMeshes);
+  const format::MeshLayout m = layout(header<format::MeshHeader>(format::kMeshes));
+  refuse(mesh + m.inverse_bind, 1.01e12f, "an inverse bind");
+  EXPECT_EQ(refused_, 8);
+  // At the bound they load, and the palette is finite.
+  set(skeleton + l.roots, 1e12f);
+  set(skeleton + l.rest, -1e12f);
+  set(skeleton + l.rest + 28 * 4, 1e12f);
+  set(mesh + m.inverse_bind, 1e12f);
+  test::forge_checksum(block_.data(), block_.size());
+  File file;
+  ASSERT_EQ(load(block_, file), Status::ok);
+  const Skeleton s = file.skeleton(0);
+  std::vector<Affine> scene(s.joint_count), palette(file.mesh(0).palette_size());
+  ASSERT_EQ(local_to_model(s, {s.rest, s.soa_size()}, scene), Status::ok);
+  ASSERT_EQ(build_palette(file.mesh(0), scene, palette), Status::ok);
+  for (const Affine& entry : palette)
+    for (const auto& row : entry.rows)
+      for (const float x : row) EXPECT_TRUE(std::isfinite(x));
+}
+
+// Comparing names costs no more than 2047 bytes each. With a section of names of its own, all joints called alike.
+TEST_F(Load, NamesThatAreTooLong) {
+  const File::Section& names = sections_.back();
+  const std::size_t skeleton = at(format::kSkeletons);
+  const format::SkeletonLayout l = layout(header<format::SkeletonHeader>(format::kSkeletons));
+  for (const std::size_t length : {1024u, 2047u, 2048u, 1000000u}) {
+    const std::size_t begin = names.offset + names.bytes;
+    AlignedBlock longer(begin + length + 1);
+    std::memcpy(longer.data(), bytes_.data(), begin);
+    std::memset(longer.data() + begin, 'n', length);
+    longer.data()[begin + length] = std::byte{0};
+    const std::uint32_t bytes = static_cast<std::uint32_t>(longer.size()),
+                        pool = names.bytes + 1 + std::uint32_t(length);
+    std::memcpy(longer.data() + 8, &bytes, 4);
+    std::memcpy(longer.data() + sizeof(format::Header) + (sections_.size() - 1) * 16 + 8, &pool, 4);
+    std::memcpy(longer.data() + skeleton + l.names, &names.bytes, 4);
+    test::forge_checksum(longer.data(), longer.size());
+    File file;
+    DataError error;
+    EXPECT_EQ(load(longer, file, &error), length <= 2047 ? Status::ok : Status::bad_data) << length;
+    EXPECT_EQ(error.offset, length <= 2047 ? 0 : skeleton + l.names) << error.rule;
+  }
 }
 
 TEST_F(Load, Names) {
