@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "math/finite.h"
+
 namespace marrow::gles3 {
 namespace {
 
@@ -90,10 +92,13 @@ void put(std::byte* to, T value) {
   std::memcpy(to, &value, sizeof(value));
 }
 
-// A file may hold any finite numbers.
+// A file may hold any finite numbers, whose sums and products need not be: what is not a number is 0.
+double held(double value) {
+  constexpr double kMost = 1e6;
+  return value > kMost ? kMost : value < -kMost ? -kMost : is_number(value) ? value : 0;
+}
 std::int32_t round_to_int(float value) {
-  constexpr float kMost = 1e6f;
-  return static_cast<std::int32_t>(std::floor((value < -kMost ? -kMost : value > kMost ? kMost : value) + 0.5f));
+  return static_cast<std::int32_t>(std::floor(static_cast<float>(held(static_cast<double>(value))) + 0.5f));
 }
 
 std::int16_t to_snorm16(float value) {
@@ -177,12 +182,10 @@ void put_tangents(const Vertex& v, const Quantisation& q, bool left_handed, std:
 }  // namespace
 
 void quantise_sum(const float* values, std::uint32_t count, std::int32_t total, std::int32_t* out) {
-  constexpr double kMost = 1e6;
   double remainder[kMaxInfluences];
   std::int32_t missing = total;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const double product = static_cast<double>(values[i]) * total;
-    const double exact = product < -kMost ? -kMost : product > kMost ? kMost : product;
+    const double exact = held(static_cast<double>(values[i]) * total);
     const double whole = std::floor(exact);
     out[i] = static_cast<std::int32_t>(whole);
     remainder[i] = exact - whole;

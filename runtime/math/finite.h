@@ -10,6 +10,9 @@ namespace marrow {
 inline bool is_number(float x) {
   return x == x;
 }
+inline bool is_number(double x) {
+  return x == x;
+}
 // Neither infinite nor not a number.
 inline bool is_finite(float x) {
   return x - x == 0.0f;

@@ -1,8 +1,10 @@
 // The compact attributes themselves: sums that are exact, directions that survive.
 #include "gles3/encode.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +56,42 @@ TEST(Encode, HugeWeightsOfADamagedFileSumExactlyToo) {
   std::int32_t out[3] = {};
   gles3::quantise_sum(weights, 3, 32767, out);
   EXPECT_EQ(out[0] + out[1] + out[2], 32767);
+}
+
+// Sums of a damaged file's finite numbers may be infinite, or no numbers; those are held, or 0.
+TEST(Encode, WeightsThatAreNotFiniteSumExactlyToo) {
+  for (const float bad : {NAN, INFINITY, -INFINITY}) {
+    const float weights[] = {0.5f, bad, 0.25f};
+    std::int32_t out[3] = {};
+    gles3::quantise_sum(weights, 3, 32767, out);
+    EXPECT_EQ(out[0] + out[1] + out[2], 32767);
+    EXPECT_NEAR(out[1], std::isnan(bad) ? 0 : bad > 0 ? 1e6 : -1e6, 1);
+  }
+}
+
+// As large as a file may have them: coordinates overflow on the way, and become some 16-bit numbers.
+TEST(Encode, AnyFiniteNumbersAreEncoded) {
+  Random random(3);
+  const float sizes[] = {0, 1e-45f, 1, -1, 1e19f, -1e30f, 3e38f, -3e38f};
+  for (int round = 0; round < 200; ++round) {
+    const auto any = [&] { return static_cast<double>(sizes[random.below(8)]); };
+    TestRun run{{0, 1, 2}, {}};
+    for (int v = 0; v < 4; ++v) {
+      TestVertex vertex;
+      vertex.position = {any(), any(), any()};
+      vertex.weights = {any(), any(), any()};
+      for (int j = 0; j < 3; ++j) vertex.residual.push_back({any(), any(), any(), any()});
+      run.vertices.push_back(vertex);
+    }
+    const TestMesh source({run}, std::vector<Map>(3), true);
+    const Mesh mesh = with_box(source);
+    const gles3::VertexLayout layout = gles3::make_layout(mesh, false);
+    const gles3::Quantisation q = gles3::make_quantisation(mesh.geometry);
+    std::vector<std::byte> out(4 * std::max(layout.ssd_stride, layout.as_stride));
+    gles3::encode_ssd(mesh.geometry, layout, q, out.data());
+    gles3::encode_as(mesh.geometry, layout, q, nullptr, out.data());
+    EXPECT_GT(q.coordinate_one, 0);
+  }
 }
 
 // The specification's decoding, written out again.
