@@ -56,6 +56,7 @@ Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t c
   const bool through = basis == PatchBasis::catmull_rom;
   const Weights along_u = through ? catmull_rom_weights(u) : bernstein3(u);
   const Weights along_v = through ? catmull_rom_weights(v) : bernstein3(v);
+  float point[kMaxComponents] = {};
   for (std::size_t c = 0; c < n; ++c) {
     float sum = 0.0f;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -63,8 +64,10 @@ Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t c
       const float* const w = along_u.w;
       sum += along_v.w[j] * (w[0] * row[0] + w[1] * row[n] + w[2] * row[2 * n] + w[3] * row[3 * n]);
     }
-    out[c] = sum;
+    point[c] = sum;
   }
+  if (!all_finite(point, n)) return Status::bad_data;
+  std::memcpy(out.data, point, sizeof(float) * n);
   return Status::ok;
 }
 

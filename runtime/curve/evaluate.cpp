@@ -20,6 +20,27 @@ void copy_key(const Curve& curve, std::size_t key, Span<float> out) {
   std::memcpy(out.data, key_value(curve, key), sizeof(float) * curve.components);
 }
 
+constexpr float kFarthest = 1e18f;  // of keys: no blend of four of them, or square, is infinite
+
+bool is_far(const float* values, std::size_t count) {
+  return !all_within(values, count, -kFarthest, kFarthest);
+}
+
+// Hermite tangents over the longest interval between two keys, which is more than it has to be.
+bool are_tangents_far(const Curve& curve) {
+  float longest_s = 0.0f;
+  for (std::size_t i = 1; i < curve.times_s.size; ++i) {
+    const float span_s = curve.times_s[i] - curve.times_s[i - 1];
+    longest_s = span_s > longest_s ? span_s : longest_s;
+  }
+  const std::size_t n = curve.components;
+  for (std::size_t i = 0; i < 3 * n * curve.times_s.size; ++i) {
+    const bool is_value = i / n % 3 == 1;
+    if (!is_value && !within(curve.values[i] * longest_s, -kFarthest, kFarthest)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 BadCall check_counts(const Curve& curve) {
@@ -40,9 +61,8 @@ Status check_curve(const Curve& curve) {
   for (std::size_t i = 1; i < key_count; ++i) {
     if (!(curve.times_s[i - 1] < curve.times_s[i])) return Status::bad_data;
   }
-  if (!all_finite(curve.values.data, curve_value_count(curve.kind, curve.components, key_count))) {
-    return Status::bad_data;
-  }
+  if (is_far(curve.values.data, curve_value_count(curve.kind, curve.components, key_count))) return Status::bad_data;
+  if (curve.kind == CurveKind::hermite && are_tangents_far(curve)) return Status::bad_data;
   for (std::size_t i = 0; curve.rotation && i < key_count; ++i) {
     const float* const q = key_value(curve, i);
     const float off = dot(q, q, 4) - 1.0f;
@@ -75,13 +95,16 @@ Status curve_velocity(const Curve& curve, float time_s, Span<float> out) {
   MARROW_REQUIRE(out.size >= curve.components);
   if (curve.rotation) return Status::unsupported;
   const Span<const float> times_s = curve.times_s;
-  std::memset(out.data, 0, sizeof(float) * curve.components);
-  if (times_s.size == 1 || curve.kind == CurveKind::step) return Status::ok;
-  if (time_s < times_s[0] || times_s[times_s.size - 1] < time_s) return Status::ok;
-  const Moment m = find_moment(times_s.data, times_s.size, time_s);
-  segment_slope(make_segment(curve, m.key), m.u, out.data);
-  const float span_s = times_s[m.key + 1] - times_s[m.key];  // at both ends, too
-  for (std::uint32_t i = 0; i < curve.components; ++i) out[i] /= span_s;
+  float slope[kMaxComponents] = {};
+  const bool rests = times_s.size == 1 || curve.kind == CurveKind::step;
+  if (!rests && !(time_s < times_s[0] || times_s[times_s.size - 1] < time_s)) {
+    const Moment m = find_moment(times_s.data, times_s.size, time_s);
+    segment_slope(make_segment(curve, m.key), m.u, slope);
+    const float span_s = times_s[m.key + 1] - times_s[m.key];  // at both ends, too
+    for (std::uint32_t i = 0; i < curve.components; ++i) slope[i] /= span_s;
+  }
+  if (!all_finite(slope, curve.components)) return Status::bad_data;
+  std::memcpy(out.data, slope, sizeof(float) * curve.components);
   return Status::ok;
 }
 

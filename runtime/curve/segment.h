@@ -51,10 +51,10 @@ inline float chain_sign(const float* reference, float* q) {
   return -1.0f;
 }
 
-// False, and q as it was, if q has no direction.
+// False, and q as it was, if q has no direction, or none that can be told.
 inline bool normalise(float* q) {
   const float squared = dot(q, q, 4);
-  if (!(squared > 0.0f)) return false;
+  if (!(squared > 1e-30f && squared < __builtin_inff())) return false;
   const float inverse = 1.0f / __builtin_sqrtf(squared);
   for (int i = 0; i < 4; ++i) q[i] *= inverse;
   return true;

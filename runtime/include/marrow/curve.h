@@ -51,19 +51,21 @@ constexpr std::size_t curve_value_count(CurveKind kind, std::uint32_t components
 
 // Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: bad_argument if `kind`
 // is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
-// not increase strictly, a number is not finite, or a rotation key's squared length is off 1 by more than 1e-3. Cost:
-// once over the keys.
+// not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
+// interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
 Status check_curve(const Curve& curve);
 
 // The value at `time_s`, clamped to the first and last key; one key is a constant.
 //
 // out: at least curve.components floats. Errors: bad_argument as in check_curve(), if `out` is too short, or time_s is
-// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage. At a key's time the value is
-// exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and some dozen operations.
+// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
+// At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
+// some dozen operations.
 Status evaluate_curve(const Curve& curve, float time_s, Span<float> out);
 
 // The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
-// the last key: 0. Arguments, errors and cost as there; also unsupported for rotations.
+// the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
+// bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
 Status curve_velocity(const Curve& curve, float time_s, Span<float> out);
 
 // Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
@@ -88,7 +90,7 @@ Status clamped_spline(const Curve& keys, Span<const float> first_velocity, Span<
 // Cost: degree · (degree + 1) / 2 interpolations.
 Status bezier(Span<const float> points, std::uint32_t components, float u, Span<float> scratch, Span<float> out);
 // The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
-// result has no direction.
+// result has no direction, or is too long to be squared.
 Status bezier_rotation(Span<const float> quaternions, float u, Span<float> scratch, Span<float> out);
 
 enum class PatchBasis : std::uint8_t {
@@ -99,7 +101,8 @@ enum class PatchBasis : std::uint8_t {
 // A bicubic patch over 4 × 4 points: the tensor product of two cubics.
 //
 // points: 16 · components floats, component by component within a point, points along u first, then v. out: at least
-// `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite.
+// `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
+// bad_data, with nothing written, if the result is not finite.
 // Cost: 20 blends of four points.
 Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t components, float u, float v,
                      Span<float> out);

@@ -1,4 +1,5 @@
 // Curves that break the rules: refused where asked, safe everywhere.
+#include <algorithm>
 #include <limits>
 
 #include "support/allocations.h"
@@ -76,12 +77,48 @@ TEST(BadCurves, NumbersThatAreNotFinite) {
         for (const float time_s : {-kInfinite, 1.5f, 3.0f, kInfinite}) {  // safe, whatever comes out
           float out[3];
           EXPECT_EQ(evaluate_curve(keys.view(), time_s, Span<float>(out, 3)), Status::ok);
-          EXPECT_EQ(curve_velocity(keys.view(), time_s, Span<float>(out, 3)), Status::ok);
+          const Status velocity = curve_velocity(keys.view(), time_s, Span<float>(out, 3));
+          EXPECT_TRUE(velocity == Status::ok || velocity == Status::bad_data);
         }
       }
     }
   }
   EXPECT_EQ(cases, 3 * (7 * 4 + 4 * 12 + 36 + 21 + 30));
+}
+
+// Whatever check_curve() lets pass has finite values everywhere; a velocity is finite, or said not to be.
+TEST(BadCurves, LargeNumbersGiveFiniteValues) {
+  Random random(127);
+  const float sizes[] = {1e-40f, 1.0f, 1e9f, 1e18f, 2e18f, 3e38f};
+  int good = 0, refused = 0, fast = 0;
+  for (const CurveKind kind : kAllKinds) {
+    for (int round = 0; round < 600; ++round) {
+      Keys keys{kind, false, 2, {0}, {}};
+      for (int k = 1; k < 4; ++k) keys.times.push_back(keys.times.back() + std::max(sizes[random.below(5)], 1e-38f));
+      for (std::size_t i = 0; i < curve_value_count(kind, 2, 4); ++i)
+        keys.values.push_back(sizes[random.below(round % 2 == 0 ? 6 : 4)] * (random.below(2) == 0 ? -1.0f : 1.0f));
+      const Curve curve = keys.view();
+      ++(check_curve(curve) == Status::ok ? good : refused);
+      if (check_curve(curve) != Status::ok) continue;
+      for (int i = 0; i <= 8; ++i) {
+        const std::size_t key = static_cast<std::size_t>(i) % 3;
+        const float u = static_cast<float>(i) / 8, time_s = (1 - u) * keys.times[key] + u * keys.times[key + 1];
+        float out[2] = {-77, -77};
+        ASSERT_EQ(evaluate_curve(curve, time_s, out), Status::ok);
+        ASSERT_TRUE(std::isfinite(out[0]) && std::isfinite(out[1])) << static_cast<int>(kind) << ' ' << out[0];
+        out[0] = -77;
+        const Status velocity = curve_velocity(curve, time_s, out);
+        ASSERT_TRUE(std::isfinite(out[0]) && std::isfinite(out[1])) << static_cast<int>(kind) << ' ' << out[0];
+        if (velocity == Status::ok) continue;
+        ASSERT_EQ(velocity, Status::bad_data);
+        ASSERT_EQ(out[0], -77);
+        ++fast;
+      }
+    }
+  }
+  EXPECT_GT(good, 500);
+  EXPECT_GT(refused, 1000);
+  EXPECT_GT(fast, 100);
 }
 
 TEST(BadCurves, TimesThatDoNotIncrease) {
@@ -160,10 +197,16 @@ TEST(BadCurves, ControlPoints) {
     EXPECT_EQ(bicubic_patch(PatchBasis::bezier, points, 2, bad, 0, out), Status::bad_argument);
     EXPECT_EQ(bicubic_patch(PatchBasis::bezier, points, 2, 0, bad, out), Status::bad_argument);
   }
+  EXPECT_EQ(bicubic_patch(PatchBasis::bezier, points, 2, 0.5f, 0.5f, out), Status::ok);
+  std::vector<float> far(32, 3e38f);
+  const std::vector<float> before = out;
+  EXPECT_EQ(bicubic_patch(PatchBasis::bezier, far, 2, 3.0f, 0.5f, out), Status::bad_data);
+  EXPECT_EQ(out, before);
   points[3] = kNan;
   EXPECT_EQ(bezier(points, 2, 0.5f, scratch, out), Status::bad_data);
   std::vector<float> four(4);
   EXPECT_EQ(bezier_rotation(std::vector<float>(8, 0.0f), 0.5f, scratch, four), Status::bad_data);
+  EXPECT_EQ(bezier_rotation(std::vector<float>(8, 1e25f), 0.5f, scratch, four), Status::bad_data);
   EXPECT_EQ(bezier_rotation(std::vector<float>(7, 0.5f), 0.5f, scratch, four), Status::bad_argument);
   EXPECT_EQ(bezier_rotation({0, 0}, 0.5f, scratch, four), Status::bad_argument);
 }
