@@ -69,8 +69,14 @@ bool follow(Motion& m, const Vector3& from, bool on_target, float time_s, float 
   const Vector3 left = target_velocity - m.velocity;
   const bool arrived = dot(m.at, m.at) <= kArrived * kArrived &&
                        (limit.acceleration == 0 || dot(left, left) <= kArrivedSpeed * kArrivedSpeed);
-  if (arrived) m.velocity = target_velocity;
-  return arrived || !is_finite(m.at) || !is_finite(m.velocity);
+  const bool lost = !is_finite(m.at) || !is_finite(m.velocity);
+  if (arrived || lost) m.velocity = target_velocity;
+  return arrived || lost;
+}
+
+// A target that jumps in next to no time has a velocity that is beyond a float: it is at rest then.
+Vector3 known(const Vector3& velocity) {
+  return is_finite(velocity) ? velocity : Vector3{};
 }
 
 bool is_time(float dt_s) {
@@ -122,7 +128,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
   store(state.rotation, on_target ? to : normalised(exp_rotation(m.at) * unit));
   store(state.target, to);
-  store(state.velocity, on_target ? m.velocity : Jacobian(m.at).turn_of(m.velocity));
+  store(state.velocity, known(on_target ? m.velocity : Jacobian(m.at).turn_of(m.velocity)));
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return {};
@@ -149,7 +155,7 @@ Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, 
   const bool on_target = follow(m, from, state.mode == kOnTarget, time_s, state.frame_s, limit);
   store(state.point, on_target ? to : m.at + to);
   store(state.target, to);
-  store(state.velocity, m.velocity);
+  store(state.velocity, known(m.velocity));
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return Status::ok;

@@ -96,9 +96,11 @@ struct PointFollower {
 // from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
 //
 // dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s.
-// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, the target's quaternion has no length;
-// nothing is written. Cost: on the target, a comparison and a logarithm of a quaternion; else a square root or two each
-// step. No trigonometry of a library; the same bits everywhere. Thread-safe on different states.
+// A target that jumps so far in so little time that its velocity is not finite is taken to be at rest where it is.
+// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+// on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+// quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+// on different states.
 Status follow_rotation(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit);
 Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit);
 

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <vector>
 
 #include "marrow/limits.h"
 #include "support/allocations.h"
+#include "support/rig.h"
 #include "unit/pose/limit_reference.h"
 
 namespace marrow {
@@ -321,6 +323,36 @@ TEST(LimitRates, RefuseBadCalls) {
   EXPECT_EQ(follow_point(point, {0, infinite, 0}, 0.1f, {1, 1}), Status::bad_argument);
   EXPECT_EQ(std::memcmp(&turn, &before, sizeof turn), 0);
   EXPECT_EQ(point.mode, 0u);
+}
+
+// Far targets, hardly any time, rates of any size: nothing that a follower keeps is ever not finite.
+TEST(LimitRates, StayFiniteOnAnything) {
+  test::Random random(38);
+  const float times_s[] = {1e-45f, 1e-38f, 1e-20f, 1e-6f, 1.0f / 60, 1e30f};
+  const float sizes[] = {0.0f, 1e-45f, 1e-20f, 1.0f, 1e9f, 5e14f};
+  const float rates[] = {0.0f, 1e-45f, 1e-9f, 1.0f, 1e9f, 9e17f};
+  const auto any = [&](const float(&from)[6]) { return from[random.below(6)]; };
+  const auto all_finite = [](const auto& numbers) {
+    for (const float x : numbers)
+      if (!std::isfinite(x)) return false;
+    return true;
+  };
+  for (int run = 0; run < 500; ++run) {
+    PointFollower point;
+    RotationFollower turn;
+    for (int frame = 0; frame < 30; ++frame) {
+      const float dt_s = any(times_s);
+      const RateLimit limit = {any(rates), any(rates)};
+      const float target[3] = {any(sizes), -any(sizes), any(sizes)};
+      ASSERT_EQ(follow_point(point, target, dt_s, limit), Status::ok);
+      ASSERT_TRUE(all_finite(point.point) && all_finite(point.velocity)) << run << ' ' << frame;
+      float to[4];
+      const test::Quat q = random.rotation();
+      for (std::size_t i = 0; i < 4; ++i) to[i] = static_cast<float>(q[i]);
+      ASSERT_EQ(follow_rotation(turn, to, dt_s, limit), Status::ok);
+      ASSERT_TRUE(all_finite(turn.rotation) && all_finite(turn.velocity)) << run << ' ' << frame;
+    }
+  }
 }
 
 TEST(LimitRates, OfAPoseTurnTheirJointsAlone) {
