@@ -6,11 +6,11 @@
 namespace marrow {
 namespace {
 
-// ratio of two scales; 1 where there is nothing to divide by.
+// ratio of two scales; 1 where there is next to nothing to divide by.
 f32x4 ratio(f32x4 a, f32x4 b) {
   const f32x4 zero = splat(0.0f), one = splat(1.0f);
   const f32x4 magnitude = select(b < zero, zero - b, b);
-  const mask4 divides = zero < magnitude;
+  const mask4 divides = splat(1e-20f) < magnitude;
   return select(divides, a / select(divides, b, one), one);
 }
 

@@ -204,8 +204,10 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
     return Status::ok;
   }
   FewLayers few;
+  const float least =
+      kNegligible * (total < threshold ? threshold : total);  // the rest pose makes up for what is missing
   for (const BlendLayer& layer : layers) {
-    if (!(layer.weight > kNegligible * total)) continue;
+    if (!(layer.weight > least)) continue;
     if (few.count < FewLayers::kMost) {
       few.pose[few.count] = layer.pose.data;
       few.weight[few.count] = layer.weight;

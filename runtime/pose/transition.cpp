@@ -10,6 +10,8 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
+constexpr float kShortest_s = 1e-6f, kLongest_s = 1e6f;
+
 bool above_zero(float x) {
   return 0.0f < x && is_finite(x);
 }
@@ -101,8 +103,9 @@ Status begin_inertia(const Skeleton& skeleton, const InertialStart& start, float
   MARROW_REQUIRE(start.target.size >= groups);
   MARROW_REQUIRE(!moving || start.target_was.size >= groups);
   MARROW_REQUIRE(above_zero(start.frame_s));
-  MARROW_REQUIRE(above_zero(duration_s));
-  const f32x4 frame = splat(start.frame_s), slowest = splat(1.0f / duration_s);
+  MARROW_REQUIRE(above_zero(duration_s) && duration_s <= kLongest_s);
+  const f32x4 frame = splat(start.frame_s > kShortest_s ? start.frame_s : kShortest_s),
+              slowest = splat(1.0f / duration_s);
   for (std::size_t g = 0; g < groups; ++g) {
     Quaternion<f32x4> turn;
     const Offset now = difference(start.now[g], start.target[g], nullptr, turn);

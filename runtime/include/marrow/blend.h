@@ -29,7 +29,7 @@ struct BlendLayer {
 // is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
 // below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
 // single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
-// below 1e-12 of the sum.
+// below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
 //
 // layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
 // kMaxBlendWeight.
@@ -50,8 +50,8 @@ struct AdditiveLayer {
 };
 
 // out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
-// scales (1 where the reference is 0). Rotations must be unit quaternions. Clips cooked as additive hold their
-// reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
+// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
+// their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
 Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Span<const SoaTransform> reference,
                      Span<AdditiveTransform> out);
 

@@ -45,7 +45,7 @@ struct InertialStart {
   Span<const SoaTransform> now = {};         // shown last
   Span<const SoaTransform> target = {};      // the new clip at the time of `now`
   Span<const SoaTransform> target_was = {};  // the new clip one frame earlier; empty: taken to stand still
-  float frame_s = 0.0f;                      // between the two, > 0
+  float frame_s = 0.0f;                      // between the two, > 0; less than 1e-6 counts as that
 };
 
 // Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is
@@ -57,9 +57,10 @@ struct InertialStart {
 // changes its sign. Other than there, x, y and z are not reduced to a length on a fixed axis, so the whole velocity
 // is carried over and not only its part along the offset. The growth of a turn is limited so that it stays below a
 // whole one; a turn of more than a quarter in one frame is not carried over faithfully.
-// Rotations must be unit quaternions. To begin anew in the middle of a transition, pass the poses that were shown.
-// Errors: bad_argument if a span is too short, or frame_s or duration_s is not above 0 and finite.
-// Cost: two logarithms of quaternions a joint, four joints at a time; no allocation.
+// Rotations must be unit quaternions, translations and scales at most 1e15: then all is finite, here and below. To
+// begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
+// short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
+// quaternions a joint, four joints at a time; no allocation.
 Status begin_inertia(const Skeleton& skeleton, const InertialStart& start, float duration_s, Inertia& inertia);
 
 // pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before

@@ -182,5 +182,17 @@ TEST(Additive, BadCallsWriteNothing) {
   EXPECT_TRUE(p.same(p.out, p.pose[0]));
 }
 
+// The ratio to a scale that is next to nothing would be infinite.
+TEST(Additive, RatiosOfTinyScalesAreFinite) {
+  test::Poses p(3, 4, 2);
+  for (auto& axis : p.pose[0][0].scale) axis[1] = 1e15f;
+  for (const float tiny : {0.0f, 1e-45f, -1e-38f, 1e-25f}) {
+    for (auto& axis : p.pose[1][0].scale) axis[1] = tiny;
+    std::vector<AdditiveTransform> change(1);
+    ASSERT_EQ(make_additive(p.skeleton, p.pose[0], p.pose[1], change), Status::ok);
+    for (const auto& axis : change[0].change.scale) EXPECT_EQ(axis[1], 1.0f) << tiny;
+  }
+}
+
 }  // namespace
 }  // namespace marrow

@@ -225,5 +225,23 @@ TEST(Overlay, BitsOutsideTheMaskAndInsideItAreKept) {
   EXPECT_GT(between, 60);
 }
 
+// A layer so light that the rest pose is all there is; its weight's inverse and the square of that are no floats.
+TEST(Blend, NextToNoWeightGivesTheRestPose) {
+  int cases = 0;
+  for (const float weight : {1e-45f, 1e-40f, 1e-30f, 1e-20f, 1e-14f}) {
+    for (const std::size_t count : {1u, 2u, 4u, 5u}) {
+      for (const float threshold : {0.1f, 1e6f}) {
+        Poses p(7, 10, count);
+        std::vector<BlendLayer> layers;
+        for (std::size_t l = 0; l < count; ++l) layers.push_back({p.pose[l], weight, {}});
+        ASSERT_EQ(blend(p.skeleton, layers, p.out, threshold), Status::ok);
+        for (std::size_t j = 0; j < p.skeleton.joint_count; ++j, ++cases)
+          test::expect_joint(test::joint_of(p.out.data(), j), test::joint_of(p.skeleton.rest, j), 1e-6);
+      }
+    }
+  }
+  EXPECT_EQ(cases, 5 * 4 * 2 * 10);
+}
+
 }  // namespace
 }  // namespace marrow

@@ -231,5 +231,37 @@ TEST(Inertia, BadCalls) {
   EXPECT_EQ(apply_inertia(s.p.skeleton, s.inertia, 0.1f, s.now), Status::bad_argument);
 }
 
+// The shortest frames, the longest fades, and poses as far apart as they may be.
+TEST(Inertia, StaysFiniteWithinItsRanges) {
+  int cases = 0;
+  for (const float far : {0.0f, 1e-40f, 1.0f, 1e9f, 1e15f}) {
+    for (const float frame_s : {1e-45f, 1e-38f, 1e-20f, 1e-6f, 1.0f, 3e38f}) {
+      for (const float duration_s : {1e-45f, 1e-38f, 1e-6f, 1.0f, 1e6f}) {
+        Scene s(5);
+        for (auto& axis : s.now[0].translation) axis[0] += far, axis[1] -= far;
+        for (auto& axis : s.target[0].scale) axis[0] += far, axis[2] -= far;
+        for (auto& axis : s.target_was[0].translation) axis[1] += far, axis[3] -= far;
+        ASSERT_EQ(
+            begin_inertia(s.p.skeleton, {s.before, s.now, s.target, s.target_was, frame_s}, duration_s, s.inertia),
+            Status::ok);
+        for (const float time_s : {0.0f, 1e-45f, 0.3f * duration_s, 0.999f * duration_s}) {
+          for (const SoaTransform& t : s.shown(time_s, s.target)) {
+            for (int i = 0; i < 3; ++i, ++cases)
+              for (int lane = 0; lane < 4; ++lane)
+                ASSERT_TRUE(std::isfinite(t.translation[i][lane]) && std::isfinite(t.scale[i][lane]))
+                    << far << ' ' << frame_s << ' ' << duration_s << ' ' << time_s;
+            for (const auto& row : t.rotation)
+              for (const float x : row) ASSERT_TRUE(std::isfinite(x)) << far << ' ' << frame_s << ' ' << duration_s;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(cases, 5 * 6 * 5 * 4 * 6 * 3);
+  Scene s(5);
+  EXPECT_EQ(begin_inertia(s.p.skeleton, {s.before, s.now, s.target, {}, kFrame}, 1.1e6f, s.inertia),
+            Status::bad_argument);
+}
+
 }  // namespace
 }  // namespace marrow
