@@ -7,6 +7,7 @@ namespace marrow {
 namespace {
 
 constexpr float kStepsPerSecond = 960.0f, kLongest_s = 0.25f;
+constexpr float kShortest_s = 1e-9f;  // in which a target may go anywhere, and its velocity is still finite
 // Within this much of the target, and of its velocity per second, the follower is taken to be on it.
 constexpr float kArrived = 1e-5f, kArrivedSpeed = 1e-3f;
 enum FollowMode : std::uint32_t { kNotBegun, kUnderWay, kOnTarget };
@@ -74,9 +75,13 @@ bool follow(Motion& m, const Vector3& from, bool on_target, float time_s, float 
   return arrived || lost;
 }
 
-// A target that jumps in next to no time has a velocity that is beyond a float: it is at rest then.
-Vector3 known(const Vector3& velocity) {
+// Of a follower that is far too fast.
+Vector3 finite_or_none(const Vector3& velocity) {
   return is_finite(velocity) ? velocity : Vector3{};
+}
+
+float frame_time(float dt_s) {
+  return greater(lesser(dt_s, kLongest_s), kShortest_s);
 }
 
 bool is_time(float dt_s) {
@@ -119,7 +124,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
     return {};
   }
   if (dt_s == 0) return {};
-  const float time_s = lesser(dt_s, kLongest_s);
+  const float time_s = frame_time(dt_s);
   // As rotation vectors from where the target now is.
   const bool was_on_target = state.mode == kOnTarget;
   const Vector3 from = log_of_shorter(normalised(rotation(state.target)) * conjugate(unit));
@@ -128,7 +133,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
   store(state.rotation, on_target ? to : normalised(exp_rotation(m.at) * unit));
   store(state.target, to);
-  store(state.velocity, known(on_target ? m.velocity : Jacobian(m.at).turn_of(m.velocity)));
+  store(state.velocity, on_target ? m.velocity : finite_or_none(Jacobian(m.at).turn_of(m.velocity)));
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return {};
@@ -149,13 +154,13 @@ Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, 
     return Status::ok;
   }
   if (dt_s == 0) return Status::ok;
-  const float time_s = lesser(dt_s, kLongest_s);
+  const float time_s = frame_time(dt_s);
   Motion m = {vector3(state.point) - to, vector3(state.velocity)};
   const Vector3 from = vector3(state.target) - to;
   const bool on_target = follow(m, from, state.mode == kOnTarget, time_s, state.frame_s, limit);
   store(state.point, on_target ? to : m.at + to);
   store(state.target, to);
-  store(state.velocity, known(m.velocity));
+  store(state.velocity, m.velocity);
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return Status::ok;

@@ -95,8 +95,8 @@ struct PointFollower {
 // each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
 // from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
 //
-// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s.
-// A target that jumps so far in so little time that its velocity is not finite is taken to be at rest where it is.
+// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+// follower keeps is finite.
 // Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
 // on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
 // quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
