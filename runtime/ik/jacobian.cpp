@@ -188,15 +188,13 @@ bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axi
     factor = longest > kLongestStep_rad ? kLongestStep_rad / longest : 1.0f;
     if (!set_next(s, factor)) break;
   }
-  const IkMove& travel = s.moves[tree.nodes.size];
-  const f32x4 way = (travel.fixed + travel.answer) * splat(factor * s.travel_ease);
-  if (!all(absolute(way) < splat(kFarthestInIk))) return false;
   set_promise(s, factor, p);
   p.still = longest_turn(s) < kStill_rad ? p.still + 1 : 0;
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     if (tree.nodes[i].ease_root > 0) tree.nodes[i].rotation = s.moves[i].next;
   }
-  tree.travel = tree.travel + to_vector3(way);
+  const IkMove& travel = s.moves[tree.nodes.size];
+  tree.travel = tree.travel + to_vector3((travel.fixed + travel.answer) * splat(factor * s.travel_ease));
   update_frames(tree);
   return true;
 }

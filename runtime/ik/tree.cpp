@@ -122,21 +122,17 @@ BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Spa
   tree.nodes = {memory.nodes, count};
   tree.ends = {memory.ends, problem.goals.size};
   update_frames(tree);
-  const f32x4 far = splat(kFarthestInIk);
-  bool near = true;
+  f32x4 sum = splat(0.0f);
   for (const IkNode& node : tree.nodes) {
-    const Columns& f = node.frame;
-    const f32x4 axes = absolute(f.axis[0]) + absolute(f.axis[1]) + absolute(f.axis[2]);
-    near = near && all(axes + absolute(f.origin) + absolute(load(&node.above_turned.x)) < far);
+    sum = sum + node.frame.axis[0] + node.frame.axis[1] + node.frame.axis[2] + load(&node.above_turned.x);
   }
   for (std::size_t i = 0; i < problem.goals.size; ++i) {
     IkEnd& end = memory.ends[i];
     end.goal = &problem.goals[i];
     set_end(skeleton, local, node_of, end);
-    const f32x4 at = transform(tree.nodes[end.node].frame, end.point);
-    near = near && all(absolute(at) + absolute(load(&end.rotation.x)) < far);
+    sum = sum + transform(tree.nodes[end.node].frame, end.point) + load(&end.rotation.x);
   }
-  MARROW_CHECK(near && "the pose and the goals: finite, not too large");
+  MARROW_CHECK(all_finite(sum) && "the pose and the goals");
   return {};
 }
 

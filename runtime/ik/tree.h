@@ -12,10 +12,6 @@
 
 namespace marrow {
 
-// Of what comes in: positions in metres, matrices, weights. Products of two, with weights and stretched, are far from
-// the limits of float.
-inline constexpr float kFarthestInIk = 1e9f;
-
 struct IkNode {
   Columns above;  // constant: from this joint's axes before they turn to the parent node's frame, or the scene
   Columns parent_from_frame;  // above · rotation
@@ -57,8 +53,7 @@ struct IkTreeMemory {
 };
 IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
 
-// Of a checked problem, frames and all. Bad if a goal hangs on no joint that turns, or the pose
-// is not finite, or beyond kFarthestInIk.
+// Of a checked problem, frames and all. Bad if a goal hangs on no joint that turns, or the pose is not finite.
 BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
                    const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree);
 

@@ -44,7 +44,7 @@ struct IkOptions {
   float weight = 1;           // 0 leaves every bit as it was; between, rotations lie between
   // Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
   // become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
-  // their lengths. Changes local translations of the joints on the way. 1 … 2²⁰.
+  // their lengths. Changes local translations of the joints on the way.
   float stretch = 1;
 };
 
@@ -71,8 +71,8 @@ std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem,
 // may be null.
 // A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
 // Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending,
-// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite or beyond 1e9, a weight or a
-// stiffness out of range, or the pose not finite, or beyond 1e9, on the way to a goal. All that is written is finite.
+// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
+// of range, or the pose not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
 Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,

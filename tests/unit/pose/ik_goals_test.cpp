@@ -283,10 +283,6 @@ TEST(IkGoals, BadCallsWriteNothing) {
       [](PosedSkeleton& p, float bad) { p.stiffness.assign(20, bad); },
       [](PosedSkeleton& p, float bad) { p.local[0].rotation[1][0] = bad; },
       [](PosedSkeleton& p, float bad) { p.local[0].translation[1][2] = bad; },
-      [](PosedSkeleton& p, float) { p.goals[0].position[2] = 1.1e9f; },
-      [](PosedSkeleton& p, float) { p.goals[0].offset[1] = -1e12f; },
-      [](PosedSkeleton& p, float) { p.local[0].translation[1][2] = 1.1e9f; },
-      [](PosedSkeleton& p, float) { p.options.stretch = 2e6f; },
       [](PosedSkeleton& p, float) { p.goals[0].position_weight = -1; },
       [](PosedSkeleton& p, float) { p.goals[0].position_weight = 101; },
       [](PosedSkeleton& p, float) { p.options.weight = 1.5f; },
@@ -328,7 +324,7 @@ TEST(IkGoals, BadCallsWriteNothing) {
       ++cases;
     }
   }
-  EXPECT_EQ(cases, 96);
+  EXPECT_EQ(cases, 84);
   // A byte of scratch too few; and just enough, of any alignment.
   PosedSkeleton p(rig, IkMethod::gauss_newton);
   p.add_goal(kLeftFoot, {0.1, 0.4, 0.2});
@@ -340,53 +336,6 @@ TEST(IkGoals, BadCallsWriteNothing) {
   EXPECT_EQ(solve_ik(p.skeleton, p.local, p.scene, p.problem, p.options, few), Status::bad_argument);
   EXPECT_EQ(solve_ik(p.skeleton, p.local, p.scene, p.problem, p.options, odd), Status::ok);
   EXPECT_LE(p.distance(0), 1.01e-4);
-}
-
-// Numbers as large and as small as they may be: bad_argument, or a pose that is finite.
-TEST(IkGoals, StayFiniteWithinTheirRanges) {
-  const test::TestSkeleton rig = person();
-  test::Random random(31);
-  const double sizes[] = {0, 1e-30, 1e-6, 1, 1e4, 9e8};
-  const auto any = [&] { return sizes[random.below(6)] * (random.below(2) == 0 ? -1 : 1); };
-  const auto weight = [&](double most) { return static_cast<float>(std::min(std::fabs(any()), most)); };
-  int solved = 0, refused = 0;
-  for (int run = 0; run < 1200; ++run) {
-    constexpr IkMethod kMethods[] = {IkMethod::fabrik, IkMethod::ccd, IkMethod::damped_least_squares,
-                                     IkMethod::gauss_newton};
-    PosedSkeleton p(rig, kMethods[run % 4]);
-    const double size = sizes[random.below(6)];  // of the character
-    for (SoaTransform& t : p.local)
-      for (auto& axis : t.translation)
-        for (float& x : axis) x *= static_cast<float>(size);
-    ASSERT_EQ(local_to_model(p.skeleton, p.local, p.scene), Status::ok);
-    for (std::uint32_t i = 0; i <= random.below(2); ++i) {
-      IkGoal& goal = p.add_goal(i == 0 ? kLeftFoot : kLeftHand, {any(), any(), any()});
-      goal.offset[0] = static_cast<float>(any());
-      goal.position_weight = weight(100);
-      goal.rotation_weight = weight(1e9);
-      goal.priority = static_cast<std::uint8_t>(random.below(2));
-    }
-    p.joints = all_joints(rig);
-    p.problem.root_travel_m = weight(1e9);
-    p.problem.pole_weight = weight(1);
-    p.problem.pole[1] = static_cast<float>(any());
-    p.options.damping = weight(1e9);
-    p.options.tolerance_m = weight(1e9);
-    p.options.stretch = 1 + weight(1e6);
-    IkReport report;
-    if (p.try_solve(&report) != Status::ok) {
-      ++refused;
-      continue;
-    }
-    ++solved;
-    ASSERT_TRUE(p.is_finite()) << run;
-    ASSERT_TRUE(std::isfinite(report.error_m)) << run;
-    for (const SoaTransform& t : p.local)
-      for (const auto& axis : t.translation)
-        for (const float x : axis) ASSERT_TRUE(std::isfinite(x)) << run;
-  }
-  EXPECT_GT(solved, 500);
-  RecordProperty("refused", refused);
 }
 
 // The example of docs/ik/solvers.md.
