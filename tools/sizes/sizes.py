@@ -30,7 +30,7 @@ CLIP_ERROR = "0.05%"
 def ours(marrow, model):
     with tempfile.TemporaryDirectory() as work:
         out = os.path.join(work, "out.mrw")
-        run = subprocess.run([marrow, "cook", str(model), "-o", out, "--json", "--clip-error", CLIP_ERROR],
+        run = subprocess.run([marrow, "cook", str(model), "-o", out, "--json", "--clip-error", CLIP_ERROR, "--clip-shell", "3cm"],
                              check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         report, data = json.loads(run.stdout), pathlib.Path(out).read_bytes()
         info = json.loads(subprocess.run([marrow, "info", out, "--json"], check=True, stdout=subprocess.PIPE).stdout)
@@ -102,7 +102,7 @@ INTRO = """# Sizes
 
 Made by `tools/sizes/sizes.py`. Bytes as they are / after zstd -19; textures are left out everywhere.
 
-**Marrow**: `marrow cook --clip-error 0.05%`, so that clips keep within 0.05 % of the skeleton's diagonal on a shell of 3 cm
+**Marrow**: `marrow cook --clip-error 0.05% --clip-shell 3cm`, so that clips keep within 0.05 % of the skeleton's diagonal on a shell of 3 cm
 round every joint. Geometry is the GEOM records, weights and joints of vertices included; structure is everything that is neither
 geometry nor clips: skeletons, inverse bind matrices, materials, names, header. The errors are the cooker's own figures: positions as a share of the model's
 diagonal, clips of the skeleton's.
