@@ -169,17 +169,19 @@ bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::u
     return true;
   };
   std::uint64_t first_value = h.value_count, values_end = 0;  // of what tracks use, and what is between
+  std::uint64_t turning = 0;                                  // values of rotations, each time that a track uses them
   for (const Track& t : Span<const Track>{at<Track>(s, l.tracks), h.track_count}) {
     if (t.joint >= joint_count) return fail(&t, "track's joint outside the skeleton");
     if (t.path > TrackPath::scale) return fail(&t, "unknown path");
     const std::uint32_t floats = format::floats_per_key(t.path, t.interpolation);
     if (!keys(h, t, floats) || !in_order(t)) return false;
     const std::uint64_t end = t.first_value + std::uint64_t{t.key_count} * floats;
-    // Tracks that overlap are not looked at twice, as there may be any number of them.
-    const bool turns = t.path == TrackPath::rotation && t.interpolation != Interpolation::cubic_spline;
-    if (turns && t.first_value >= values_end &&
-        !units(at<float>(s, l.values) + t.first_value, 4 * (end - t.first_value)))
-      return false;
+    if (t.path == TrackPath::rotation && t.interpolation != Interpolation::cubic_spline) {
+      turning += end - t.first_value;
+      // Any number of tracks may share values, which would be looked at for each.
+      if (turning > 2 * std::uint64_t{h.value_count}) return fail(&t, "rotations share values more than twice over");
+      if (!units(at<float>(s, l.values) + t.first_value, 4 * (end - t.first_value))) return false;
+    }
     first_value = t.first_value < first_value ? t.first_value : first_value;
     values_end = end > values_end ? end : values_end;
   }

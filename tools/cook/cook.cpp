@@ -116,20 +116,17 @@ Character read_character(const std::string& gltf_path) {
     tools::AlignedBytes bytes;
     File file;
   };
-  RawScene scene = read_gltf(gltf_path);
-  std::vector<BuiltSkeleton> skeletons = build_skeletons(scene).skeletons;
   CookOptions plain;
   plain.mesh_codec = MeshCodec::none;
   plain.images = Images::none;
   plain.raw_clips = true;
   const auto cooked = std::make_shared<Cooked>();
-  cooked->bytes = tools::AlignedBytes(cook_scene(std::move(scene), plain).file);
+  cooked->bytes = tools::AlignedBytes(cook_file(gltf_path, plain).file);
   if (load({cooked->bytes.data(), cooked->bytes.size()}, cooked->file) != Status::ok)
     throw tools::Failure(tools::Exit::internal, gltf_path, "", "it cannot be loaded as cooked", "please report this");
   Character out = view_character(gltf_path, cooked->file);
   out.holds = cooked;
   out.hash = tools::hash_of({cooked->bytes.data(), cooked->bytes.size()});
-  out.skeletons = std::move(skeletons);
   return out;
 }
 

@@ -19,20 +19,12 @@ gles3::Deformer gpu_deformer(Deformer deformer) {
   return gles3::Deformer::ssd;
 }
 
+// Of those that on_gpu() has.
 gles3::SkinningPath skinning_path(SkinPath path) {
-  switch (path) {
-    case SkinPath::texture:
-      return gles3::SkinningPath::texture;
-    case SkinPath::feedback:
-      return gles3::SkinningPath::feedback;
-    case SkinPath::compute:
-      return gles3::SkinningPath::compute;
-    case SkinPath::ubo:
-    case SkinPath::cpu:
-    case SkinPath::crowd:
-      break;
-  }
-  return gles3::SkinningPath::ubo;
+  return path == SkinPath::texture    ? gles3::SkinningPath::texture
+         : path == SkinPath::feedback ? gles3::SkinningPath::feedback
+         : path == SkinPath::compute  ? gles3::SkinningPath::compute
+                                      : gles3::SkinningPath::ubo;
 }
 
 // White means that a texture would have the say: without one, such meshes get the colour of clay.
@@ -119,12 +111,11 @@ std::uint8_t Figure::features(std::uint32_t mesh) const {
   return static_cast<std::uint8_t>(textured ? 255 : 255 & ~gles3::kUvs);
 }
 
-void Figure::refuse(Status status) const {
+void Figure::check_made(Status status) const {
   if (status == Status::gl_error && programs_.log[0] != 0)
     throw Failure(Exit::internal, "shader", "", programs_.log.data,
                   "please report this with the driver: " + gl_.driver());
   marrow::tools::check(status);
-  throw Failure(Exit::internal, "marrow", "", "nothing was refused", "please report this");
 }
 
 gles3::Skinner& Figure::skinner(std::uint32_t mesh, Deformer deformer, SkinPath path) {
@@ -138,9 +129,8 @@ gles3::Skinner& Figure::skinner(std::uint32_t mesh, Deformer deformer, SkinPath 
   options.as_tangents = tangents_[mesh];
   const Mesh source = file_.mesh(mesh, level_);
   Skinned made{{}, AlignedBytes(gles3::skinner_bytes(source, options))};
-  const Status status = gles3::create_skinner(gl_, gl_.caps(), source, options, programs_,
-                                              {made.memory.data(), made.memory.size()}, made.skinner);
-  if (status != Status::ok) refuse(status);
+  check_made(gles3::create_skinner(gl_, gl_.caps(), source, options, programs_,
+                                   {made.memory.data(), made.memory.size()}, made.skinner));
   return skinned_.emplace(key, std::move(made)).first->second.skinner;
 }
 
@@ -159,11 +149,9 @@ Drawable Figure::drawable(std::uint32_t index, const Character& character) const
 
 std::unique_ptr<BakedPlay> Figure::bake(const std::string& path, const Play& play, Deformer deformer) const {
   auto baked = std::make_unique<BakedPlay>(gl_, programs_, path, file_, play, level_, tangents_);
-  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
-    const Status status =
-        gles3::build_crowd_programs(gl_, gl_.caps(), baked->mesh(i), gpu_deformer(deformer), features(i), programs_);
-    if (status != Status::ok) refuse(status);
-  }
+  for (std::uint32_t i = 0; i < file_.mesh_count(); ++i)
+    check_made(
+        gles3::build_crowd_programs(gl_, gl_.caps(), baked->mesh(i), gpu_deformer(deformer), features(i), programs_));
   return baked;
 }
 

@@ -65,7 +65,8 @@ class Figure {
   Drawable drawable(std::uint32_t mesh, const Character& character) const;
   void set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const;
   std::uint8_t features(std::uint32_t mesh) const;
-  [[noreturn]] void refuse(Status status) const;
+  // With what the driver says of a shader's text.
+  void check_made(Status status) const;
 
   const Gl& gl_;
   gles3::ProgramSet& programs_;

@@ -374,10 +374,19 @@ TEST_F(Load, NumbersOfMatricesBeyondTheirBounds) {
   std::memcpy(&first, block_.data() + clip + c.tracks, sizeof first);
   refuse(clip + c.values + 4 * first.first_value, 1.01e12f, "a key");
   refuse(clip + 8, 1.01e12f, "a duration");
+  // The last track takes the first one's values for rotations, which are no units.
+  Track last;
+  const std::size_t last_at = clip + c.tracks + (track - 1) * sizeof last;
+  std::memcpy(&last, block_.data() + last_at, sizeof last);
+  last.path = TrackPath::rotation;
+  last.interpolation = Interpolation::step;
+  last.first_value = first.first_value;
+  set(clip + c.values + 4 * first.first_value, 7.0f);
+  refuse(last_at, last, "a translation as a rotation");
   const std::size_t mesh = at(format::kMeshes);
   const format::MeshLayout m = layout(header<format::MeshHeader>(format::kMeshes));
   refuse(mesh + m.inverse_bind, 1.01e12f, "an inverse bind");
-  EXPECT_EQ(refused_, 8);
+  EXPECT_EQ(refused_, 9);
   // At the bound they load, and the palette is finite.
   set(skeleton + l.roots, 1e12f);
   set(skeleton + l.rest, -1e12f);

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "common/aligned_bytes.h"
 #include "cook/cook.h"
+#include "cook/scene/matrices.h"
 #include "deform/surface.h"
 #include "render/figure.h"
 #include "render/heat.h"
@@ -41,13 +41,12 @@ class Stage {
   std::vector<PosedMesh> posed(const deform::Pose& pose, const deform::Positions& positions,
                                std::vector<glm::dvec3> normals) const {
     if (normals.empty()) normals = deform::vertex_normals(positions, study_.source.mesh.indices);
-    // Most of its matrices, as turns_inside_out() has it.
-    std::ptrdiff_t votes = 0;
-    for (const deform::Matrix& m : pose) votes += glm::determinant(deform::linear_of(m)) < 0 ? 1 : -1;
+    std::vector<Affine> palette;
+    for (const deform::Matrix& m : pose) palette.push_back(cook::to_affine(glm::dmat4(m)));
     std::vector<PosedMesh> out(file_.mesh_count());
     for (std::uint32_t m = 0; m < file_.mesh_count(); ++m) {
       const Geometry g = file_.mesh(m).geometry;
-      out[m].inside_out = votes > 0;
+      out[m].inside_out = turns_inside_out(palette);
       out[m].positions.resize(std::size_t{3} * g.slot_count);
       out[m].normals.resize(g.normals != nullptr ? std::size_t{3} * g.slot_count : 0);
       const std::vector<std::uint32_t>& vertex_of = study_.source.vertex_of[m];

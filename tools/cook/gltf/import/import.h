@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "asset/format.h"
 #include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/model.h"
 #include "cook/gltf/import/materials.h"
@@ -28,10 +29,7 @@ class Budget {
 // no device. Anything else stays as it is.
 std::string clean_name(const std::string& name, const std::string& where, Report& report);
 
-// Beyond every scene, and what cooked files may hold (docs/format.md).
-inline constexpr double kLargestNumber = 1e12;
-
-// Refuses what stands or is scaled beyond kLargestNumber at rest.
+// Refuses what stands or is scaled beyond format::kFarthest at rest.
 std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& graph, Report& report);
 
 std::vector<RawSkin> import_skins(const Document& document, const std::vector<RawNode>& nodes, Report& report);

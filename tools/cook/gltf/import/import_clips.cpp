@@ -118,7 +118,7 @@ class ChannelImporter {
 
   std::vector<glm::vec4> values_of(const Accessor& output, const std::vector<Key>& keys, const RawChannel& raw) {
     const std::size_t per_key = raw.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
-    std::vector<float> all = read(output, under(sampler_where_, "output"), static_cast<float>(kLargestNumber));
+    std::vector<float> all = read(output, under(sampler_where_, "output"), format::kFarthest);
     if (raw.path == RawPath::rotation && output.has_data()) mend_rotations(all, per_key);
     const std::size_t components = output.components();
     std::vector<glm::vec4> values;

@@ -140,7 +140,7 @@ std::vector<glm::dmat4> rest_matrices(const std::vector<RawNode>& nodes) {
 }
 
 void refuse_huge(const std::vector<RawNode>& nodes, const Report& report) {
-  const auto fits = [](double number) { return std::abs(number) <= kLargestNumber; };  // false for NaN too
+  const auto fits = [](double number) { return std::abs(number) <= double{format::kFarthest}; };  // false for NaN too
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (int c = 0; c < 3; ++c)
       if (!fits(nodes[i].translation[c]) || !fits(nodes[i].scale[c]))
