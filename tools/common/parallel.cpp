@@ -1,7 +1,13 @@
 #include "common/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 namespace marrow::tools {
 namespace {
@@ -26,6 +32,58 @@ bool take_thread() {
 
 void give_back_thread() {
   ++spare();
+}
+
+void for_each_in_parallel(std::size_t count, const std::function<void(std::size_t)>& f) {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::vector<std::future<void>> others;  // guarded by `mutex`
+  std::function<void()> work;
+  const auto share = [&] {
+    if (!take_thread()) return;
+    const auto help = [&work] {
+      struct GiveBack {
+        ~GiveBack() { give_back_thread(); }
+      } const at_end;
+      work();
+    };
+    try {
+      const std::lock_guard lock(mutex);
+      others.push_back(std::async(std::launch::async, help));
+    } catch (const std::system_error&) {  // the system has no thread left; go on without
+      give_back_thread();
+    }
+  };
+  work = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) {
+        if (next < count) share();
+        f(i);
+      }
+    } catch (...) {
+      next = count;
+      throw;
+    }
+  };
+  std::exception_ptr failure;
+  const auto keep_failure = [&](const auto& run) {
+    try {
+      run();
+    } catch (...) {
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  keep_failure(work);
+  for (std::size_t i = 0;; ++i) {
+    std::future<void> other;
+    {
+      const std::lock_guard lock(mutex);
+      if (i == others.size()) break;
+      other = std::move(others[i]);
+    }
+    keep_failure([&] { other.get(); });
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace marrow::tools

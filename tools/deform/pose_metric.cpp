@@ -5,11 +5,10 @@
 #include <limits>
 #include <set>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <glm/matrix.hpp>
 
 #include "common/parallel.h"
+#include "deform/dense.h"
 
 namespace marrow::deform {
 namespace {
@@ -95,7 +94,7 @@ glm::dvec4 gradient(const PoseMetric& metric, std::uint32_t joint, const std::ve
 VectorXd solve(MatrixXd normal, const VectorXd& right) {
   normal.diagonal() *= 1 + kRidge;
   normal.diagonal().array() += std::numeric_limits<double>::min();
-  return normal.ldlt().solve(right);
+  return solve_symmetric(normal, right);
 }
 
 }  // namespace

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include "common/parallel.h"
+#include "deform/dense.h"
 
 namespace marrow::deform {
 namespace {
@@ -14,6 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix4d;
 using Eigen::MatrixXd;
+using Eigen::Vector4d;
 using Eigen::VectorXd;
 
 constexpr double kRidge = 1e-4;  // towards the candidates
@@ -49,7 +48,8 @@ std::vector<bool> eliminate(MatrixXd inverse, VectorXd x, const std::vector<bool
     for (std::size_t j = 0; j < kept.size(); ++j) {
       if (!stays[j] || kept[j]) continue;
       const Index at = 4 * index(j);
-      const double cost = x.segment<4>(at).dot(inverse.block<4, 4>(at, at).ldlt().solve(x.segment<4>(at)));
+      const Vector4d part = x.segment<4>(at);
+      const double cost = part.dot(solve_symmetric(Matrix4d(inverse.block<4, 4>(at, at)), part));
       if (!(cost < least)) continue;
       least = cost;
       least_of = j;
@@ -58,7 +58,7 @@ std::vector<bool> eliminate(MatrixXd inverse, VectorXd x, const std::vector<bool
     stays[least_of] = false;
     const Index at = 4 * index(least_of);
     const MatrixXd column = inverse.middleCols<4>(at);
-    const Matrix4d block = inverse.block<4, 4>(at, at).inverse();
+    const Matrix4d block = inverse_of_symmetric(Matrix4d(inverse.block<4, 4>(at, at)));
     x -= (column * (block * x.segment<4>(at))).eval();
     inverse -= column * block * column.transpose();
   }
@@ -93,7 +93,7 @@ Coordinates choose_joints(const Coordinates& candidates, const SkinnedMesh& kept
     const Group& group = groups[g];
     if (group.joints.size() <= most) return;
     const System system = make_system(group, candidates, training);
-    const MatrixXd inverse = system.normal.ldlt().solve(MatrixXd::Identity(system.normal.rows(), system.normal.cols()));
+    const MatrixXd inverse = inverse_of_symmetric(system.normal);
     const MatrixXd x = inverse * system.right;
     for (std::size_t i = 0; i < group.vertices.size(); ++i) {
       const std::uint32_t v = group.vertices[i];

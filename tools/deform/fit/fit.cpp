@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-
 #include "common/parallel.h"
+#include "deform/dense.h"
 #include "deform/fit/choose_joints.h"
 #include "deform/fit/training.h"
 
@@ -76,7 +75,7 @@ Sums add_up(const Corrections& eq, const VectorXd& weights, const Fold& fold) {
 MatrixXd solve(const Sums& sums, double ridge) {
   MatrixXd normal = sums.normal;
   normal.diagonal().array() += ridge;
-  return normal.ldlt().solve(sums.right);
+  return solve_symmetric(normal, sums.right);
 }
 
 // Squared errors of a fold's rows, written a pose; returns their weighted sum.

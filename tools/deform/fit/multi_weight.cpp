@@ -5,12 +5,11 @@
 #include <limits>
 #include <map>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <glm/geometric.hpp>
 
 #include "common/parallel.h"
 #include "deform/deformers.h"
+#include "deform/dense.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
@@ -21,10 +20,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::size_t kKeepSsd = std::numeric_limits<std::size_t>::max();
-
-Index index(std::size_t i) {
-  return static_cast<Index>(i);
-}
 
 struct RootFrame {
   glm::dmat3 rotation;
@@ -146,7 +141,7 @@ struct VertexRow {
   VectorXd solve(const MatrixXd& normal, const VectorXd& sum, double ridge) const {
     MatrixXd m = scale.asDiagonal() * normal * scale.asDiagonal();
     m.diagonal().array() += ridge;
-    return m.ldlt().solve(sum);
+    return solve_symmetric(m, sum);
   }
 };
 

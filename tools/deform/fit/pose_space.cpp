@@ -4,24 +4,18 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "common/parallel.h"
+#include "deform/dense.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Rotations = std::vector<glm::dquat>;
-
-Index index(std::size_t i) {
-  return static_cast<Index>(i);
-}
 
 // D of each joint.
 using Distances = std::vector<double>;
@@ -85,7 +79,7 @@ Example make_example(const SkinnedMesh& mesh, const std::vector<int>& parents, c
   return e;
 }
 
-struct Training {
+struct Examples {
   const SkinnedMesh& mesh;
   std::vector<TrainingPose> poses;
   std::vector<Example> examples;  // a pose
@@ -93,7 +87,7 @@ struct Training {
 };
 
 // What is missing of a vertex, in bind space. False if its blended matrix cannot bring it there.
-bool correction(const Training& t, std::size_t pose, std::size_t v, glm::dvec3& out) {
+bool correction(const Examples& t, std::size_t pose, std::size_t v, glm::dvec3& out) {
   constexpr double kLeastVolume = 1e-3;  // of that of a cube with the longest edge
   const glm::dmat3 m = linear_of(blend(t.mesh.influences[v], t.poses[pose].pose));
   const double edge = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
@@ -109,7 +103,7 @@ struct Interpolant {
   std::vector<Positions> deltas;  // a chosen example
 };
 
-std::vector<const Rotations*> rotations_of_chosen(const Training& t, const std::vector<std::size_t>& chosen) {
+std::vector<const Rotations*> rotations_of_chosen(const Examples& t, const std::vector<std::size_t>& chosen) {
   std::vector<const Rotations*> out;
   for (const std::size_t c : chosen) out.push_back(&t.examples[c].rotations);
   return out;
@@ -117,7 +111,7 @@ std::vector<const Rotations*> rotations_of_chosen(const Training& t, const std::
 
 // The deltas of one vertex: lift Σ_k φ_k d_k is the correction in each example that can say what it is, but for the
 // ridge.
-void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExamples>& from,
+void solve_vertex(const Examples& t, std::size_t v, const std::vector<FromExamples>& from,
                   const PoseSpaceOptions& options, Interpolant& out) {
   constexpr double kLeastLift = 1e-6;  // nothing that moves the vertex differs from the bind pose
   const std::vector<Influence>& influences = t.mesh.influences[v];
@@ -144,7 +138,7 @@ void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExampl
   do {
     MatrixXd ridged = system;
     ridged.diagonal().array() += ridge;
-    x = ridged.ldlt().solve(right);
+    x = solve_symmetric(ridged, right);
     ridge *= 10;
   } while (!(x.rowwise().norm().maxCoeff() <= most) && ridge < kMostRidge);
   if (!(x.rowwise().norm().maxCoeff() <= most)) return;
@@ -152,7 +146,7 @@ void solve_vertex(const Training& t, std::size_t v, const std::vector<FromExampl
     out.deltas[used[a]][v] = {x(index(a), 0), x(index(a), 1), x(index(a), 2)};
 }
 
-Interpolant interpolate(const Training& t, const std::vector<std::size_t>& chosen, double sigma,
+Interpolant interpolate(const Examples& t, const std::vector<std::size_t>& chosen, double sigma,
                         const PoseSpaceOptions& options) {
   Interpolant out{chosen, sigma, {}};
   out.deltas.assign(chosen.size(), Positions(t.mesh.positions.size(), glm::dvec3(0)));
@@ -168,7 +162,7 @@ Interpolant interpolate(const Training& t, const std::vector<std::size_t>& chose
 }
 
 // Squared errors of poses, summed over vertices.
-std::vector<double> errors_of(const Training& t, const Interpolant& with, const std::vector<std::size_t>& poses) {
+std::vector<double> errors_of(const Examples& t, const Interpolant& with, const std::vector<std::size_t>& poses) {
   std::vector<double> out(poses.size(), 0);
   const auto examples = rotations_of_chosen(t, with.chosen);
   tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
@@ -188,7 +182,7 @@ std::vector<double> errors_of(const Training& t, const Interpolant& with, const 
 }
 
 // The root mean square over vertices that move of how far it is from an example to the nearest other or the bind pose.
-double mean_distance(const Training& t, const std::vector<std::size_t>& chosen) {
+double mean_distance(const Examples& t, const std::vector<std::size_t>& chosen) {
   double sum = 0;
   std::size_t count = 0;
   const auto others = rotations_of_chosen(t, chosen);
@@ -207,7 +201,7 @@ double mean_distance(const Training& t, const std::vector<std::size_t>& chosen) 
 }
 
 // Of `poses`, the worst first.
-std::vector<std::size_t> choose(const Training& t, const std::vector<std::size_t>& poses,
+std::vector<std::size_t> choose(const Examples& t, const std::vector<std::size_t>& poses,
                                 const PoseSpaceOptions& options) {
   std::vector<std::size_t> chosen;
   while (chosen.size() < std::min(options.most_examples, poses.size())) {
@@ -225,7 +219,7 @@ std::vector<std::size_t> choose(const Training& t, const std::vector<std::size_t
 }
 
 // Which of the widths is best, and the errors of poses held out with it.
-std::size_t cross_validate(const Training& t, const PoseSpaceOptions& options, std::vector<double>& held_out) {
+std::size_t cross_validate(const Examples& t, const PoseSpaceOptions& options, std::vector<double>& held_out) {
   std::vector<std::uint32_t> folds;
   for (const TrainingPose& p : t.poses) folds.push_back(p.fold);
   std::sort(folds.begin(), folds.end());
@@ -258,7 +252,7 @@ std::size_t cross_validate(const Training& t, const PoseSpaceOptions& options, s
   return best;
 }
 
-FitQuality quality_of(const Training& t, const std::vector<double>& errors) {
+FitQuality quality_of(const Examples& t, const std::vector<double>& errors) {
   double ours = 0, reference = 0;
   std::size_t worse = 0, shipped = 0;
   for (std::size_t p = 0; p < t.poses.size(); ++p) {
@@ -303,7 +297,7 @@ Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space) {
 
 PoseSpaceFit fit_pose_space(const SkinnedMesh& mesh, const std::vector<int>& parents, std::vector<TrainingPose> poses,
                             const Deformer& truth, const PoseSpaceOptions& options) {
-  Training t{mesh, std::move(poses), {}, diagonal(mesh)};
+  Examples t{mesh, std::move(poses), {}, diagonal(mesh)};
   t.examples.resize(t.poses.size());
   tools::for_each_in_parallel(
       t.poses.size(), [&](std::size_t p) { t.examples[p] = make_example(mesh, parents, t.poses[p].pose, truth); });

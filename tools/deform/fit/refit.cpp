@@ -1,9 +1,7 @@
 #include "deform/fit/refit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-
 #include "common/parallel.h"
+#include "deform/dense.h"
 
 namespace marrow::deform {
 
@@ -36,7 +34,7 @@ SkinnedMesh refit_weights(const SkinnedMesh& mesh, const std::vector<TrainingPos
     const double hold = ridge * normal.trace() / static_cast<double>(unknowns);
     if (!(hold > 0)) return;
     normal.diagonal().array() += hold;
-    const Eigen::VectorXd delta = normal.ldlt().solve(right);
+    const Eigen::VectorXd delta = solve_symmetric(normal, right);
     for (Eigen::Index j = 0; j < unknowns; ++j) {
       influences[static_cast<std::size_t>(j)].weight += delta[j];
       influences.back().weight -= delta[j];

@@ -1,15 +1,10 @@
 // What fits of animation space learn from, and the linear equations that come of it. Internal to tools/deform.
 #pragma once
 
-#include <Eigen/Core>
-
+#include "deform/dense.h"
 #include "deform/fit/fit.h"
 
 namespace marrow::deform {
-
-inline Eigen::Index index(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 // What a truth makes of a pose, in diagonals from `centre`, so that single precision does wherever the character
 // stands; and how far the reference is off.

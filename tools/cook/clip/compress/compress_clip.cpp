@@ -288,7 +288,8 @@ void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& ri
     if (bytes_of(*made) < bytes_of(clip))
       clip = std::move(*made);
     else
-      clip.raw_because = fmt::format("in segments its curves would be {} bytes and not {}", bytes_of(*made), bytes_of(clip));
+      clip.raw_because =
+          fmt::format("in segments its curves would be {} bytes and not {}", bytes_of(*made), bytes_of(clip));
     return;
   }
 }
