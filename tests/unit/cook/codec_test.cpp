@@ -373,6 +373,27 @@ TEST_P(Codec, KeepsTrianglesThatOpenWhenPosed) {
   EXPECT_EQ(loaded.file.mesh(0).geometry.index_count, 15u);
 }
 
+// Whoever asks for the source's order finds each vertex where the source has it.
+TEST_P(Codec, KeepsThePlacesOfTrianglesWithoutArea) {
+  const std::vector<glm::vec3> at = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0},
+                                     {2, 3, 1}, {2, 3, 1}, {3, 0, 2}, {-2, 0, 0}};
+  // Vertex 3 is vertex 1 with another normal; 4 and 5 share a place, 6 and 7 have theirs alone.
+  RawPrimitive p = triangles(at, {0, 1, 2, 1, 3, 2, 4, 5, 6, 7, 7, 7, 6, 4, 4});
+  p.normals[3] = {0, 1, 0};
+  const Loaded loaded = cook_and_load(scene_of(p, 0), options());
+  const Geometry g = loaded.file.mesh(0).geometry;
+  EXPECT_EQ(g.index_count, 9u) << "what has an area, and one triangle for each place that would be lost";
+  ASSERT_EQ(g.source_slots.size, at.size());
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    ASSERT_NE(g.source_slots[v], kNoSlot) << v;
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(position_of(g, g.source_slots[v])[c], at[v][static_cast<int>(c)], 1e-3) << v;
+  }
+  CookOptions anyhow = options();
+  anyhow.keep_vertex_order = false;
+  EXPECT_EQ(cook_and_load(scene_of(p, 0), anyhow).file.mesh(0).geometry.index_count, 3u);
+}
+
 // A mesh of nothing but such triangles is legal, and stays a mesh.
 TEST_P(Codec, KeepsOneTriangleOfAMeshWithoutArea) {
   const RawPrimitive p = triangles({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0, 1, 2});

@@ -1,6 +1,8 @@
 #include "cook/geometry/build_geometry.h"
 
 #include <algorithm>
+#include <cstring>
+#include <new>
 
 #include "common/failure.h"
 #include "common/parallel.h"
@@ -45,8 +47,11 @@ tools::AlignedBytes expand(OwnedStreams& streams) {
 tools::AlignedBytes unpack_record(const BuiltGeometry& g, const MeshDecoder& decoder, std::size_t section_bytes) {
   tools::AlignedBytes scratch(g.scratch_bytes), section(section_bytes);
   std::uint32_t bytes = 0;
-  const char* const rule = unpack_geometry({g.record.data(), g.record.size()}, decoder,
-                                           {scratch.data(), scratch.size()}, {section.data(), section.size()}, bytes);
+  Status decoded = Status::ok;
+  const char* const rule =
+      unpack_geometry({g.record.data(), g.record.size()}, decoder, {scratch.data(), scratch.size()},
+                      {section.data(), section.size()}, bytes, decoded);
+  if (decoded == Status::out_of_memory) throw std::bad_alloc();
   if (rule != nullptr) throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", rule);
   return section;
 }
@@ -70,7 +75,8 @@ OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Bindi
 void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& options, BuiltGeometry& out) {
   optimise_order(streams);
   if (is_packed(options)) {
-    const bool draco = options.mesh_codec == MeshCodec::draco && streams.streams.size() <= kMostDracoStreams;
+    const bool draco = options.mesh_codec == MeshCodec::draco && streams.streams.size() <= kMostDracoStreams &&
+                       !streams.has_collapsed;  // Draco drops triangles that name a vertex twice
     const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
     out.codec = draco ? packed::kDraco : packed::kMeshopt;
     out.position_step = grid.step;

@@ -51,6 +51,7 @@ class OwnedStreams {
   std::vector<std::vector<std::int32_t>> values;  // a stream
   std::vector<std::int16_t> rotations;            // of examples, as MeshStreams'
   std::vector<std::uint16_t> parents;
+  bool has_collapsed = false;  // triangles without an area that are kept for their vertices
 
   Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits);
   // With the arrays' addresses, until one of them changes.
@@ -90,7 +91,8 @@ void add_deformers(const RawPrimitive& primitive, const std::vector<Binding>& bi
                    const MeshGrid& grid, OwnedStreams& streams, MeshError& error);
 
 // Merges vertices that agree in everything, drops triangles that have no area in any pose and vertices without a
-// triangle. keep_map: fill in source_map; what is dropped gets kNoSlot.
+// triangle. keep_map: fill in source_map. A vertex of a dropped triangle then goes to one in its place, and where there
+// is none its triangle stays; a vertex that no triangle uses gets kNoSlot.
 void weld(OwnedStreams& streams, bool keep_map);
 
 // Orders triangles for the GPU's vertex cache and for little overdraw.
