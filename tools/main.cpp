@@ -1,5 +1,8 @@
 // The program `marrow`: the table of its sub-commands, and the one place where failures become exit codes.
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -41,14 +44,25 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
+// Libraries under the tools are not to be trusted with std::bad_alloc (a destructor of nlohmann::json's asks for
+// memory, another follows a null pointer): where memory ends, so does the program. Its files are whole or as they were.
+[[noreturn]] void end_without_memory() {
+  std::fputs("marrow: out of memory\n", stderr);
+  std::_Exit(static_cast<int>(Exit::internal));
+}
+
 }  // namespace
 }  // namespace marrow::tools
 
 int main(int argc, char** argv) {
   using marrow::tools::Exit;
-  marrow::tools::print_call_errors();
+  std::set_new_handler(marrow::tools::end_without_memory);
   try {
-    return marrow::tools::run(argc, argv);
+    marrow::tools::print_call_errors();
+    const int code = marrow::tools::run(argc, argv);
+    // What a pipe or a full disk refuses is known when everything has been handed over.
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    throw marrow::tools::Failure(Exit::io, "stdout", "", "cannot write", std::strerror(errno));
   } catch (const marrow::tools::Failure& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());

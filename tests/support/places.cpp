@@ -40,4 +40,8 @@ std::string reset_shim() {
   return MARROW_RESET_SHIM;
 }
 
+std::string fault_shim() {
+  return MARROW_FAULT_SHIM;
+}
+
 }  // namespace marrow::test

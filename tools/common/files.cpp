@@ -39,22 +39,36 @@ void write_all(int fd, std::span<const std::byte> bytes, const std::string& path
 
 }  // namespace
 
-AlignedBytes read_file(const std::string& path) {
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  if (file.fd < 0) fail(path, "cannot open", errno);
+RegularFile::RegularFile(std::string path) : path_(std::move(path)) {
+  Descriptor file{::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+  if (file.fd < 0) fail(path_, "cannot open", errno);
   struct stat info {};
-  if (::fstat(file.fd, &info) != 0) fail(path, "cannot read", errno);
-  if (S_ISDIR(info.st_mode)) fail(path, "cannot read", EISDIR);
-  if (!S_ISREG(info.st_mode)) throw Failure(Exit::io, path, "", "cannot read", "not a regular file");
-  if (static_cast<std::uint64_t>(info.st_size) > UINT32_MAX) fail(path, "cannot read", EFBIG);
-  AlignedBytes bytes(static_cast<std::size_t>(info.st_size));
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t n = ::read(file.fd, bytes.data() + done, bytes.size() - done);
+  if (::fstat(file.fd, &info) != 0) fail(path_, "cannot read", errno);
+  if (S_ISDIR(info.st_mode)) fail(path_, "cannot read", EISDIR);
+  if (!S_ISREG(info.st_mode)) throw Failure(Exit::io, path_, "", "cannot read", "not a regular file");
+  size_ = static_cast<std::uint64_t>(info.st_size);
+  fd_ = std::exchange(file.fd, -1);
+}
+
+RegularFile::~RegularFile() {
+  ::close(fd_);
+}
+
+void RegularFile::read(std::span<std::byte> out) const {
+  for (std::size_t done = 0; done < out.size();) {
+    const ssize_t n = ::read(fd_, out.data() + done, out.size() - done);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(path, "cannot read", errno);
-    if (n == 0) throw Failure(Exit::io, path, "", "cannot read", "the file became shorter while it was read");
+    if (n < 0) fail(path_, "cannot read", errno);
+    if (n == 0) throw Failure(Exit::io, path_, "", "cannot read", "the file ended early; was it being written?");
     done += static_cast<std::size_t>(n);
   }
+}
+
+AlignedBytes read_file(const std::string& path) {
+  const RegularFile file(path);
+  if (file.size() > UINT32_MAX) fail(path, "cannot read", EFBIG);
+  AlignedBytes bytes(static_cast<std::size_t>(file.size()));
+  file.read({bytes.data(), bytes.size()});
   return bytes;
 }
 
@@ -115,7 +129,7 @@ StagedFile::~StagedFile() {
 
 void StagedFile::commit() {
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
-  ::close(std::exchange(fd_, -1));
+  if (::close(std::exchange(fd_, -1)) != 0 && errno != EINTR) fail(path_, "cannot write", errno);
   flush_folder(std::filesystem::path(path_).parent_path());
 }
 

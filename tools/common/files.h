@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,24 @@
 #include "common/aligned_bytes.h"
 
 namespace marrow::tools {
+
+// A regular file, open for reading. What else the name may stand for by now (a pipe, a device) is refused and not
+// waited for. Everything throws Failure (io).
+class RegularFile {
+ public:
+  explicit RegularFile(std::string path);
+  RegularFile(const RegularFile&) = delete;
+  RegularFile& operator=(const RegularFile&) = delete;
+  ~RegularFile();
+  std::uint64_t size() const { return size_; }
+  // The next bytes, all of them.
+  void read(std::span<std::byte> out) const;
+
+ private:
+  std::string path_;
+  int fd_;
+  std::uint64_t size_ = 0;
+};
 
 // Reads a regular file of at most 4 GiB. Throws Failure (io).
 AlignedBytes read_file(const std::string& path);

@@ -5,7 +5,6 @@
 #include <exception>
 #include <future>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -49,8 +48,9 @@ void for_each_in_parallel(std::size_t count, const std::function<void(std::size_
     };
     try {
       const std::lock_guard lock(mutex);
+      others.reserve(others.size() + 1);  // so that no helper is waited for in here
       others.push_back(std::async(std::launch::async, help));
-    } catch (const std::system_error&) {  // the system has no thread left; go on without
+    } catch (const std::exception&) {  // the system has no thread or no memory left; go on without
       give_back_thread();
     }
   };
