@@ -22,6 +22,8 @@ const char* to_string(Status status) noexcept {
       return "unsupported";
     case Status::gl_error:
       return "OpenGL error";
+    case Status::out_of_memory:
+      return "out of memory";
     case Status::mismatch:
       return "does not fit";
   }

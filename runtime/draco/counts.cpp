@@ -1,21 +1,53 @@
 #include "draco/counts.h"
 
+#include <cstring>
+
 #include "core/byte_reader.h"
 
 namespace marrow {
+namespace {
 
-bool draco_claims_more(Span<const std::byte> bytes, std::uint64_t points, std::uint64_t faces) {
-  constexpr std::size_t kHeaderSize = 11;  // "DRACO", version, geometry type, method, flags
-  constexpr std::uint32_t kMetadata = 0x80, kEdgebreaker = 1;
-  if (bytes.size < kHeaderSize + 1) return false;
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(bytes[i]); };
-  if (byte(5) != 2 || byte(6) != 2 || (byte(10) & kMetadata) != 0) return false;
-  const bool edgebreaker = byte(8) == kEdgebreaker;
-  const std::size_t start = edgebreaker ? kHeaderSize + 1 : kHeaderSize;
-  ByteReader reader(bytes.data + start, bytes.size - start);
+void skip_name(ByteReader& reader) {
+  reader.take_bytes(reader.take<std::uint8_t>());
+}
+
+// A tree of entries. Branches that are still to come are counted and not nested: so deep a file takes no more stack.
+void skip_metadata(ByteReader& reader) {
+  std::uint64_t to_come = 1;
+  for (bool is_root = true; to_come > 0 && !reader.failed(); is_root = false) {
+    if (!is_root) skip_name(reader);
+    for (std::uint32_t entries = reader.take_varint(); entries > 0 && !reader.failed(); --entries) {
+      skip_name(reader);
+      reader.take_bytes(reader.take_varint());
+    }
+    to_come += reader.take_varint();
+    --to_come;
+  }
+}
+
+}  // namespace
+
+Status draco_counts(Span<const std::byte> bytes, DracoCounts& out) {
+  if (bytes.size < 5 || std::memcmp(bytes.data, "DRACO", 5) != 0) return Status::bad_magic;
+  ByteReader reader(bytes.data + 5, bytes.size - 5);
+  const auto major = reader.take<std::uint8_t>(), minor = reader.take<std::uint8_t>();
+  reader.take<std::uint8_t>();  // points or triangles
+  const bool edgebreaker = reader.take<std::uint8_t>() == 1;
+  const bool has_metadata = (reader.take<std::uint16_t>() & 0x8000) != 0;
+  if (reader.failed()) return Status::truncated;
+  if (major != 2 || minor != 2) return Status::unsupported;
+  if (has_metadata) {
+    for (std::uint32_t attributes = reader.take_varint(); attributes > 0 && !reader.failed(); --attributes) {
+      reader.take_varint();  // its id
+      skip_metadata(reader);
+    }
+    skip_metadata(reader);
+  }
+  if (edgebreaker) reader.take<std::uint8_t>();  // how connectivity is traversed
   const std::uint64_t first = reader.take_varint(), second = reader.take_varint();
-  // Edgebreaker counts vertices, of which attribute seams make more points.
-  return reader.failed() || (edgebreaker ? first : second) > points || (edgebreaker ? second : first) > faces;
+  if (reader.failed()) return Status::truncated;
+  out = edgebreaker ? DracoCounts{first, second} : DracoCounts{second, first};
+  return Status::ok;
 }
 
 }  // namespace marrow

@@ -4,12 +4,19 @@
 #include <cstdint>
 
 #include "marrow/span.h"
+#include "marrow/status.h"
 
 namespace marrow {
 
-// Whether the counts at the start of a triangle mesh exceed what is promised elsewhere: a few bytes can claim billions.
-// Reads version 2.2 of the bitstream, the only one that current encoders write, without metadata; of other data it
-// knows nothing and returns false. Nothing here is trusted: the counts are to be compared again after decoding.
-bool draco_claims_more(Span<const std::byte> bytes, std::uint64_t points, std::uint64_t faces);
+struct DracoCounts {
+  std::uint64_t points = 0;  // of edgebreaker data vertices, of which seams make more points
+  std::uint64_t faces = 0;
+};
+
+// Reads the counts at the start of a triangle mesh: a few bytes can claim billions. Metadata before them is passed
+// over. Nothing here is trusted: the counts are to be compared again after decoding. Errors: unsupported for any
+// bitstream but version 2.2, which glTF names and all encoders since 2018 write; bad_magic; truncated. Cost: the
+// metadata's bytes.
+Status draco_counts(Span<const std::byte> bytes, DracoCounts& out);
 
 }  // namespace marrow

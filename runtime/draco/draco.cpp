@@ -2,6 +2,7 @@
 #include "marrow/draco.h"
 
 #include <cstring>
+#include <new>
 
 #include <draco/compression/decode.h>
 #include <draco/mesh/mesh.h>
@@ -59,11 +60,15 @@ bool decode_mesh(Span<const std::byte> bytes, const MeshStreams& out) {
 }
 
 Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
-  if (draco_claims_more(bytes, out.vertex_count, out.triangle_count)) return Status::bad_data;
+  DracoCounts claimed;
+  if (const Status status = draco_counts(bytes, claimed); status != Status::ok) return status;
+  if (claimed.points > out.vertex_count || claimed.faces > out.triangle_count) return Status::bad_data;
 #if defined(__cpp_exceptions)
   try {
     return decode_mesh(bytes, out) ? Status::ok : Status::bad_data;
-  } catch (...) {  // Draco's containers, asked for more than there is
+  } catch (const std::bad_alloc&) {
+    return Status::out_of_memory;
+  } catch (...) {  // Draco's containers, asked for more than they can hold
     return Status::bad_data;
   }
 #else

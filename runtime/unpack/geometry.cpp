@@ -250,7 +250,7 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
 }
 
 const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
-                            Span<std::byte> out, std::uint32_t& bytes) {
+                            Span<std::byte> out, std::uint32_t& bytes, Status& decoded) {
   ByteReader reader(record.data, record.size);
   Memory memory{scratch.data, 0, scratch.size};
   MeshStreams mesh;
@@ -264,7 +264,8 @@ const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& dec
   for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i) source_map[i] = reader.take_varint();
   mesh.source_map = source_map;
   if (reader.failed()) return "a record that ends too soon";
-  if (decoder.decode({reader.at(), reader.left()}, mesh) != Status::ok) return "damaged mesh data";
+  decoded = decoder.decode({reader.at(), reader.left()}, mesh);
+  if (decoded != Status::ok) return decoded == Status::out_of_memory ? to_string(decoded) : "damaged mesh data";
   return expand_geometry(mesh, memory, out, bytes);
 }
 

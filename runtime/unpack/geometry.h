@@ -28,8 +28,8 @@ const char* measure_geometry_record(Span<const std::byte> record, GeometryNeeds&
 // Bytes of scratch memory for the arrays of these streams and for expanding them.
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);
 
-// A whole record → a GEOM section at `out`. `status` tells bad data from an unsupported codec or one that failed.
+// A whole record → a GEOM section at `out`. Returns null, or the rule that is broken; `decoded` is what the codec says.
 const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
-                            Span<std::byte> out, std::uint32_t& bytes);
+                            Span<std::byte> out, std::uint32_t& bytes, Status& decoded);
 
 }  // namespace marrow

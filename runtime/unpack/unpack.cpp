@@ -124,6 +124,7 @@ class Unpacker {
   Status expand(const Record& record, Span<std::byte> out, File::Section& section, const char*& rule) {
     const UnpackedSkeletons skeletons{memory_.data, compact_skeletons_};
     std::uint32_t& bytes = section.bytes;
+    Status decoded = Status::ok;
     const Span<std::byte> scratch(memory_.data + scratch_at_, header_.memory_bytes - scratch_at_);
     if (record.kind == format::kGeometries && record.codec != packed::kCompact) {
       const MeshDecoder* decoder = nullptr;
@@ -133,7 +134,7 @@ class Unpacker {
         rule = codec_name(record.codec);
         return Status::unsupported;
       }
-      rule = unpack_geometry(record.bytes, *decoder, scratch, out, bytes);
+      rule = unpack_geometry(record.bytes, *decoder, scratch, out, bytes, decoded);
     } else if (record.codec != packed::kCompact) {
       rule = "a codec that is none of this kind of record";
     } else if (record.kind == format::kSkeletons) {
@@ -147,6 +148,7 @@ class Unpacker {
     } else {
       rule = "a codec that is none of this kind of record";
     }
+    if (decoded == Status::out_of_memory) return decoded;
     return rule == nullptr ? Status::ok : Status::bad_data;
   }
 

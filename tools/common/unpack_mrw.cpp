@@ -1,5 +1,7 @@
 #include "common/unpack_mrw.h"
 
+#include <new>
+
 #include "common/failure.h"
 #include "core/byte_reader.h"
 #include "marrow/draco.h"
@@ -31,6 +33,7 @@ AlignedBytes unpacked(std::span<const std::byte> packed, const std::string& path
     memory = AlignedBytes(sizes.memory_bytes);
     status = unpack(bytes, {decoders, 2}, {memory.data(), memory.size()}, file, &error);
   }
+  if (status == Status::out_of_memory) throw std::bad_alloc();
   if (status != Status::ok) {
     const bool foreign = status == Status::unsupported || status == Status::bad_version;
     throw Failure(foreign ? Exit::unsupported : Exit::invalid, path, "@" + std::to_string(error.offset),

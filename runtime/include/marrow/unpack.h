@@ -35,7 +35,8 @@ Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* e
 // to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
 //
 // packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
-// bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); bad_argument. On failure
+// bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); out_of_memory, by Draco;
+// bad_argument. On failure
 // `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
 // order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
 // nothing else does.

@@ -264,7 +264,7 @@ struct DracoTriangle {
   int position = 0, joints = 0, weights = 0;  // unique ids
 };
 
-DracoTriangle encode_draco() {
+DracoTriangle encode_draco(bool with_metadata = false) {
   draco::TriangleSoupMeshBuilder soup;
   soup.Start(2);
   const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
@@ -281,6 +281,17 @@ DracoTriangle encode_draco() {
     soup.SetAttributeValuesForFace(weights, face, weight, weight, weight);
   }
   const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
+  if (with_metadata) {
+    auto whole = std::make_unique<draco::GeometryMetadata>();
+    auto branch = std::make_unique<draco::Metadata>();
+    branch->AddEntryString("author", std::string(300, 'a'));
+    whole->AddSubMetadata("branch", std::move(branch));
+    whole->AddEntryInt("number", 7);
+    mesh->AddMetadata(std::move(whole));
+    auto of_joints = std::make_unique<draco::AttributeMetadata>();
+    of_joints->AddEntryString("name", "joints");
+    mesh->AddAttributeMetadata(joints, std::move(of_joints));
+  }
   draco::Encoder encoder;
   encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
   draco::EncoderBuffer buffer;
@@ -294,8 +305,7 @@ DracoTriangle encode_draco() {
   return result;
 }
 
-Builder with_draco() {
-  const DracoTriangle encoded = encode_draco();
+Builder with_draco(const DracoTriangle& encoded = encode_draco()) {
   Builder b;
   b.root["extensionsUsed"] = b.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   b.root["nodes"] = {{{"mesh", 0}, {"skin", 0}}, Json::object()};
@@ -331,6 +341,35 @@ TEST(GltfDraco, GeometryJointsAndWeightsAreDecoded) {
   ASSERT_EQ(primitive.influences.size(), 4U);
   EXPECT_EQ(primitive.influences[3].size(), 1U);
   EXPECT_EQ(primitive.influences[3][0].weight, 1.0F);
+}
+
+TEST(GltfDraco, MetadataIsPassedOver) {
+  Builder b = with_draco(encode_draco(true));
+  EXPECT_EQ(read(b).meshes[0].primitives[0].positions.size(), 4U);
+}
+
+// Two bytes that claim 2^28 - 1 points, in each of the counts, with metadata before them and without.
+TEST(GltfDraco, CountsAreComparedBeforeAnythingIsDecoded) {
+  for (const bool with_metadata : {false, true}) {
+    DracoTriangle bomb = encode_draco(with_metadata);
+    // Sequential data states its 2 triangles and 4 points, each in a byte, and then how they are connected.
+    std::size_t at = 11;
+    while (at + 1 < bomb.bytes.size() && !(bomb.bytes[at] == std::byte{2} && bomb.bytes[at + 1] == std::byte{4})) ++at;
+    ASSERT_LT(at + 1, bomb.bytes.size());
+    ASSERT_TRUE(with_metadata ? at > 300 : at == 11) << at;
+    const std::vector<std::byte> huge = {std::byte{0xFF}, std::byte{0xFF}, std::byte{0xFF}, std::byte{0x7F}};
+    const auto place = bomb.bytes.erase(bomb.bytes.begin() + static_cast<std::ptrdiff_t>(at + 1));
+    bomb.bytes.insert(place, huge.begin(), huge.end());
+    Builder b = with_draco(bomb);
+    expect_failure([&] { read(b); }, Exit::invalid, kDracoPointer, "differs from the accessors");
+  }
+}
+
+TEST(GltfDraco, OtherBitstreamsAreUnsupported) {
+  DracoTriangle old = encode_draco();
+  old.bytes[6] = std::byte{1};
+  Builder b = with_draco(old);
+  expect_failure([&] { read(b); }, Exit::unsupported, kDracoPointer, "Draco bitstream");
 }
 
 TEST(GltfDraco, EveryPrefixIsRefused) {

@@ -85,9 +85,10 @@ std::vector<std::byte> fan_with_targets(std::uint32_t targets) {
 const char* expand(const std::vector<std::byte>& record, std::vector<float>& out, std::uint32_t& bytes) {
   std::vector<float> scratch(65536);
   out.assign(1 << 20, 0.0f);
+  Status decoded = Status::ok;
   return unpack_geometry({record.data(), record.size()}, kPlainDecoder[0],
                          {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4},
-                         {reinterpret_cast<std::byte*>(out.data()), out.size() * 4}, bytes);
+                         {reinterpret_cast<std::byte*>(out.data()), out.size() * 4}, bytes, decoded);
 }
 
 TEST(Unpack, GivesMorphTargetsByHand) {
