@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "common/distinct.h"
 #include "common/failure.h"
 
 namespace marrow::tools {
@@ -98,8 +99,7 @@ void Reach::solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<Soa
     const std::vector<std::uint16_t> turning = above(file_, skeleton, from.joint, joints_);
     joints.insert(joints.end(), turning.begin(), turning.end());
   }
-  std::ranges::sort(joints);
-  joints.erase(std::ranges::unique(joints).begin(), joints.end());
+  make_distinct(joints);
   IkProblem problem;
   problem.goals = goals;
   problem.joints = joints;

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "common/distinct.h"
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/geometry/build_geometry.h"
@@ -57,9 +58,7 @@ std::vector<std::vector<std::uint16_t>> entries_of_parts(const RawPrimitive& pri
     for (const std::uint32_t v : part.vertices)
       for (const std::uint32_t joint : palette_needs(binding, skin.joints.size(), binding.primitives[number][v]))
         entries.push_back(entry_of[joint]);
-    std::ranges::sort(entries);
-    const auto rest = std::ranges::unique(entries);
-    entries.erase(rest.begin(), rest.end());
+    tools::make_distinct(entries);
   }
   return out;
 }

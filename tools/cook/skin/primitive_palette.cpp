@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/distinct.h"
 #include "common/failure.h"
 #include "cook/scene/matrices.h"
 #include "cook/skin/bound_deformers.h"
@@ -17,9 +18,7 @@ std::vector<std::uint32_t> palette_needs(const SkinBinding& binding, std::size_t
     const deform::HalfJoint& half = binding.half_joints[i.joint - joint_count];
     out.insert(out.end(), {half.parent, half.joint});
   }
-  std::ranges::sort(out);
-  const auto rest = std::ranges::unique(out);
-  out.erase(rest.begin(), rest.end());
+  tools::make_distinct(out);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "common/distinct.h"
 #include "common/failure.h"
 #include "cook/skin/primitive_palette.h"
 
@@ -177,9 +178,7 @@ std::vector<PrimitivePart> parts_of(const RawPrimitive& primitive, const std::ve
     for (std::size_t c = 0; c < 3; ++c) out[part_of[t]].indices.push_back(primitive.indices[3 * t + c]);
   for (PrimitivePart& part : out) {
     part.vertices = part.indices;
-    std::ranges::sort(part.vertices);
-    const auto rest = std::ranges::unique(part.vertices);
-    part.vertices.erase(rest.begin(), rest.end());
+    tools::make_distinct(part.vertices);
   }
   return out;
 }

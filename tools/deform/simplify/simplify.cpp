@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/distinct.h"
 #include "deform/simplify/quadric.h"
 
 namespace marrow::deform {
@@ -229,9 +230,7 @@ std::vector<std::uint32_t> Simplifier::neighbours(std::uint32_t p) const {
   for (const std::uint32_t t : around_[p])
     for (std::size_t c = 0; c < 3; ++c)
       if (point(t, c) != p) out.push_back(point(t, c));
-  std::ranges::sort(out);
-  const auto end = std::ranges::unique(out);
-  out.erase(end.begin(), end.end());
+  tools::make_distinct(out);
   return out;
 }
 
