@@ -68,19 +68,23 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
     target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_VIEW)
   endif()
 endif()
+# It takes the place of malloc, as sanitizers do.
+if(NOT MARROW_SANITIZE)
+  add_library(marrow_fault_shim MODULE cli/fault_shim.cpp)
+  target_link_libraries(marrow_fault_shim PRIVATE ${CMAKE_DL_LIBS})
+  marrow_warnings(marrow_fault_shim)
+  add_dependencies(marrow_cli_tests marrow_fault_shim)
+  target_sources(marrow_cli_tests PRIVATE cli/faults_test.cpp)
+endif()
 target_compile_options(marrow_cli_tests PRIVATE -O0)
 set_target_properties(marrow_cli_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 add_dependencies(marrow_cli_tests marrow)
 
-add_executable(marrow_gltf_fuzz fuzz/gltf_fuzz.cpp fuzz/driver.cpp)
-target_link_libraries(marrow_gltf_fuzz PRIVATE marrow_test_support marrow_cook)
-marrow_warnings(marrow_gltf_fuzz)
-add_test(NAME fuzz.gltf COMMAND marrow_gltf_fuzz --iterations 3000 ${CMAKE_CURRENT_SOURCE_DIR}/golden/tiny.gltf
-  ${CMAKE_CURRENT_SOURCE_DIR}/golden/face.gltf ${CMAKE_CURRENT_SOURCE_DIR}/golden/looks.gltf
-  ${CMAKE_CURRENT_SOURCE_DIR}/golden/limits.gltf)
-set_tests_properties(fuzz.gltf PROPERTIES LABELS fuzz TIMEOUT 300)
-add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_input_tests)
-set_property(TEST fuzz.gltf input APPEND PROPERTY LABELS hostile)
+marrow_fuzz(gltf 3000 golden/*.gltf marrow_cook)
+marrow_fuzz(unpack 3000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
+marrow_fuzz(settings 3000 fuzz/seeds/*.toml marrow_options)
+add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_unpack_fuzz marrow_settings_fuzz marrow_input_tests)
+set_property(TEST input APPEND PROPERTY LABELS hostile)
 
 # A JSON library costs seconds in every file that includes it.
 set_target_properties(marrow_input_tests marrow_cook_tests marrow_cli_tests marrow_workflow_tests marrow_road_tests
