@@ -15,7 +15,15 @@ namespace {
 
 // In the order of --help.
 constexpr AddCommand kCommands[] = {
-    add_cook,   add_info, add_diff, add_export, add_pose, add_bench, add_compare, add_sample,
+    add_cook,   add_info,
+#ifdef MARROW_HAS_ALL_COMMANDS
+    add_diff,   add_export,
+#endif
+    add_pose,
+#ifdef MARROW_HAS_ALL_COMMANDS
+    add_bench,  add_compare,
+#endif
+    add_sample,
 #ifdef MARROW_HAS_GLES
     add_render, add_demo,
 #endif

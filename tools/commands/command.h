@@ -11,12 +11,13 @@ using AddCommand = void (*)(CLI::App& app, int& exit_code);
 
 void add_cook(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
-void add_diff(CLI::App& app, int& exit_code);
-void add_export(CLI::App& app, int& exit_code);
 void add_pose(CLI::App& app, int& exit_code);
+void add_sample(CLI::App& app, int& exit_code);
+// With MARROW_HAS_ALL_COMMANDS.
 void add_bench(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
-void add_sample(CLI::App& app, int& exit_code);
+void add_diff(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
 // With MARROW_HAS_GLES.
 void add_render(CLI::App& app, int& exit_code);
 void add_demo(CLI::App& app, int& exit_code);
