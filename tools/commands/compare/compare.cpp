@@ -47,6 +47,7 @@ ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
           {"diagonal", c.diagonal_m},   {"rows", rows}};
 }
 
+#ifdef MARROW_HAS_GLES
 // SSD, and the best fits without and with half-joints.
 std::vector<std::size_t> shown(const DeformerComparison& c) {
   std::vector<std::size_t> out;
@@ -54,6 +55,7 @@ std::vector<std::size_t> shown(const DeformerComparison& c) {
     out.push_back(static_cast<std::size_t>(std::ranges::find(c.rows, name, &DeformerRow::deformer) - c.rows.begin()));
   return out;
 }
+#endif
 
 void print_table(const Study& study, const CompareArguments& a, const DeformerComparison& c) {
   fmt::print("{}\n\n", verdict(c));
