@@ -348,7 +348,7 @@ TEST(GltfDraco, MetadataIsPassedOver) {
   EXPECT_EQ(read(b).meshes[0].primitives[0].positions.size(), 4U);
 }
 
-// Two bytes that claim 2^28 - 1 points, in each of the counts, with metadata before them and without.
+// Four bytes that claim 2^28 - 1 points, with metadata before them and without.
 TEST(GltfDraco, CountsAreComparedBeforeAnythingIsDecoded) {
   for (const bool with_metadata : {false, true}) {
     DracoTriangle bomb = encode_draco(with_metadata);

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "common/instructions.h"
+#include "commands/compare/instructions.h"
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "common/distinct.h"
 #include "common/failure.h"
 #include "cook/gltf/read.h"
 #include "cook/scene/views.h"
@@ -122,8 +123,7 @@ void Matching::check_moved() {
       }
     }
   if (strangers.empty()) return;
-  std::ranges::sort(strangers);
-  strangers.erase(std::unique(strangers.begin(), strangers.end()), strangers.end());
+  tools::make_distinct(strangers);
   std::string names;
   for (const int node : strangers) names.append(names.empty() ? "" : ", ").append(name_of(node));
   fail(strangers.front(), "no such joint in " + character_.file,

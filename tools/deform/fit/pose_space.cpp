@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "common/distinct.h"
 #include "common/parallel.h"
 #include "deform/dense.h"
 #include "deform/rotation_of_matrix.h"
@@ -222,8 +223,7 @@ std::vector<std::size_t> choose(const Examples& t, const std::vector<std::size_t
 std::size_t cross_validate(const Examples& t, const PoseSpaceOptions& options, std::vector<double>& held_out) {
   std::vector<std::uint32_t> folds;
   for (const TrainingPose& p : t.poses) folds.push_back(p.fold);
-  std::sort(folds.begin(), folds.end());
-  folds.erase(std::unique(folds.begin(), folds.end()), folds.end());
+  tools::make_distinct(folds);
   const bool can = folds.size() > 1;
   std::vector<std::vector<double>> errors(can ? options.widths.size() : 1, std::vector<double>(t.poses.size(), 0));
   Steps steps(options.progress, folds.size());

@@ -1,4 +1,4 @@
-#include "common/instructions.h"
+#include "commands/compare/instructions.h"
 
 #ifdef __linux__
 #include <linux/perf_event.h>
