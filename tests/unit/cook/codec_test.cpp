@@ -373,8 +373,8 @@ TEST_P(Codec, KeepsTrianglesThatOpenWhenPosed) {
   EXPECT_EQ(loaded.file.mesh(0).geometry.index_count, 15u);
 }
 
-// Whoever asks for the source's order finds each vertex where the source has it.
-TEST_P(Codec, KeepsThePlacesOfTrianglesWithoutArea) {
+// Whoever asks for the source's order finds each vertex where the source has it, with its own normal.
+TEST_P(Codec, KeepsTheVerticesOfTrianglesWithoutArea) {
   const std::vector<glm::vec3> at = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0},
                                      {2, 3, 1}, {2, 3, 1}, {3, 0, 2}, {-2, 0, 0}};
   // Vertex 3 is vertex 1 with another normal; 4 and 5 share a place, 6 and 7 have theirs alone.
@@ -382,7 +382,9 @@ TEST_P(Codec, KeepsThePlacesOfTrianglesWithoutArea) {
   p.normals[3] = {0, 1, 0};
   const Loaded loaded = cook_and_load(scene_of(p, 0), options());
   const Geometry g = loaded.file.mesh(0).geometry;
-  EXPECT_EQ(g.index_count, 9u) << "what has an area, and one triangle for each place that would be lost";
+  EXPECT_EQ(g.index_count, 12u) << "what has an area, and one triangle for each vertex that would be lost";
+  EXPECT_NE(g.source_slots[1], g.source_slots[3]);
+  EXPECT_EQ(g.source_slots[4], g.source_slots[5]);
   ASSERT_EQ(g.source_slots.size, at.size());
   for (std::size_t v = 0; v < at.size(); ++v) {
     ASSERT_NE(g.source_slots[v], kNoSlot) << v;

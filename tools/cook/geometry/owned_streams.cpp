@@ -77,49 +77,39 @@ bool moves(StreamKind kind) {
          kind == StreamKind::residual || is_centred(kind);
 }
 
-// The triangles that have an area; and of the others, if `every_place` is wanted, those with a corner where no kept
-// triangle has one: then `collapsed` is set. place: each vertex's, below `places`.
+// The triangles that have an area; and of the others, if `every_vertex` is wanted, those with a corner that no kept
+// triangle has: then `collapsed` is set. place, same: each vertex's numbers; `distinct`: how many of `same` there are.
 std::vector<std::uint32_t> triangles_to_keep(const OwnedStreams& s, const std::vector<std::uint32_t>& place,
-                                             std::size_t places, bool every_place, bool& collapsed) {
+                                             const std::vector<std::uint32_t>& same, std::size_t distinct,
+                                             bool every_vertex, bool& collapsed) {
   std::vector<std::uint32_t> kept;
-  std::vector<bool> is_taken(places, false);
+  std::vector<bool> is_taken(distinct, false);
   const auto keep = [&](const std::uint32_t* t) {
     kept.insert(kept.end(), t, t + 3);
-    for (int corner = 0; corner < 3; ++corner) is_taken[place[t[corner]]] = true;
+    for (int corner = 0; corner < 3; ++corner) is_taken[same[t[corner]]] = true;
   };
   for (std::size_t i = 0; i + 2 < s.indices.size(); i += 3) {
     const std::uint32_t* const t = &s.indices[i];
     if (place[t[0]] != place[t[1]] && place[t[1]] != place[t[2]] && place[t[2]] != place[t[0]]) keep(t);
   }
   const std::size_t whole = kept.size();
-  for (std::size_t i = 0; every_place && i + 2 < s.indices.size(); i += 3) {
+  for (std::size_t i = 0; every_vertex && i + 2 < s.indices.size(); i += 3) {
     const std::uint32_t* const t = &s.indices[i];
-    if (!is_taken[place[t[0]]] || !is_taken[place[t[1]]] || !is_taken[place[t[2]]]) keep(t);
+    if (!is_taken[same[t[0]]] || !is_taken[same[t[1]]] || !is_taken[same[t[2]]]) keep(t);
   }
   collapsed = kept.size() > whole;
   if (kept.empty()) keep(s.indices.data());  // a mesh is never empty
   return kept;
 }
 
-// Where each vertex of the source went: to its own number, else to one in its place.
-std::vector<std::uint32_t> make_source_map(const std::vector<std::uint32_t>& number_of_vertex,
-                                           const std::vector<std::uint32_t>& place, std::size_t places) {
-  std::vector<std::uint32_t> out = number_of_vertex, number_at(places, kNoSlot);
-  for (std::size_t v = 0; v < place.size(); ++v)
-    if (number_of_vertex[v] != kNoSlot) number_at[place[v]] = number_of_vertex[v];
-  for (std::size_t v = 0; v < place.size(); ++v)
-    if (out[v] == kNoSlot && place[v] != kNoSlot) out[v] = number_at[place[v]];
-  return out;
-}
-
 }  // namespace
 
 void weld(OwnedStreams& s, bool keep_map) {
-  std::size_t places = 0, distinct = 0;
-  const std::vector<std::uint32_t> place = equal_vertices(s, moves, places);
+  std::size_t distinct = 0;
+  const std::vector<std::uint32_t> place = equal_vertices(s, moves, distinct);
   const std::vector<std::uint32_t> same = equal_vertices(
       s, [](StreamKind) { return true; }, distinct);
-  std::vector<std::uint32_t> kept = triangles_to_keep(s, place, places, keep_map, s.has_collapsed);
+  std::vector<std::uint32_t> kept = triangles_to_keep(s, place, same, distinct, keep_map, s.has_collapsed);
   // Numbered anew by first use.
   std::vector<std::uint32_t> number(distinct, kNoSlot), first(distinct);
   std::uint32_t count = 0;
@@ -142,9 +132,8 @@ void weld(OwnedStreams& s, bool keep_map) {
     s.values[i] = std::move(values);
   }
   if (keep_map) {
-    std::vector<std::uint32_t> number_of_vertex;
-    for (const std::uint32_t n : same) number_of_vertex.push_back(n == kNoSlot ? kNoSlot : number[n]);
-    s.source_map = make_source_map(number_of_vertex, place, places);
+    s.source_map.clear();
+    for (const std::uint32_t n : same) s.source_map.push_back(n == kNoSlot ? kNoSlot : number[n]);
   }
   s.indices = std::move(kept);
   s.mesh.vertex_count = count;
