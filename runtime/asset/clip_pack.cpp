@@ -76,6 +76,7 @@ Status bind_clips(const File& pack, std::uint32_t reference, const File& charact
   if (misfit_count != nullptr) *misfit_count = 0;
   MARROW_REQUIRE(reference < pack.reference_count());
   MARROW_REQUIRE(skeleton < character.skeleton_count());
+  MARROW_REQUIRE(holds(misfits, misfits.size));
   const SkeletonReference wanted = pack.reference(reference);
   const Skeleton there = character.skeleton(skeleton);
   if (wanted.joint_count == there.joint_count && wanted.hash == skeleton_hash(character, skeleton)) return Status::ok;

@@ -18,6 +18,11 @@ const T* at_if(bool present, const std::byte* base, std::uint64_t offset) {
   return present ? at<T>(base, offset) : nullptr;
 }
 
+// No name is the null pointer.
+bool is_called(const char* text, const char* name) {
+  return name != nullptr && std::strcmp(text, name) == 0;
+}
+
 }  // namespace
 
 const std::byte* File::section(std::uint32_t kind, std::uint32_t index) const {
@@ -25,10 +30,12 @@ const std::byte* File::section(std::uint32_t kind, std::uint32_t index) const {
 }
 
 const char* File::text(std::uint32_t name) const {
+  if (block_ == nullptr || name >= sections_[first_[format::kNames]].bytes) return "";
   return at<char>(section(format::kNames, 0), name);
 }
 
 Skeleton File::skeleton(std::uint32_t index) const {
+  if (index >= skeleton_count()) return {};
   const std::byte* const base = section(format::kSkeletons, index);
   const auto& header = *at<format::SkeletonHeader>(base, 0);
   const format::SkeletonLayout l = layout(header);
@@ -49,6 +56,7 @@ Skeleton File::skeleton(std::uint32_t index) const {
 }
 
 SkeletonReference File::reference(std::uint32_t index) const {
+  if (index >= reference_count()) return {};
   const std::byte* const base = section(format::kReferences, index);
   const auto& header = *at<format::ReferenceHeader>(base, 0);
   const format::ReferenceLayout l = layout(header);
@@ -63,6 +71,7 @@ SkeletonReference File::reference(std::uint32_t index) const {
 }
 
 Clip File::clip(std::uint32_t index) const {
+  if (index >= clip_count()) return {};
   const std::byte* const base = section(format::kClips, index);
   const auto& header = *at<format::ClipHeader>(base, 0);
   const format::ClipLayout l = layout(header);
@@ -147,6 +156,7 @@ Geometry File::geometry(std::uint32_t index) const {
 }
 
 Mesh File::mesh(std::uint32_t index, std::uint32_t level) const {
+  if (index >= mesh_count()) return {};
   const std::byte* const base = section(format::kMeshes, index);
   const auto& header = *at<format::MeshHeader>(base, 0);
   const format::MeshLayout l = layout(header);
@@ -172,29 +182,30 @@ Mesh File::mesh(std::uint32_t index, std::uint32_t level) const {
 
 std::uint32_t File::find_skeleton(const char* name) const {
   std::uint32_t i = 0;
-  while (i < skeleton_count() && std::strcmp(skeleton(i).name, name) != 0) ++i;
+  while (i < skeleton_count() && !is_called(skeleton(i).name, name)) ++i;
   return i;
 }
 
 std::uint32_t File::find_joint(const Skeleton& skeleton, const char* name) const {
   std::uint32_t joint = 0;
-  while (joint < skeleton.joint_count && std::strcmp(text(skeleton.names[joint]), name) != 0) ++joint;
+  while (joint < skeleton.joint_count && !is_called(text(skeleton.names[joint]), name)) ++joint;
   return joint;
 }
 
 std::uint32_t File::find_mesh(const char* name) const {
   std::uint32_t i = 0;
-  while (i < mesh_count() && std::strcmp(mesh(i).name, name) != 0) ++i;
+  while (i < mesh_count() && !is_called(mesh(i).name, name)) ++i;
   return i;
 }
 
 std::uint32_t File::find_clip(const char* name, std::uint32_t of_skeleton) const {
   std::uint32_t i = 0;
-  while (i < clip_count() && (clip(i).skeleton != of_skeleton || std::strcmp(clip(i).name, name) != 0)) ++i;
+  while (i < clip_count() && (clip(i).skeleton != of_skeleton || !is_called(clip(i).name, name))) ++i;
   return i;
 }
 
 Material File::material(std::uint32_t index) const {
+  if (index >= material_count()) return {};
   const std::byte* const base = section(format::kMaterials, index);
   const auto& header = *at<format::MaterialHeader>(base, 0);
   Material m;
@@ -206,6 +217,7 @@ Material File::material(std::uint32_t index) const {
 }
 
 Image File::image(std::uint32_t index) const {
+  if (index >= image_count()) return {};
   const std::byte* const base = section(format::kImages, index);
   const auto& header = *at<format::ImageHeader>(base, 0);
   Image i;
@@ -217,6 +229,7 @@ Image File::image(std::uint32_t index) const {
 }
 
 Node File::node(std::uint32_t index) const {
+  if (index >= node_count()) return {};
   const std::byte* const base = section(format::kNodes, index);
   const auto& header = *at<format::NodeHeader>(base, 0);
   Node n;
@@ -230,25 +243,25 @@ Node File::node(std::uint32_t index) const {
 
 std::uint32_t File::find_clip(const char* name) const {
   std::uint32_t i = 0;
-  while (i < clip_count() && std::strcmp(clip(i).name, name) != 0) ++i;
+  while (i < clip_count() && !is_called(clip(i).name, name)) ++i;
   return i;
 }
 
 std::uint32_t File::find_node(const char* name) const {
   std::uint32_t i = 0;
-  while (i < node_count() && std::strcmp(node(i).name, name) != 0) ++i;
+  while (i < node_count() && !is_called(node(i).name, name)) ++i;
   return i;
 }
 
 const Property* File::node_property(const Node& node, const char* name) const {
   for (const Property& p : node.properties)
-    if (std::strcmp(text(p.name), name) == 0) return &p;
+    if (is_called(text(p.name), name)) return &p;
   return nullptr;
 }
 
 std::uint32_t File::find_channel(const Clip& clip, const char* name) const {
   std::uint32_t i = 0;
-  while (i < clip.channels.size && std::strcmp(text(clip.channels[i].name), name) != 0) ++i;
+  while (i < clip.channels.size && !is_called(text(clip.channels[i].name), name)) ++i;
   return i;
 }
 

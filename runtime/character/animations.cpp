@@ -98,7 +98,7 @@ std::size_t animations_bytes(const File& file, const File& clips) {
 }
 
 Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out) {
-  MARROW_REQUIRE(memory.size >= animations_bytes(file, clips));
+  MARROW_REQUIRE(holds(memory, animations_bytes(file, clips)));
   MARROW_REQUIRE(is_on_boundary(memory.data));
   if (clips.reference_count() == 0 && clips.sections().data != file.sections().data) return Status::mismatch;
   Memory taken{memory.data};
@@ -124,6 +124,7 @@ Status make_animations(const File& file, const File& clips, Span<std::byte> memo
 }
 
 const Animation* find_animation(const Animations& animations, const char* name) {
+  if (name == nullptr) return nullptr;
   for (std::uint32_t i = 0; i < animations.all.size; ++i) {
     const Animation& animation = animations.all[i];
     if (std::strcmp(animation.clips.clip(i).name, name) == 0 && moves_anything(animation)) return &animation;

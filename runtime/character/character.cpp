@@ -10,6 +10,7 @@
 #include "marrow/palette.h"
 #include "marrow/sample.h"
 #include "marrow/skin.h"
+#include "math/finite.h"
 
 namespace marrow {
 namespace {
@@ -25,7 +26,7 @@ void take_skeletons(const File& file, const CharacterOptions& options, Memory& m
     if (made.skeleton.soa_size() > largest) largest = made.skeleton.soa_size();
     if (!out.skeletons.empty()) out.skeletons[s] = made;
   }
-  out.sampled = memory.take<SoaTransform>(options.layers * largest);
+  out.sampled = memory.take<SoaTransform>(std::uint64_t{options.layers} * largest);
   out.blended = memory.take<BlendLayer>(options.layers);
   out.change = memory.take<AdditiveTransform>(largest);
 }
@@ -128,8 +129,12 @@ BadCall check_animation(const Character& c, const Animation* animation) {
   MARROW_CHECK(animation != nullptr);
   MARROW_CHECK(animation->clip_of_skeleton.size == c.skeletons.size);
   MARROW_CHECK(animation->channels.size == c.target_count);
-  for (const std::uint32_t clip : animation->clip_of_skeleton)
-    MARROW_CHECK(clip == kNoClip || clip < animation->clips.clip_count());
+  for (std::size_t s = 0; s < c.skeletons.size; ++s) {
+    const std::uint32_t clip = animation->clip_of_skeleton[s];
+    if (clip == kNoClip) continue;
+    MARROW_CHECK(clip < animation->clips.clip_count());
+    MARROW_CHECK(animation->clips.clip(clip).joint_count == c.skeletons[s].skeleton.joint_count);
+  }
   for (const CharacterMesh& m : c.meshes) {
     const std::uint32_t clip = animation->clip_of_skeleton[m.mesh.skeleton];
     if (clip == kNoClip || m.weights.empty()) continue;
@@ -140,6 +145,28 @@ BadCall check_animation(const Character& c, const Animation* animation) {
     }
   }
   return {};
+}
+
+BadCall check_layers(const Character& c, Span<const AnimationLayer> layers) {
+  MARROW_CHECK(holds(layers) && layers.size <= c.options.layers);
+  for (const AnimationLayer& layer : layers) {
+    MARROW_CHECK(within(layer.weight, 0.0f, kMaxBlendWeight));
+    MARROW_CHECK(layer.weight == 0 || layer.time_s == layer.time_s);  // else it is not read
+    if (const BadCall bad = check_animation(c, layer.animation)) return bad;
+  }
+  return {};
+}
+
+Status sample_layers(Character& character, Span<const AnimationLayer> layers) {
+  for (std::uint32_t s = 0; s < character.skeletons.size; ++s) {
+    const Status status = sample_skeleton(character, s, layers);
+    if (status != Status::ok) return status;
+  }
+  for (CharacterMesh& m : character.meshes) {
+    const Status status = sample_weights(layers, m);
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
 }
 
 }  // namespace
@@ -153,7 +180,7 @@ std::size_t character_bytes(const File& file, const CharacterOptions& options) {
 
 Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out) {
   MARROW_REQUIRE(options.layers > 0);
-  MARROW_REQUIRE(memory.size >= character_bytes(file, options));
+  MARROW_REQUIRE(holds(memory, character_bytes(file, options)));
   MARROW_REQUIRE(is_on_boundary(memory.data));
   Memory taken{memory.data};
   Character made;
@@ -171,17 +198,8 @@ Status make_character(const File& file, const CharacterOptions& options, Span<st
 }
 
 Status sample_character(Character& character, Span<const AnimationLayer> layers) {
-  MARROW_REQUIRE(layers.size <= character.options.layers);
-  for (const AnimationLayer& layer : layers) MARROW_REQUIRE_GOOD(check_animation(character, layer.animation));
-  for (std::uint32_t s = 0; s < character.skeletons.size; ++s) {
-    const Status status = sample_skeleton(character, s, layers);
-    if (status != Status::ok) return status;
-  }
-  for (CharacterMesh& m : character.meshes) {
-    const Status status = sample_weights(layers, m);
-    if (status != Status::ok) return status;
-  }
-  return Status::ok;
+  MARROW_REQUIRE_GOOD(check_layers(character, layers));
+  return sample_layers(character, layers);
 }
 
 Status local_to_model(Character& character) {
@@ -193,12 +211,14 @@ Status local_to_model(Character& character) {
 }
 
 Status pose_character(Character& character, Span<const AnimationLayer> layers) {
-  const Status status = sample_character(character, layers);
+  MARROW_REQUIRE_GOOD(check_layers(character, layers));
+  const Status status = sample_layers(character, layers);
   return status == Status::ok ? local_to_model(character) : status;
 }
 
 Status finish_character(Character& character) {
   if (!character.options.skin) return Status::ok;
+  for (const CharacterMesh& m : character.meshes) MARROW_REQUIRE(all_finite(m.weights.data, m.weights.size));
   for (CharacterMesh& m : character.meshes) {
     Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].scene_from_joint, m.palette);
     if (status == Status::ok && !m.weights.empty()) status = morph(m.weights, m.morphed);

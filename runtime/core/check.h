@@ -1,14 +1,17 @@
 // How public functions refuse bad calls: they tell the handler that a game has set (marrow/call_error.h) and return
 // Status::bad_argument.
 //
-//   in a public function           MARROW_REQUIRE(out.size >= count);
-//   in what several of them call   BadCall check_count(…) { MARROW_CHECK(out.size >= count); return {}; }
+//   in a public function           MARROW_REQUIRE(holds(out, count));
+//   in what several of them call   BadCall check_count(…) { MARROW_CHECK(holds(out, count)); return {}; }
 //   and there                      MARROW_REQUIRE_GOOD(check_count(…));
 //
 // A public function asks for everything itself before it calls another one, for the handler is told the name of the
 // function that refuses. A condition that says too little goes on in words: same && "the same joints".
 #pragma once
 
+#include <cstdint>
+
+#include "marrow/span.h"
 #include "marrow/status.h"
 
 // 0, by CMakeLists.txt, leaves all names and texts out.
@@ -53,3 +56,20 @@ using BadCall = bool;
     if (!(condition)) [[unlikely]]        \
       return MARROW_BAD_CALL(#condition); \
   } while (false)
+
+namespace marrow {
+
+// Whether memory of the caller's holds so many of what it should: long enough, and on their boundary.
+template <class T>
+bool holds(Span<T> span, std::size_t count) {
+  return span.size >= count &&
+         (count == 0 || (span.data != nullptr && reinterpret_cast<std::uintptr_t>(span.data) % alignof(T) == 0));
+}
+
+// The same of what is as long as it likes.
+template <class T>
+bool holds(Span<T> span) {
+  return holds(span, span.size);
+}
+
+}  // namespace marrow

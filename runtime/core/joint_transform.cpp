@@ -4,7 +4,7 @@
 namespace marrow {
 
 Status get_joint(Span<const SoaTransform> local, std::uint32_t joint, JointTransform& out) {
-  MARROW_REQUIRE(joint / 4 < local.size);
+  MARROW_REQUIRE(holds(local) && joint / 4 < local.size);
   const SoaTransform& group = local[joint / 4];
   const std::uint32_t lane = joint % 4;
   for (int i = 0; i < 3; ++i) out.translation[i] = group.translation[i][lane];
@@ -14,7 +14,7 @@ Status get_joint(Span<const SoaTransform> local, std::uint32_t joint, JointTrans
 }
 
 Status set_joint(Span<SoaTransform> local, std::uint32_t joint, const JointTransform& transform) {
-  MARROW_REQUIRE(joint / 4 < local.size);
+  MARROW_REQUIRE(holds(local) && joint / 4 < local.size);
   SoaTransform& group = local[joint / 4];
   const std::uint32_t lane = joint % 4;
   for (int i = 0; i < 3; ++i) group.translation[i][lane] = transform.translation[i];

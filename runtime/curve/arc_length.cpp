@@ -22,10 +22,11 @@ bool has_length(const Curve& curve) {
   return !curve.rotation && curve.kind != CurveKind::step;
 }
 
-BadCall check_table(const Curve& curve, std::uint32_t steps, std::size_t length_count) {
+BadCall check_table(const Curve& curve, std::uint32_t steps, Span<const float> lengths) {
   MARROW_CHECK(steps >= 1);
+  MARROW_CHECK(holds(lengths));
   // Divided, not multiplied: no number of steps overflows.
-  MARROW_CHECK(length_count >= 1 && (length_count - 1) / steps >= curve.times_s.size - 1);
+  MARROW_CHECK(lengths.size >= 1 && (lengths.size - 1) / steps >= curve.times_s.size - 1);
   return {};
 }
 
@@ -40,7 +41,7 @@ float part_of(float from, float to, float x) {
 Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out) {
   MARROW_REQUIRE_GOOD(check_counts(curve));
   if (!has_length(curve)) return Status::unsupported;
-  MARROW_REQUIRE_GOOD(check_table(curve, steps, out.size));
+  MARROW_REQUIRE_GOOD(check_table(curve, steps, out));
   const float width = 1.0f / static_cast<float>(steps);
   double sum = 0.0;  // so that many short steps do not round away
   float* length = out.data;
@@ -58,7 +59,7 @@ Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out
 Status time_at_distance(const Curve& curve, const ArcLength& table, float distance, float& time_s) {
   MARROW_REQUIRE_GOOD(check_counts(curve));
   if (!has_length(curve)) return Status::unsupported;
-  MARROW_REQUIRE_GOOD(check_table(curve, table.steps, table.lengths.size));
+  MARROW_REQUIRE_GOOD(check_table(curve, table.steps, table.lengths));
   MARROW_REQUIRE(distance == distance);
   const std::size_t last = arc_length_count(curve.times_s.size, table.steps) - 1;
   const float* const lengths = table.lengths.data;

@@ -17,9 +17,9 @@ void de_casteljau(float* points, std::size_t count, std::size_t n, float u) {
 
 BadCall check_points(Span<const float> points, std::uint32_t n, float u, Span<float> scratch, Span<float> out) {
   MARROW_CHECK(n >= 1 && n <= kMaxComponents);
-  MARROW_CHECK(!points.empty() && points.size % n == 0);
-  MARROW_CHECK(scratch.size >= points.size);
-  MARROW_CHECK(out.size >= n);
+  MARROW_CHECK(holds(points) && !points.empty() && points.size % n == 0);
+  MARROW_CHECK(holds(scratch, points.size));
+  MARROW_CHECK(holds(out, n));
   MARROW_CHECK(is_finite(u));
   return {};
 }
@@ -49,8 +49,8 @@ Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t c
                      Span<float> out) {
   MARROW_REQUIRE(components >= 1 && components <= kMaxComponents);
   const std::size_t n = components;
-  MARROW_REQUIRE(points.size >= 16 * n);
-  MARROW_REQUIRE(out.size >= components);
+  MARROW_REQUIRE(holds(points, 16 * n));
+  MARROW_REQUIRE(holds(out, components));
   MARROW_REQUIRE(basis <= PatchBasis::bezier);
   MARROW_REQUIRE(is_finite(u) && is_finite(v));
   const bool through = basis == PatchBasis::catmull_rom;

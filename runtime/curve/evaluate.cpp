@@ -47,8 +47,8 @@ BadCall check_counts(const Curve& curve) {
   MARROW_CHECK(curve.kind <= CurveKind::centripetal);
   MARROW_CHECK(curve.components >= 1 && curve.components <= kMaxComponents);
   MARROW_CHECK(!curve.rotation || curve.components == 4);
-  MARROW_CHECK(!curve.times_s.empty());
-  MARROW_CHECK(curve.values.size >= curve_value_count(curve.kind, curve.components, curve.times_s.size));
+  MARROW_CHECK(holds(curve.times_s) && !curve.times_s.empty());
+  MARROW_CHECK(holds(curve.values, curve_value_count(curve.kind, curve.components, curve.times_s.size)));
   return {};
 }
 
@@ -74,7 +74,7 @@ Status check_curve(const Curve& curve) {
 Status evaluate_curve(const Curve& curve, float time_s, Span<float> out) {
   MARROW_REQUIRE_GOOD(check_counts(curve));
   MARROW_REQUIRE(time_s == time_s);
-  MARROW_REQUIRE(out.size >= curve.components);
+  MARROW_REQUIRE(holds(out, curve.components));
   if (curve.times_s.size == 1) {
     copy_key(curve, 0, out);
     return Status::ok;
@@ -92,7 +92,7 @@ Status evaluate_curve(const Curve& curve, float time_s, Span<float> out) {
 Status curve_velocity(const Curve& curve, float time_s, Span<float> out) {
   MARROW_REQUIRE_GOOD(check_counts(curve));
   MARROW_REQUIRE(time_s == time_s);
-  MARROW_REQUIRE(out.size >= curve.components);
+  MARROW_REQUIRE(holds(out, curve.components));
   if (curve.rotation) return Status::unsupported;
   const Span<const float> times_s = curve.times_s;
   float slope[kMaxComponents] = {};

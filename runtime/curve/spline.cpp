@@ -95,7 +95,7 @@ class Solver {
 
 BadCall check_keys(const Curve& keys, Span<float> out) {
   MARROW_CHECK(keys.kind == CurveKind::linear);
-  MARROW_CHECK(out.size >= curve_value_count(CurveKind::hermite, keys.components, keys.times_s.size));
+  MARROW_CHECK(holds(out, curve_value_count(CurveKind::hermite, keys.components, keys.times_s.size)));
   return {};
 }
 
@@ -119,7 +119,7 @@ Status clamped_spline(const Curve& keys, Span<const float> first_velocity, Span<
   MARROW_REQUIRE_GOOD(check_counts(keys));
   if (const Status status = check_curve(keys); status != Status::ok) return status;
   MARROW_REQUIRE_GOOD(check_keys(keys, out));
-  MARROW_REQUIRE(first_velocity.size >= keys.components && last_velocity.size >= keys.components);
+  MARROW_REQUIRE(holds(first_velocity, keys.components) && holds(last_velocity, keys.components));
   return solve(keys, first_velocity.data, last_velocity.data, out.data);
 }
 

@@ -172,10 +172,10 @@ bool turn_of_chain(Span<const std::uint32_t> joints, std::size_t i, const Aim& g
 // Of a chain, or of one joint.
 BadCall turn_chain(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                    Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_CHECK(local.size >= skeleton.soa_size());
-  MARROW_CHECK(scene_from_joint.size >= skeleton.joint_count);
+  MARROW_CHECK(holds(local, skeleton.soa_size()));
+  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
   MARROW_CHECK(is_share(goal.weight) && is_share(falloff));
-  MARROW_CHECK(!joints.empty() && joints[0] < skeleton.joint_count);
+  MARROW_CHECK(holds(joints) && !joints.empty() && joints[0] < skeleton.joint_count);
   for (std::size_t i = 1; i < joints.size; ++i) {
     MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);
     MARROW_CHECK(hangs_below(skeleton, joints[i], joints[i - 1]));

@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 #include "ik/turn_joint.h"
-#include "marrow/ik.h"
+#include "ik/two_bone.h"
 #include "marrow/local_to_model.h"
 #include "math/elementary.h"
 #include "math/finite.h"
@@ -59,10 +59,11 @@ BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& gro
 BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
   const Skeleton& skeleton = call.skeleton;
   const FeetFrame& frame = call.frame;
-  MARROW_CHECK(call.local.size >= skeleton.soa_size());
-  MARROW_CHECK(call.scene_from_joint.size >= skeleton.joint_count);
-  MARROW_CHECK(ground.size >= call.feet.feet.size);
-  MARROW_CHECK(motion.size >= call.feet.feet.size);
+  MARROW_CHECK(holds(call.local, skeleton.soa_size()));
+  MARROW_CHECK(holds(call.scene_from_joint, skeleton.joint_count));
+  MARROW_CHECK(holds(call.feet.feet));
+  MARROW_CHECK(holds(ground, call.feet.feet.size));
+  MARROW_CHECK(holds(motion, call.feet.feet.size));
   MARROW_CHECK(within(frame.dt_s, 0, kFarthest));
   MARROW_CHECK(within(frame.weight, 0, 1));
   MARROW_CHECK(within(dot(call.up, call.up), 0.999f, 1.001f));
@@ -189,6 +190,25 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
   store(m.normal, ground.normal);
 }
 
+// Whether nothing that is made of a motion gets out of hand, as it may of one that nobody here has written.
+bool is_sound(const FootMotion& m) {
+  for (const auto* const v : {&m.place, &m.offset, &m.lean, &m.point, &m.normal, &m.heading})
+    if (!all_within(*v, 3, -1e9f, 1e9f)) return false;
+  for (const auto* const v : {&m.offset_speed, &m.lean_speed})
+    if (!all_within(*v, 3, -1e18f, 1e18f)) return false;
+  return all_within(m.turn, 4, -1.01f, 1.01f) && within(m.turn_share, -1e9f, 1e9f) &&
+         within(m.turn_share_speed, -1e18f, 1e18f) && m.axis < 3;
+}
+
+// The same from and to a motion that is sound; else it begins anew.
+void follow_soundly(const FeetCall& call, const Foot& foot, const FootGround& given, FootMotion& m) {
+  if (!is_sound(m)) m = {};
+  follow(call, foot, given, m);
+  if (is_sound(m)) return;
+  m = {};
+  follow(call, foot, given, m);
+}
+
 // From the animated attitude of a foot to the one that is shown.
 Rotation turn_of(const FeetCall& call, const FootMotion& m) {
   const Vector3 normal = normalised_or(lean_of(call, vector3(m.normal)) + vector3(m.lean), call.up);
@@ -244,36 +264,35 @@ Vector3 into(const Affine& m, const Vector3& way) {
   return cofactors(rows) * way * (1.0f / volume);
 }
 
-Status move_pelvis(const FeetCall& call, float lift) {
+void move_pelvis(const FeetCall& call, float lift) {
   const std::uint32_t joint = call.feet.pelvis;
-  if (joint == kNoJoint || lift == 0) return Status::ok;
+  if (joint == kNoJoint || lift == 0) return;
   const Affine& parent = joint < call.skeleton.root_count ? call.skeleton.scene_from_root[joint]
                                                           : call.scene_from_joint[call.skeleton.parents[joint]];
   const Vector3 way = into(parent, into(call.frame.world_from_scene, call.up * lift));
-  if (!near(way)) return Status::ok;
+  if (!near(way)) return;
   float(&t)[3][4] = call.local[joint / 4].translation;
   t[0][joint % 4] += way.x, t[1][joint % 4] += way.y, t[2][joint % 4] += way.z;
-  return local_to_model_below(call.skeleton, call.local, joint, call.scene_from_joint);
+  (void)local_to_model_below(call.skeleton, call.local, joint, call.scene_from_joint);
 }
 
-// Leg to `goal`, ankle to the axes `want`.
-Status turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const Linear<float>& want, bool& reached) {
+// Leg to `goal`, ankle to the axes `want`. A leg that has gone too far for that stays as it is.
+void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const Linear<float>& want, bool& reached) {
   const Affine& ankle = call.scene_from_joint[foot.ankle];
-  const Status limb = solve_two_bone(call.skeleton, {foot.hip, foot.knee, foot.ankle}, goal, call.local,
-                                     call.scene_from_joint, &reached);
-  if (limb != Status::ok) return limb;
+  if (reach(call.skeleton, {foot.hip, foot.knee, foot.ankle}, goal, call.local, call.scene_from_joint, &reached))
+    return;
   const Rotation q = rotation_between(right_axes(call.frame.world_from_scene, ankle), want);
   const float mirror = determinant(ankle) < 0 ? -1.0f : 1.0f;  // the third axis is then the other way round
   const float own[4] = {mirror * q.x, mirror * q.y, q.z, q.w};
   turn_joint(call.local, foot.ankle, own);
-  return local_to_model_below(call.skeleton, call.local, foot.ankle, call.scene_from_joint);
+  (void)local_to_model_below(call.skeleton, call.local, foot.ankle, call.scene_from_joint);
 }
 
-Status place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
+void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   const Affine& world = call.frame.world_from_scene;
   TwoBone goal;
   goal.weight = call.frame.weight * foot.weight;
-  if (goal.weight == 0) return Status::ok;
+  if (goal.weight == 0) return;
   store(goal.bend_axis, vector3(foot.bend_axis));
   const Rotation whole = turn_of(call, m), turned = share_of(whole, goal.weight);
   const Linear<float> animated = right_axes(world, call.scene_from_joint[foot.ankle]);
@@ -281,25 +300,27 @@ Status place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   Vector3 target = ankle_of(call, foot, m, whole);
   // Once, but where joints are scaled unevenly and the foot is not the shape that it was before the leg turned.
   for (int i = 0; i < 3; ++i) {
-    store(goal.target, into(world, target - origin(world)));
+    const Vector3 in_scene = into(world, target - origin(world));
+    if (!near(in_scene)) return;
+    store(goal.target, in_scene);
     bool reached = false;
-    const Status turning = turn_leg(call, foot, goal, want, reached);
-    if (turning != Status::ok) return turning;
+    turn_leg(call, foot, goal, want, reached);
     m.reached = reached ? 1 : 0;
     const Vector3 miss = vector3(m.place) - sole_of(call, foot);
     const Vector3 leg = target - transform(world, origin(call.scene_from_joint[foot.hip]));
     if (goal.weight < 1 || !reached || dot(miss, miss) <= 1e-8f * dot(leg, leg)) break;
     target = transform(world, origin(call.scene_from_joint[foot.ankle])) + miss;
   }
-  return Status::ok;
 }
 
 }  // namespace
 
 Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
                  float (&sole_world)[3]) {
-  MARROW_REQUIRE(foot.ankle < scene_from_joint.size);
-  store(sole_world, transform(world_from_scene, transform(scene_from_joint[foot.ankle], vector3(foot.sole))));
+  MARROW_REQUIRE(holds(scene_from_joint) && foot.ankle < scene_from_joint.size);
+  const Vector3 sole = transform(world_from_scene, transform(scene_from_joint[foot.ankle], vector3(foot.sole)));
+  MARROW_REQUIRE(near(sole));
+  store(sole_world, sole);
   return Status::ok;
 }
 
@@ -310,14 +331,10 @@ Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& f
   call.rate = kAllButTwoPercent / feet.ease_s;
   call.decay = exp_negative(-(call.rate * frame.dt_s));
   call.slope = cos_sin(feet.slope_rad);
-  for (std::size_t i = 0; i < feet.feet.size; ++i) follow(call, feet.feet[i], ground[i], motion[i]);
+  for (std::size_t i = 0; i < feet.feet.size; ++i) follow_soundly(call, feet.feet[i], ground[i], motion[i]);
   if (frame.weight == 0) return Status::ok;
-  const Status pelvis = move_pelvis(call, pelvis_lift(call, motion));
-  if (pelvis != Status::ok) return pelvis;
-  for (std::size_t i = 0; i < feet.feet.size; ++i) {
-    const Status placed = place_foot(call, feet.feet[i], motion[i]);
-    if (placed != Status::ok) return placed;
-  }
+  move_pelvis(call, pelvis_lift(call, motion));
+  for (std::size_t i = 0; i < feet.feet.size; ++i) place_foot(call, feet.feet[i], motion[i]);
   return Status::ok;
 }
 

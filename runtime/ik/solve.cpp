@@ -24,6 +24,7 @@ BadCall check_goal(const Skeleton& skeleton, const IkGoal& goal) {
 
 BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
   MARROW_CHECK(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
+  MARROW_CHECK(holds(problem.goals) && holds(problem.joints) && holds(problem.stiffness) && holds(problem.limits));
   MARROW_CHECK(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number
   MARROW_CHECK(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
   MARROW_CHECK(within(problem.root_travel_m, 0, kMost));
@@ -62,7 +63,7 @@ std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& proble
 }  // namespace
 
 std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem, const IkOptions& options) {
-  if (problem.goals.empty() || problem.joints.empty()) return 0;
+  if (!holds(problem.goals, 1) || !holds(problem.joints, 1)) return 0;
   return tree_scratch_bytes(skeleton, problem) +
          (is_jacobian(options.method) ? jacobian_scratch_bytes(skeleton, problem) : heuristic_scratch_bytes(problem));
 }
@@ -78,11 +79,11 @@ Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine>
 BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                     const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                     std::size_t scratch_bytes, IkReport* report) {
-  MARROW_CHECK(local.size >= skeleton.soa_size());
-  MARROW_CHECK(scene_from_joint.size >= skeleton.joint_count);
+  MARROW_CHECK(holds(local, skeleton.soa_size()));
+  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
   if (const BadCall bad = check_problem(skeleton, problem)) return bad;
   if (const BadCall bad = check_options(options)) return bad;
-  MARROW_CHECK(scratch.size >= scratch_bytes);
+  MARROW_CHECK(holds(scratch, scratch_bytes));
   Memory memory{block_in(scratch).data};
   IkTree tree;
   const IkTreeMemory placed = place_tree(skeleton, problem, memory);

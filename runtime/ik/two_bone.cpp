@@ -53,6 +53,14 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
   return {};
 }
 
+// The kernel, of joints that are there.
+[[gnu::noinline, gnu::flatten]] BadCall solve_reach(const TwoBoneJoints& joints, const TwoBone& goal,
+                                                    TwoBoneTurns& out) {
+  const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
+  if (usual && solve_one<true>(joints, goal, out)) return {};
+  return solve_any(joints, goal, out);
+}
+
 // The translations of `joint` and of all above it up to `start`, which stays as it is.
 void stretch_limb(const Skeleton& skeleton, std::uint32_t start, std::uint32_t joint, float stretch,
                   Span<SoaTransform> local) {
@@ -62,31 +70,35 @@ void stretch_limb(const Skeleton& skeleton, std::uint32_t start, std::uint32_t j
 
 }  // namespace
 
-[[gnu::flatten]] Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
-  const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
-  if (usual && solve_one<true>(joints, goal, out)) return Status::ok;
-  MARROW_REQUIRE_GOOD(solve_any(joints, goal, out));
+Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  MARROW_REQUIRE(joints.start != nullptr && joints.mid != nullptr && joints.end != nullptr);
+  MARROW_REQUIRE_GOOD(solve_reach(joints, goal, out));
   return Status::ok;
+}
+
+BadCall reach(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
+              Span<Affine> scene_from_joint, bool* reached) {
+  MARROW_CHECK(holds(local, skeleton.soa_size()));
+  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
+  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
+  MARROW_CHECK(hangs_below(skeleton, limb.mid, limb.start) && hangs_below(skeleton, limb.end, limb.mid));
+  const Affine* const joints = scene_from_joint.data;
+  TwoBoneTurns turns;
+  if (const BadCall bad = solve_reach({joints + limb.start, joints + limb.mid, joints + limb.end}, goal, turns))
+    return bad;
+  if (reached != nullptr) *reached = turns.reached;
+  if (goal.weight == 0) return {};
+  turn_joint(local, limb.start, turns.start);
+  turn_joint(local, limb.mid, turns.mid);
+  if (turns.stretch != 1) stretch_limb(skeleton, limb.start, limb.end, turns.stretch, local);
+  (void)local_to_model_below(skeleton, local, limb.start, scene_from_joint);
+  return {};
 }
 
 Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
                       Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE(local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(scene_from_joint.size >= skeleton.joint_count);
-  MARROW_REQUIRE(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
-  MARROW_REQUIRE(hangs_below(skeleton, limb.mid, limb.start) && hangs_below(skeleton, limb.end, limb.mid));
-  MARROW_REQUIRE(is_share(goal.weight) && is_share(goal.soft));
-  MARROW_REQUIRE(is_stretch(goal.max_stretch));
-  const Affine* const joints = scene_from_joint.data;
-  TwoBoneTurns turns;
-  const Status status = two_bone({joints + limb.start, joints + limb.mid, joints + limb.end}, goal, turns);
-  if (status != Status::ok) return status;
-  if (reached != nullptr) *reached = turns.reached;
-  if (goal.weight == 0) return Status::ok;
-  turn_joint(local, limb.start, turns.start);
-  turn_joint(local, limb.mid, turns.mid);
-  if (turns.stretch != 1) stretch_limb(skeleton, limb.start, limb.end, turns.stretch, local);
-  return local_to_model_below(skeleton, local, limb.start, scene_from_joint);
+  MARROW_REQUIRE_GOOD(reach(skeleton, limb, goal, local, scene_from_joint, reached));
+  return Status::ok;
 }
 
 }  // namespace marrow

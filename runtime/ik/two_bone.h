@@ -1,9 +1,15 @@
 // A limb of two bones solved, one limb or four at a time: the same operations in the same order, so the same bits.
 #pragma once
 
+#include "core/check.h"
 #include "ik/turn_onto.h"
+#include "marrow/ik.h"
 
 namespace marrow {
+
+// solve_two_bone(), for what does not refuse when it does.
+BadCall reach(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
+              Span<Affine> scene_from_joint, bool* reached);
 
 template <class F>
 struct LimbProblem {

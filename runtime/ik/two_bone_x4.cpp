@@ -76,6 +76,7 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
 
 [[gnu::flatten]] Status two_bone_x4(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4],
                                     TwoBoneTurns (&out)[4]) {
+  for (const TwoBoneJoints& j : joints) MARROW_REQUIRE(j.start != nullptr && j.mid != nullptr && j.end != nullptr);
   const bool stretched = is_partial(goals[0].max_stretch) || is_partial(goals[1].max_stretch) ||
                          is_partial(goals[2].max_stretch) || is_partial(goals[3].max_stretch);
   if (!stretched && solve_four<true>(joints, goals, false, out)) return Status::ok;

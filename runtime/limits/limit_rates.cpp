@@ -80,6 +80,19 @@ Vector3 finite_or_none(const Vector3& velocity) {
   return is_finite(velocity) ? velocity : Vector3{};
 }
 
+// Whether a follower is one that has been here: its velocity may be that of the farthest target in the shortest frame.
+bool is_sound(const float (&velocity)[3], float frame_s, std::uint32_t mode) {
+  return all_within(velocity, 3, -1e25f, 1e25f) && within(frame_s, 0, kLongest_s) && mode <= kOnTarget;
+}
+bool is_sound(const PointFollower& f) {
+  return all_within(f.point, 3, -1e18f, 1e18f) && all_within(f.target, 3, -1e18f, 1e18f) &&
+         is_sound(f.velocity, f.frame_s, f.mode);
+}
+bool is_sound(const RotationFollower& f) {
+  const Rotation at = rotation(f.rotation), target = rotation(f.target);
+  return has_direction(dot(at, at)) && has_direction(dot(target, target)) && is_sound(f.velocity, f.frame_s, f.mode);
+}
+
 float frame_time(float dt_s) {
   return greater(lesser(dt_s, kLongest_s), kShortest_s);
 }
@@ -116,7 +129,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   MARROW_CHECK(is_limit(limit));
   const Rotation to = rotation(target), unit = normalised(to);
   MARROW_CHECK(has_direction(dot(to, to)));
-  if (state.mode == kNotBegun) {
+  if (state.mode == kNotBegun || !is_sound(state)) {
     state = {};
     store(state.rotation, to);
     store(state.target, to);
@@ -146,7 +159,7 @@ Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, 
   MARROW_REQUIRE(is_limit(limit));
   const Vector3 to = vector3(target);
   MARROW_REQUIRE(dot(to, to) < 1e30f);
-  if (state.mode == kNotBegun) {
+  if (state.mode == kNotBegun || !is_sound(state)) {
     state = {};
     store(state.point, to);
     store(state.target, to);
@@ -172,7 +185,8 @@ Status follow_rotation(RotationFollower& state, const float (&target)[4], float 
 }
 
 Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s, Span<SoaTransform> local) {
-  MARROW_REQUIRE(states.size >= limits.size);
+  MARROW_REQUIRE(holds(limits) && holds(local));
+  MARROW_REQUIRE(holds(states, limits.size));
   MARROW_REQUIRE(is_time(dt_s));
   for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint / 4u < local.size);
   for (std::size_t i = 0; i < limits.size; ++i) {

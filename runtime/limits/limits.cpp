@@ -147,6 +147,7 @@ float limit_excess(const JointLimit& limit, const float (&local)[4]) {
 }
 
 Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local) {
+  MARROW_REQUIRE(holds(limits) && holds(local));
   for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint / 4u < local.size);
   for (const JointLimit& limit : limits) {
     if (limit.kind == LimitKind::none) continue;

@@ -43,9 +43,9 @@ void add_layer(const AdditiveLayer& layer, std::size_t groups, SoaTransform* pos
 Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Span<const SoaTransform> reference,
                      Span<AdditiveTransform> out) {
   const std::size_t groups = skeleton.soa_size();
-  MARROW_REQUIRE(pose.size >= groups);
-  MARROW_REQUIRE(reference.size >= groups);
-  MARROW_REQUIRE(out.size >= groups);
+  MARROW_REQUIRE(holds(pose, groups));
+  MARROW_REQUIRE(holds(reference, groups));
+  MARROW_REQUIRE(holds(out, groups));
   for (std::size_t g = 0; g < groups; ++g) {
     const SoaTransform &p = pose[g], &r = reference[g];
     const Quaternion<f32x4> change = load_rotations(p.rotation) * conjugate(load_rotations(r.rotation));
@@ -66,10 +66,10 @@ Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Sp
 
 Status add(const Skeleton& skeleton, const AdditiveLayer& layer, Span<SoaTransform> pose) {
   const std::size_t groups = skeleton.soa_size();
-  MARROW_REQUIRE(pose.size >= groups);
-  MARROW_REQUIRE(layer.change.size >= groups);
+  MARROW_REQUIRE(holds(pose, groups));
+  MARROW_REQUIRE(holds(layer.change, groups));
   MARROW_REQUIRE(within(layer.weight, 0.0f, 1.0f));
-  MARROW_REQUIRE(long_enough(layer.mask, groups));
+  MARROW_REQUIRE(layer.mask.empty() || holds(layer.mask, 4 * groups));
   if (layer.weight == 0.0f) return Status::ok;
   layer.mask.empty() ? add_layer<false>(layer, groups, pose.data) : add_layer<true>(layer, groups, pose.data);
   return Status::ok;

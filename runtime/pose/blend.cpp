@@ -188,14 +188,15 @@ constexpr float kNegligible = 1e-12f;
 
 Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTransform> out, float threshold) {
   const std::size_t groups = skeleton.soa_size();
-  MARROW_REQUIRE(out.size >= groups);
+  MARROW_REQUIRE(holds(out, groups));
   MARROW_REQUIRE(within(threshold, 1e-6f, kMaxBlendWeight));
+  MARROW_REQUIRE(holds(layers));
   bool masked = false;
   float total = 0.0f;
   for (const BlendLayer& layer : layers) {
-    MARROW_REQUIRE(layer.pose.size >= groups);
+    MARROW_REQUIRE(holds(layer.pose, groups));
     MARROW_REQUIRE(within(layer.weight, 0.0f, kMaxBlendWeight));
-    MARROW_REQUIRE(long_enough(layer.mask, groups));
+    MARROW_REQUIRE(layer.mask.empty() || holds(layer.mask, 4 * groups));
     total += layer.weight;
     masked |= !layer.mask.empty();
   }
@@ -228,10 +229,10 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
 
 Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose) {
   const std::size_t groups = skeleton.soa_size();
-  MARROW_REQUIRE(pose.size >= groups);
-  MARROW_REQUIRE(layer.pose.size >= groups);
+  MARROW_REQUIRE(holds(pose, groups));
+  MARROW_REQUIRE(holds(layer.pose, groups));
   MARROW_REQUIRE(within(layer.weight, 0.0f, 1.0f));
-  MARROW_REQUIRE(long_enough(layer.mask, groups));
+  MARROW_REQUIRE(layer.mask.empty() || holds(layer.mask, 4 * groups));
   const f32x4 zero = splat(0.0f), one = splat(1.0f), weight = splat(layer.weight);
   for (std::size_t g = 0; g < groups; ++g) {
     const f32x4 w = factors(layer.mask, g) * weight;

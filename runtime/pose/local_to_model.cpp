@@ -64,8 +64,8 @@ void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::
 }
 
 Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out) {
-  MARROW_REQUIRE(local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(out.size >= skeleton.joint_count);
+  MARROW_REQUIRE(holds(local, skeleton.soa_size()));
+  MARROW_REQUIRE(holds(out, skeleton.joint_count));
   transform_joints(skeleton, local.data, 0, skeleton.joint_count, out.data);
   return Status::ok;
 }
@@ -73,8 +73,8 @@ Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, 
 Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint_count,
                             Span<Affine> out) {
   MARROW_REQUIRE(joint_count <= skeleton.joint_count);
-  MARROW_REQUIRE(local.size >= soa_count(joint_count));
-  MARROW_REQUIRE(out.size >= joint_count);
+  MARROW_REQUIRE(holds(local, soa_count(joint_count)));
+  MARROW_REQUIRE(holds(out, joint_count));
   transform_joints(skeleton, local.data, 0, joint_count, out.data);
   return Status::ok;
 }
@@ -85,8 +85,8 @@ Status local_to_model_below(const Skeleton& skeleton, Span<const SoaTransform> l
   const std::uint32_t count = skeleton.joint_count;
   const std::uint16_t* const parents = skeleton.parents;
   MARROW_REQUIRE(joint < count);
-  MARROW_REQUIRE(local.size >= skeleton.soa_size());
-  MARROW_REQUIRE(out.size >= count);
+  MARROW_REQUIRE(holds(local, skeleton.soa_size()));
+  MARROW_REQUIRE(holds(out, count));
   std::uint32_t first = joint, end = joint + 1;
   while (first < end) {
     transform_joints(skeleton, local.data, first, end, out.data);

@@ -1,4 +1,4 @@
-// Per-joint factors of weights, and the checks that layers share.
+// Per-joint factors of weights.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,6 @@ namespace marrow {
 // The mask's factors of one group, whatever the caller wrote there: 0 … 1.
 inline f32x4 factors(Span<const float> mask, std::size_t group) {
   return mask.empty() ? splat(1.0f) : clamp_to_unit(load(mask.data + 4 * group));
-}
-
-inline bool long_enough(Span<const float> mask, std::size_t groups) {
-  return mask.empty() || mask.size >= 4 * groups;
 }
 
 }  // namespace marrow

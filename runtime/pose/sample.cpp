@@ -112,11 +112,11 @@ class MomentFinder {
 
 BadCall sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
                     const SampleOptions& options) {
-  MARROW_CHECK(out.size >= skeleton.soa_size());
+  MARROW_CHECK(holds(out, skeleton.soa_size()));
   MARROW_CHECK(time_s == time_s);
   for (const Track& track : clip.tracks) MARROW_CHECK(track.joint < skeleton.joint_count);
   MARROW_CHECK(clip.coded.frame_count == 0 || clip.joint_count == skeleton.joint_count);
-  MARROW_CHECK(options.joints.empty() || options.joints.size >= (std::size_t{skeleton.joint_count} + 31) / 32);
+  MARROW_CHECK(options.joints.empty() || holds(options.joints, (std::size_t{skeleton.joint_count} + 31) / 32));
   if (clip.coded.frame_count != 0) {
     sample_coded(skeleton, clip.coded, time_s, options, out.data);
   } else if (!options.prefilled) {
@@ -149,7 +149,7 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
 }
 
 Status sample_channels(const Clip& clip, float time_s, Span<float> out) {
-  MARROW_REQUIRE(out.size >= clip.channels.size);
+  MARROW_REQUIRE(holds(out, clip.channels.size));
   MARROW_REQUIRE(time_s == time_s);
   MomentFinder moment(clip, time_s);
   for (std::size_t i = 0; i < clip.channels.size; ++i) {

@@ -87,9 +87,9 @@ Status cross_fade(const Skeleton& skeleton, Span<const SoaTransform> from, Span<
                   Span<SoaTransform> out) {
   const std::size_t groups = skeleton.soa_size();
   MARROW_REQUIRE(within(weight, 0.0f, 1.0f));
-  MARROW_REQUIRE(from.size >= groups);
-  MARROW_REQUIRE(to.size >= groups);
-  MARROW_REQUIRE(out.size >= groups);
+  MARROW_REQUIRE(holds(from, groups));
+  MARROW_REQUIRE(holds(to, groups));
+  MARROW_REQUIRE(holds(out, groups));
   const BlendLayer layers[2] = {{from, 1.0f - weight, {}}, {to, weight, {}}};
   return blend(skeleton, {layers, 2}, out);
 }
@@ -97,11 +97,11 @@ Status cross_fade(const Skeleton& skeleton, Span<const SoaTransform> from, Span<
 Status begin_inertia(const Skeleton& skeleton, const InertialStart& start, float duration_s, Inertia& inertia) {
   const std::size_t groups = skeleton.soa_size();
   const bool moving = !start.target_was.empty();
-  MARROW_REQUIRE(inertia.offsets.size >= groups);
-  MARROW_REQUIRE(start.before.size >= groups);
-  MARROW_REQUIRE(start.now.size >= groups);
-  MARROW_REQUIRE(start.target.size >= groups);
-  MARROW_REQUIRE(!moving || start.target_was.size >= groups);
+  MARROW_REQUIRE(holds(inertia.offsets, groups));
+  MARROW_REQUIRE(holds(start.before, groups));
+  MARROW_REQUIRE(holds(start.now, groups));
+  MARROW_REQUIRE(holds(start.target, groups));
+  MARROW_REQUIRE(!moving || holds(start.target_was, groups));
   MARROW_REQUIRE(above_zero(start.frame_s));
   MARROW_REQUIRE(above_zero(duration_s) && duration_s <= kLongest_s);
   const f32x4 frame = splat(start.frame_s > kShortest_s ? start.frame_s : kShortest_s),
@@ -121,10 +121,10 @@ Status begin_inertia(const Skeleton& skeleton, const InertialStart& start, float
 
 Status apply_inertia(const Skeleton& skeleton, const Inertia& inertia, float time_s, Span<SoaTransform> pose) {
   const std::size_t groups = skeleton.soa_size();
-  MARROW_REQUIRE(pose.size >= groups);
+  MARROW_REQUIRE(holds(pose, groups));
   MARROW_REQUIRE(time_s == time_s);
   if (!(time_s < inertia.duration_s)) return Status::ok;
-  MARROW_REQUIRE(inertia.offsets.size >= groups);
+  MARROW_REQUIRE(holds(inertia.offsets, groups));
   const f32x4 time = splat(time_s > 0.0f ? time_s : 0.0f);
   for (std::size_t g = 0; g < groups; ++g) {
     SoaTransform& p = pose[g];

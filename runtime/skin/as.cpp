@@ -126,8 +126,8 @@ class WithTangents {
 
 Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out,
                Span<const float> tangents) {
-  MARROW_REQUIRE(coordinates.size >= as_coordinate_count(mesh.geometry));
-  MARROW_REQUIRE(tangents.empty() || tangents.size >= as_tangent_count(mesh.geometry));
+  MARROW_REQUIRE(holds(coordinates, as_coordinate_count(mesh.geometry)));
+  MARROW_REQUIRE(tangents.empty() || holds(tangents, as_tangent_count(mesh.geometry)));
   if (tangents.empty() || out.normals.empty()) {
     MARROW_REQUIRE_GOOD(deform<AnimationSpace>(mesh, coordinates.data, palette, out));
   } else {

@@ -11,7 +11,7 @@ std::size_t as_coordinate_count(const Geometry& geometry) {
 }
 
 Status as_coordinates(const Geometry& geometry, Span<float> out) {
-  MARROW_REQUIRE(out.size >= as_coordinate_count(geometry));
+  MARROW_REQUIRE(holds(out, as_coordinate_count(geometry)));
   const float* skin = geometry.skin;
   const float* residual = geometry.as_residual;
   float* q = out.data;

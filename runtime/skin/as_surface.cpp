@@ -17,6 +17,7 @@ struct Counts {
 Counts count(Span<const AsPart> parts) {
   Counts c{parts.size, 0, 0, 4};
   for (const AsPart& part : parts) {
+    if (part.mesh == nullptr) continue;  // as_tangents() refuses it
     c.slots += part.mesh->geometry.slot_count;
     c.corners += part.mesh->geometry.index_count;
   }

@@ -166,12 +166,13 @@ std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts) {
 }
 
 Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch) {
+  MARROW_REQUIRE(holds(parts));
   for (const AsPart& part : parts) {
     MARROW_REQUIRE(part.mesh != nullptr && part.mesh->geometry.normals != nullptr);
-    MARROW_REQUIRE(part.coordinates.size >= as_coordinate_count(part.mesh->geometry));
-    MARROW_REQUIRE(part.tangents.size >= as_tangent_count(part.mesh->geometry));
+    MARROW_REQUIRE(holds(part.coordinates, as_coordinate_count(part.mesh->geometry)));
+    MARROW_REQUIRE(holds(part.tangents, as_tangent_count(part.mesh->geometry)));
   }
-  MARROW_REQUIRE(scratch.size >= as_tangent_scratch_bytes(parts));
+  MARROW_REQUIRE(holds(scratch, as_tangent_scratch_bytes(parts)));
   MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(scratch.data) % alignof(std::uint32_t) == 0);
   const AsSurface surface(parts, scratch);
   for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {

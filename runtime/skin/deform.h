@@ -109,11 +109,11 @@ BadCall deform(const Mesh& mesh, const float* stream, Span<const Affine> palette
   const std::size_t slots = g.slot_count;
   const bool normals = !out.normals.empty(), tangents = !out.tangents.empty();
   const bool exact = out.normal_transform == NormalTransform::inverse_transpose;
-  MARROW_CHECK(palette.size >= mesh.palette_size());
+  MARROW_CHECK(holds(palette, mesh.palette_size()));
   MARROW_CHECK(aligned(g.skin) && aligned(g.normals) && aligned(g.tangents));
-  MARROW_CHECK(out.positions.size >= slots * 3);
-  MARROW_CHECK(!normals || (g.normals != nullptr && out.normals.size >= slots * 3));
-  MARROW_CHECK(!tangents || (normals && g.tangents != nullptr && out.tangents.size >= slots * 4));
+  MARROW_CHECK(holds(out.positions, slots * 3));
+  MARROW_CHECK(!normals || (g.normals != nullptr && holds(out.normals, slots * 3)));
+  MARROW_CHECK(!tangents || (normals && g.tangents != nullptr && holds(out.tangents, slots * 4)));
   if (!normals) {
     deform_runs<Directions::none>(deformer, g, stream, palette.data, out);
   } else if (!tangents) {

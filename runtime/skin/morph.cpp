@@ -144,7 +144,7 @@ void add_target(const MorphTarget& t, const Index* blocks, float weight, const M
 
 Status find_weight_channels(const File& file, const Mesh& mesh, const File& clips, const Clip& clip,
                             Span<std::uint32_t> out) {
-  MARROW_REQUIRE(out.size >= mesh.targets.size);
+  MARROW_REQUIRE(holds(out, mesh.targets.size));
   for (std::size_t t = 0; t < mesh.targets.size; ++t) {
     const std::uint32_t found = clips.find_channel(clip, file.text(mesh.targets[t].channel));
     out[t] = found < clip.channels.size ? found : kNoChannel;
@@ -153,11 +153,14 @@ Status find_weight_channels(const File& file, const Mesh& mesh, const File& clip
 }
 
 Status morph_weights(const Mesh& mesh, Span<const std::uint32_t> channels, Span<const float> values, Span<float> out) {
-  MARROW_REQUIRE(out.size >= mesh.targets.size);
-  MARROW_REQUIRE(channels.empty() || channels.size >= mesh.targets.size);
+  MARROW_REQUIRE(holds(out, mesh.targets.size));
+  MARROW_REQUIRE(channels.empty() || holds(channels, mesh.targets.size));
+  MARROW_REQUIRE(holds(values));
+  const auto channel_of = [&](std::size_t t) { return channels.empty() ? kNoChannel : channels[t]; };
+  for (std::size_t t = 0; t < mesh.targets.size; ++t)
+    MARROW_REQUIRE(channel_of(t) == kNoChannel || channel_of(t) < values.size);
   for (std::size_t t = 0; t < mesh.targets.size; ++t) {
-    const std::uint32_t channel = channels.empty() ? kNoChannel : channels[t];
-    MARROW_REQUIRE(channel == kNoChannel || channel < values.size);
+    const std::uint32_t channel = channel_of(t);
     out[t] = channel == kNoChannel ? mesh.targets[t].weight : values[channel];
   }
   return Status::ok;
@@ -168,7 +171,7 @@ std::size_t morphed_bytes(const Geometry& geometry) {
 }
 
 Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeometry& out) {
-  MARROW_REQUIRE(memory.size >= morphed_bytes(geometry));
+  MARROW_REQUIRE(holds(memory, morphed_bytes(geometry)));
   MorphedGeometry made;
   made.bind = made.geometry = geometry;
   if (!geometry.targets.empty()) {
@@ -199,7 +202,7 @@ Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeo
 
 Status morph(Span<const float> weights, MorphedGeometry& morphed) {
   const Geometry& bind = morphed.bind;
-  MARROW_REQUIRE(weights.size >= bind.targets.size);
+  MARROW_REQUIRE(holds(weights, bind.targets.size));
   for (std::size_t t = 0; t < bind.targets.size; ++t) MARROW_REQUIRE(weights[t] - weights[t] == 0.0f);
   const Streams to(morphed.geometry);
   if (bind.targets.empty()) return Status::ok;
@@ -228,7 +231,7 @@ Status morph(Span<const float> weights, MorphedGeometry& morphed) {
 
 Status morph_coordinates(MorphedGeometry& morphed, Span<float> coordinates) {
   const Geometry& bind = morphed.bind;
-  MARROW_REQUIRE(coordinates.size >= as_coordinate_count(bind));
+  MARROW_REQUIRE(holds(coordinates, as_coordinate_count(bind)));
   if (bind.targets.empty()) return Status::ok;
   const std::size_t words = word_count(bind);
   for_each_block(morphed.changed, words, [&](std::size_t block) {

@@ -85,7 +85,7 @@ class MultiWeight {
 Status skin_mwe(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
   const Geometry& g = mesh.geometry;
   MARROW_REQUIRE(g.mwe_residual != nullptr && aligned(g.mwe_residual));
-  MARROW_REQUIRE(palette.size >= mesh.palette_size() && g.mwe_root < mesh.palette_size());
+  MARROW_REQUIRE(holds(palette, mesh.palette_size()) && g.mwe_root < mesh.palette_size());
   MARROW_REQUIRE_GOOD(deform(mesh, g.skin, palette, out, MultiWeight(g.mwe_residual, palette[g.mwe_root])));
   return Status::ok;
 }

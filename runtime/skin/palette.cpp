@@ -20,9 +20,13 @@ double volume(const Affine& map) {
 
 Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
                      Span<Affine> out, Span<const HalfJoint> half_joints) {
-  MARROW_REQUIRE(bind.size >= joints.size);
-  MARROW_REQUIRE(out.size >= joints.size + half_joints.size);
-  for (const HalfJoint& h : half_joints) MARROW_REQUIRE(h.parent < joints.size && h.joint < joints.size);
+  MARROW_REQUIRE(holds(joints) && holds(half_joints) && holds(scene_from_joint));
+  MARROW_REQUIRE(holds(bind, joints.size));
+  MARROW_REQUIRE(holds(out, joints.size + half_joints.size));
+  for (const HalfJoint& h : half_joints) {
+    MARROW_REQUIRE(h.parent < joints.size && h.joint < joints.size);
+    MARROW_REQUIRE(h.share > 0 && h.share < 1);
+  }
   std::uint16_t last = 0;
   for (const std::uint16_t joint : joints) last = last < joint ? joint : last;
   MARROW_REQUIRE(joints.empty() || last < scene_from_joint.size);

@@ -117,7 +117,7 @@ class PoseSpaceSkin {
 Status skin_psd(const Mesh& mesh, Span<const float> distances, Span<const Affine> palette, const SkinOutput& out) {
   const Geometry& g = mesh.geometry;
   MARROW_REQUIRE(g.pose_space.examples.size <= kMaxPoseExamples);
-  MARROW_REQUIRE(distances.size >= psd_distance_count(g));
+  MARROW_REQUIRE(holds(distances, psd_distance_count(g)));
   MARROW_REQUIRE_GOOD(deform(mesh, g.skin, palette, out, PoseSpaceSkin(g, distances.data)));
   return Status::ok;
 }

@@ -75,8 +75,8 @@ std::size_t psd_distance_count(const Geometry& geometry) {
 Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<float> out) {
   const PoseSpace& space = geometry.pose_space;
   const std::size_t joints = geometry.joint_count, examples = space.examples.size;
-  MARROW_REQUIRE(palette.size >= joints);
-  MARROW_REQUIRE(out.size >= psd_distance_count(geometry));
+  MARROW_REQUIRE(holds(palette, joints));
+  MARROW_REQUIRE(holds(out, psd_distance_count(geometry)));
   if (examples == 0) return Status::ok;
   const f32x4 falloff = splat(-0.5f / (space.sigma * space.sigma));
   const f32x4 zero = splat(0.0f), one = splat(1.0f);

@@ -40,10 +40,10 @@ bool good_settings(const SpringJoint& j) {
 }
 
 BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
-  MARROW_CHECK(chains.size <= skeleton.joint_count);
+  MARROW_CHECK(holds(chains) && chains.size <= skeleton.joint_count);
   std::size_t joints = 0;
   for (const SpringChain& chain : chains) {
-    MARROW_CHECK(bone_count(chain) > 0);
+    MARROW_CHECK(holds(chain.joints) && bone_count(chain) > 0);
     joints += chain.joints.size;
     MARROW_CHECK(joints <= skeleton.joint_count);
     for (const float x : chain.tip) MARROW_CHECK(within(x, -1e6f, 1e6f));
@@ -121,7 +121,7 @@ void find_below(const Skeleton& skeleton, Springs& springs) {
 }  // namespace
 
 std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chains) {
-  if (chains.empty()) return 0;
+  if (!holds(chains, 1)) return 0;
   const std::size_t ranges = (static_cast<std::size_t>(skeleton.joint_count) + 1) / 2;
   return groups_of(chains) * sizeof(SpringGroup) + chains.size * sizeof(SpringRoot) + ranges * sizeof(JointRange);
 }
@@ -129,7 +129,7 @@ std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chai
 Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Span<std::byte> memory, Springs& out) {
   MARROW_REQUIRE_GOOD(check_chains(skeleton, chains));
   const std::size_t bytes = springs_bytes(skeleton, chains), groups = groups_of(chains);
-  MARROW_REQUIRE(memory.size >= bytes);
+  MARROW_REQUIRE(holds(memory, bytes));
   MARROW_REQUIRE(bytes == 0 || is_on_boundary(memory.data));
   if (bytes > 0) std::memset(memory.data, 0, bytes);
   out.groups = reinterpret_cast<SpringGroup*>(memory.data);

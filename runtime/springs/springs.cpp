@@ -46,14 +46,14 @@ bool good_vector(const float (&v)[3]) {
 BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
                     Span<const SoaTransform> local, Span<const Affine> scene_from_joint) {
   MARROW_CHECK(springs.joint_count == skeleton.joint_count);
-  MARROW_CHECK(local.size >= skeleton.soa_size());
-  MARROW_CHECK(scene_from_joint.size >= skeleton.joint_count);
+  MARROW_CHECK(holds(local, skeleton.soa_size()));
+  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
   MARROW_CHECK(within(frame.dt_s, 0.0f, 1e9f));
   MARROW_CHECK(within(frame.teleport_m, 0.0f, 1e6f));
   MARROW_CHECK(within(frame.weight, 0.0f, 1.0f));
   MARROW_CHECK(good_vector(frame.gravity));
   MARROW_CHECK(good_vector(frame.wind));
-  MARROW_CHECK(frame.colliders.size <= kMaxSpringColliders);
+  MARROW_CHECK(holds(frame.colliders) && frame.colliders.size <= kMaxSpringColliders);
   f32x4 sum = sum_of(frame.world_from_scene);
   for (const SpringCollider& c : frame.colliders) {
     MARROW_CHECK(c.joint < skeleton.joint_count);

@@ -165,12 +165,13 @@ class Unpacker {
 
 bool is_packed(Span<const std::byte> bytes) {
   std::uint32_t magic = 0;
-  if (bytes.size < sizeof magic) return false;
+  if (!holds(bytes, sizeof magic)) return false;
   std::memcpy(&magic, bytes.data, sizeof magic);
   return magic == packed::kMagic;
 }
 
 Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error) {
+  MARROW_REQUIRE(holds(packed));
   Header h;
   Status status = read_header(packed, h, error);
   if (status == Status::ok) status = check_sizes(packed, h, error);
@@ -180,13 +181,14 @@ Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* e
 
 Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
               Span<const std::byte>& file, DataError* error) {
+  MARROW_REQUIRE(holds(packed) && holds(decoders));
   Header h;
   Status status = read_header(packed, h, error);
   if (status == Status::ok) status = check_sizes(packed, h, error);
   if (status != Status::ok) return status;
   if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
     (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
-  MARROW_REQUIRE(memory.size >= h.memory_bytes);
+  MARROW_REQUIRE(holds(memory, h.memory_bytes));
   MARROW_REQUIRE(is_on_boundary(memory.data));
   ByteReader reader(packed.data + sizeof h, packed.size - sizeof h);
   Unpacker unpacker(h, decoders, NameReader(find_names(reader, h.record_count)), memory);

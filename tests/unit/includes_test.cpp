@@ -76,7 +76,7 @@ TEST(Includes, PointOneWay) {
       {"springs", {"core", "math", "asset", "pose", "springs"}},
       {"curve", {"core", "math", "curve"}},
       {"skin", {"core", "math", "asset", "skin"}},
-      {"character", {"core", "asset", "pose", "skin", "character"}},
+      {"character", {"core", "math", "asset", "pose", "skin", "character"}},
       {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
       {"unpack", {"core", "math", "asset", "pose", "unpack"}},
       {"draco", {"core", "asset", "unpack", "draco"}},

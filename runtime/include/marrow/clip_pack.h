@@ -20,7 +20,7 @@ struct JointMisfit {
 };
 
 // A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
-// Precondition: skeleton below the file's count. Cost: one pass over the skeleton.
+// Of a skeleton that is not there it is the hash of no joints. Cost: one pass over the skeleton.
 std::uint64_t skeleton_hash(const File& file, std::uint32_t skeleton);
 
 // Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,

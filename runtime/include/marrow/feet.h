@@ -32,8 +32,8 @@ struct FootGround {
   bool planted = false;         // the sole stays at its place until this is false again
 };
 
-// The motion of one foot: plain numbers. A new one, or one set to `{}`, begins where the animation has the foot. World;
-// on a moving platform, let the world be the platform.
+// The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
+// the animation has the foot. World; on a moving platform, let the world be the platform.
 struct FootMotion {
   float place[3] = {};                         // of the sole, as shown last
   float offset[3] = {}, offset_speed[3] = {};  // of the sole from its target
@@ -57,7 +57,7 @@ struct FeetFrame {
 };
 
 // Where a ray for a foot is to go through: its sole as animated, in the world.
-// Errors: bad_argument if the span is too short or there is no such joint.
+// Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
 Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
                  float (&sole_world)[3]);
 

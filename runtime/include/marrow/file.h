@@ -354,7 +354,7 @@ class File {
   std::uint32_t image_count() const { return counts_[6]; }
   std::uint32_t node_count() const { return counts_[7]; }
 
-  // Precondition: index below the count. Cost: a few loads.
+  // An index that is not below the count gives what is empty. Cost: a few loads.
   Skeleton skeleton(std::uint32_t index) const;
   SkeletonReference reference(std::uint32_t index) const;
   Clip clip(std::uint32_t index) const;
@@ -364,7 +364,7 @@ class File {
   Image image(std::uint32_t index) const;
   Node node(std::uint32_t index) const;
 
-  // Index of the first skeleton with this name, or skeleton_count().
+  // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
   std::uint32_t find_skeleton(const char* name) const;
   // The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
   // frame.
@@ -383,7 +383,8 @@ class File {
   std::uint32_t find_node(const char* name) const;
   // The property of `node`, a node of this file, with this name; null if there is none.
   const Property* node_property(const Node& node, const char* name) const;
-  // A name by its number (Skeleton::names, Channel::name, Property::name). UTF-8, zero-terminated, never null.
+  // A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+  // zero-terminated, never null.
   const char* text(std::uint32_t name) const;
 
   // For tools: the sections as they stand in the file.

@@ -44,7 +44,7 @@ struct alignas(16) TwoBoneTurns {
   bool reached = false;
 };
 
-// The scene matrices of a limb's joints. mid is start's child or further below, end mid's.
+// The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
 struct TwoBoneJoints {
   const Affine* start = nullptr;
   const Affine* mid = nullptr;
@@ -56,8 +56,8 @@ struct TwoBoneJoints {
 // Of a bone of no length, or a target at the start joint, the rest is still done; nothing becomes infinite.
 // The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
 // one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
-// Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), a weight
-// or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+// large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 432 instructions on x86-64, 319 on AArch64; about as much again where the limb is nearly straight or bent the
 // wrong way, the target more than 120° off or near the pole, or there is a twist.
 Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);

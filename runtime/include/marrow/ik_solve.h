@@ -60,7 +60,7 @@ struct IkReport {
   IkStop why = IkStop::reached;
 };
 
-// Bytes of scratch memory that solve_ik needs; 0 if the problem names no goals or no joints.
+// Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
 std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem, const IkOptions& options);
 
 // Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.

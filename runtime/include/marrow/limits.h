@@ -64,7 +64,8 @@ Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local);
 const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
 
 // Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
-// point that follows. A new one, or one set to `{}`, begins anew: the next call takes its target as it is, at rest.
+// point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
+// takes its target as it is, at rest.
 struct RotationFollower {
   float rotation[4] = {};  // where it is: x y z w
   float target[4] = {};    // of the last call

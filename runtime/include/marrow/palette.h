@@ -10,7 +10,7 @@ namespace marrow {
 // joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
 // bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
 // scene_from_joint.size, what half-joints name below joints.size.
-// Errors: bad_argument if a span is too short or a joint out of range.
+// Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
 //
 // half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
 // and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,

@@ -6,7 +6,9 @@
 
 namespace marrow {
 
-// Views memory of the caller's, whatever that is in; const T takes what is T, too.
+// Views memory of the caller's, whatever that is in; const T takes what is T, too. A call refuses, as bad_argument, a
+// span that is too short, null with a size, or off the boundary of its elements: 16 bytes for SoaTransform and Affine,
+// which allocators of 32-bit systems do not give.
 template <class T>
 struct Span {
   T* data = nullptr;

@@ -52,7 +52,7 @@ struct Springs {
   float saved_s = 0;
 };
 
-// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton.
+// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
 std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chains);
 
 // Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.

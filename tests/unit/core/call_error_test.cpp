@@ -22,7 +22,7 @@ TEST(CallError, FunctionAndCondition) {
   const std::vector<test::CallError> heard = errors.take();
   ASSERT_EQ(heard.size(), 1u);
   EXPECT_EQ(heard[0].function, "get_joint");
-  EXPECT_EQ(heard[0].condition, "joint / 4 < local.size");
+  EXPECT_EQ(heard[0].condition, "holds(local) && joint / 4 < local.size");
 }
 
 TEST(CallError, GoodCallsSayNothing) {

@@ -1,0 +1,155 @@
+// Files: unpacked, loaded, looked up, bound to skeletons.
+#include <cstring>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/fan.h"
+#include "support/golden.h"
+#include "unit/misuse/misuse.h"
+
+namespace marrow::test {
+namespace {
+
+// A file in memory that stays.
+struct Loaded {
+  explicit Loaded(AlignedBlock (*copy)()) : block(copy()) { EXPECT_EQ(load(block, file), Status::ok); }
+  AlignedBlock block;
+  File file;
+};
+const Loaded& face() {
+  static const Loaded made(golden_channels_copy);
+  return made;
+}
+const Loaded& looks() {
+  static const Loaded made(golden_looks_copy);
+  return made;
+}
+const Loaded& pack() {
+  static const Loaded made(golden_pack_copy);
+  return made;
+}
+const Loaded& dance() {
+  static const Loaded made(golden_coded_copy);
+  return made;
+}
+
+File file_of(Misuse& m) {
+  return m.either(face().file, m.either(pack().file, File{}));
+}
+
+// The bytes of a file: cut, off its boundary, a few of them changed.
+Span<std::byte> block_of(Misuse& m, Span<const std::byte> good) {
+  const Span<std::byte> block = m.memory(good.size);
+  std::memcpy(block.data, good.data, block.size);
+  for (int i = 0; i < 3; ++i) block[m.index(0) % block.size] ^= static_cast<std::byte>(m.index(0));
+  return block;
+}
+
+const char* name_of(Misuse& m) {
+  return m.truth(true) ? "no such" : "";
+}
+
+const std::vector<std::byte>& fan() {
+  static const std::vector<std::byte> packed = packed_fan();
+  return packed;
+}
+
+#define MISUSED(call) \
+  [](Misuse& m) {     \
+    (void)(call);     \
+    m.returned_ok();  \
+  }
+
+// Indices that there are not give what is empty.
+std::vector<MisuseRow> rows_of_views() {
+  return {
+      {"skeleton_count", MISUSED(file_of(m).skeleton_count())},
+      {"reference_count", MISUSED(file_of(m).reference_count())},
+      {"clip_count", MISUSED(file_of(m).clip_count())},
+      {"mesh_count", MISUSED(file_of(m).mesh_count())},
+      {"material_count", MISUSED(file_of(m).material_count())},
+      {"image_count", MISUSED(file_of(m).image_count())},
+      {"node_count", MISUSED(file_of(m).node_count())},
+      {"skeleton", MISUSED(std::string(file_of(m).skeleton(m.index(0)).name))},
+      {"reference", MISUSED(std::string(m.either(pack().file, File{}).reference(m.index(0)).name))},
+      {"clip", MISUSED(std::string(file_of(m).clip(m.index(0)).name))},
+      {"mesh", MISUSED(std::string(file_of(m).mesh(m.index(0), m.index(0)).name))},
+      {"material", MISUSED(std::string(m.either(looks().file, File{}).material(m.index(0)).name))},
+      {"image", MISUSED(std::string(m.either(looks().file, File{}).image(m.index(0)).name))},
+      {"node", MISUSED(std::string(m.either(looks().file, File{}).node(m.index(0)).name))},
+      {"text", MISUSED(std::string(file_of(m).text(m.index(0))))},
+      {"sections", MISUSED(file_of(m).sections().size)},
+      {"find_skeleton", MISUSED(file_of(m).find_skeleton(m.pointer(name_of(m))))},
+      {"find_mesh", MISUSED(file_of(m).find_mesh(m.pointer(name_of(m))))},
+      {"find_node", MISUSED(file_of(m).find_node(m.pointer(name_of(m))))},
+      {"find_clip", MISUSED(file_of(m).find_clip(m.pointer(name_of(m))))},
+      {"find_clip", MISUSED(file_of(m).find_clip(m.pointer(name_of(m)), m.index(0)))},
+      {"find_joint", MISUSED(face().file.find_joint(face().file.skeleton(m.index(0)), m.pointer(name_of(m))))},
+      {"find_channel", MISUSED(face().file.find_channel(face().file.clip(m.index(0)), m.pointer(name_of(m))))},
+      {"node_property", MISUSED(looks().file.node_property(looks().file.node(m.index(0)), m.pointer(name_of(m))))},
+      {"soa_size", MISUSED(file_of(m).skeleton(m.index(0)).soa_size())},
+      {"time_of",
+       MISUSED(m.either(dance().file.clip(0), Clip{}).coded.frame_count > 0 ? dance().file.clip(0).coded.time_of(0)
+                                                                            : 0)},
+      {"skeleton_hash", MISUSED(skeleton_hash(file_of(m), m.index(0)))},
+  };
+}
+
+// What has no arguments that could be wrong, or only numbers.
+std::vector<MisuseRow> rows_of_basics() {
+  return {
+      {"to_string", MISUSED(std::string(to_string(m.kind(Status::ok))))},
+      {"set_call_error_handler", MISUSED(set_call_error_handler(set_call_error_handler(nullptr)))},
+      {"block_bytes", MISUSED(block_bytes(m.index(7)))},
+      {"is_on_boundary", MISUSED(is_on_boundary(m.memory(5).data))},
+      {"block_in",
+       [](Misuse& m) {
+         const Span<std::byte> memory = m.memory(m.index(20) % 64), block = block_in(memory);
+         EXPECT_LE(block.size, memory.size);
+         EXPECT_TRUE(block.empty() || is_on_boundary(block.data));
+         m.returned_ok();
+       }},
+  };
+}
+
+}  // namespace
+
+std::vector<MisuseRow> rows_of_files() {
+  std::vector<MisuseRow> rows = {
+      {"load",
+       [](Misuse& m) {
+         File& out = m.one(File{});
+         DataError error;
+         const Loaded& good = m.either(face(), dance());
+         m.returned(load(block_of(m, {good.block.data(), good.block.size()}), out, m.pointer(&error)));
+       }},
+      {"is_packed", MISUSED(is_packed(m.in(fan())))},
+      {"unpack_sizes",
+       [](Misuse& m) {
+         UnpackSizes& out = m.one(UnpackSizes{});
+         DataError error;
+         m.returned(unpack_sizes(block_of(m, fan()), out, m.pointer(&error)));
+       }},
+      {"unpack",
+       [](Misuse& m) {
+         UnpackSizes sizes;
+         EXPECT_EQ(unpack_sizes(fan(), sizes), Status::ok);
+         Span<const std::byte>& file = m.one(Span<const std::byte>{});
+         DataError error;
+         const Span<const MeshDecoder> decoders = m.truth(true) ? kPlainDecoder : Span<const MeshDecoder>();
+         m.returned(unpack(block_of(m, fan()), decoders, m.memory(sizes.memory_bytes), file, m.pointer(&error)));
+       }},
+      {"bind_clips",
+       [](Misuse& m) {
+         std::size_t count = 0;
+         const Span<JointMisfit> misfits = m.room<JointMisfit>(2);
+         m.returned(bind_clips(m.either(pack().file, file_of(m)), m.index(0), m.either(dance().file, file_of(m)),
+                               m.index(0), misfits, m.pointer(&count)));
+       }},
+  };
+  for (const auto& more : {rows_of_views(), rows_of_basics()}) rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
+
+}  // namespace marrow::test
