@@ -11,6 +11,7 @@
 #include "marrow/sample.h"
 #include "marrow/skin.h"
 #include "math/finite.h"
+#include "pose/fits.h"
 
 namespace marrow {
 namespace {
@@ -133,7 +134,7 @@ BadCall check_animation(const Character& c, const Animation* animation) {
     const std::uint32_t clip = animation->clip_of_skeleton[s];
     if (clip == kNoClip) continue;
     MARROW_CHECK(clip < animation->clips.clip_count());
-    MARROW_CHECK(animation->clips.clip(clip).joint_count == c.skeletons[s].skeleton.joint_count);
+    MARROW_CHECK(fits(animation->clips.clip(clip), c.skeletons[s].skeleton));
   }
   for (const CharacterMesh& m : c.meshes) {
     const std::uint32_t clip = animation->clip_of_skeleton[m.mesh.skeleton];

@@ -21,6 +21,11 @@ struct ShaderTexts {
 Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts& texts, std::uint32_t palette_binding,
                        Program& out, Span<char> log);
 
+// Whether vertices are skinned by it.
+constexpr bool skins(Deformer deformer) {
+  return deformer != Deformer::none && deformer <= Deformer::as;
+}
+
 // Empties it, where there is any.
 void clear(Span<char> log);
 

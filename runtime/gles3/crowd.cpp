@@ -75,7 +75,7 @@ ProgramKey drawing_key(const CrowdMesh& mesh, Deformer deformer, std::uint8_t fe
 }  // namespace
 
 Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory, Crowd& out) {
-  MARROW_REQUIRE(capacity > 0 && memory.size / kCrowdInstanceBytes >= capacity);
+  MARROW_REQUIRE(capacity > 0 && memory.size / kCrowdInstanceBytes >= capacity && holds(memory));
   MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(memory.data) % alignof(std::uint32_t) == 0);
   Crowd made;
   made.capacity = capacity;
@@ -103,7 +103,7 @@ Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd) {
 
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                      Span<const CrowdInstance> instances) {
-  MARROW_REQUIRE(!instances.empty() && first <= crowd.count);
+  MARROW_REQUIRE(holds(instances, 1) && first <= crowd.count);
   MARROW_REQUIRE(crowd.count == 0 || frames.frame_count == crowd.frame_count);
   if (first > crowd.capacity || instances.size > crowd.capacity - first) return Status::unsupported;
   MARROW_REQUIRE_GOOD(check_frames(frames));
@@ -123,6 +123,7 @@ Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, st
 }
 
 Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
+  MARROW_REQUIRE(holds(log));
   clear(log);
   const auto text = [](const unsigned char* embedded) { return reinterpret_cast<const char*>(embedded); };
   ShaderTexts texts{text(embedded::shader_crowd_vert), text(embedded::shader_crowd_frag), nullptr, {}};
@@ -132,8 +133,8 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
 
 Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
                             std::uint8_t features, ProgramSet& programs) {
-  MARROW_REQUIRE(deformer != Deformer::none);
-  MARROW_REQUIRE(programs.role_count > 0 && programs.role_count <= kMostRoles);
+  MARROW_REQUIRE(skins(deformer));
+  MARROW_REQUIRE_GOOD(check_roles(programs));
   Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
   for (std::uint32_t role = 0; role < programs.role_count && status == Status::ok; ++role)
     status = need_program(api, caps, programs, drawing_key(mesh, deformer, features, programs, role), role);

@@ -5,6 +5,7 @@
 #include "marrow/gles3_crowd.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
+#include "pose/fits.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -27,7 +28,7 @@ bool is_plan(const CrowdSource& source, const CrowdClip& clip, std::uint32_t fir
 }  // namespace
 
 Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip> out, std::uint32_t& frame_count) {
-  MARROW_REQUIRE(!sources.empty() && out.size >= sources.size);
+  MARROW_REQUIRE(holds(sources, 1) && holds(out, sources.size));
   MARROW_REQUIRE(rate_hz > 0 && rate_hz - rate_hz == 0);
   std::uint64_t frames = 0;
   for (const CrowdSource& source : sources) {
@@ -48,15 +49,16 @@ Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip
 
 Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
                   Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out) {
-  MARROW_REQUIRE(!sources.empty() && clips.size >= sources.size);
-  MARROW_REQUIRE(scratch.size >= skeleton.soa_size());
+  MARROW_REQUIRE(holds(sources, 1) && holds(clips, sources.size));
+  MARROW_REQUIRE(holds(scratch, skeleton.soa_size()));
   std::uint64_t frames = 0;
   for (std::size_t i = 0; i < sources.size; ++i) {
     MARROW_REQUIRE(is_plan(sources[i], clips[i], static_cast<std::uint32_t>(frames)));
+    MARROW_REQUIRE(!sources[i].clip.additive && fits(sources[i].clip, skeleton));
     frames += clips[i].steps + 1;
     MARROW_REQUIRE(frames <= kMaxCrowdFrames);
   }
-  MARROW_REQUIRE(skeleton.joint_count > 0 && matrices.size / skeleton.joint_count >= frames);
+  MARROW_REQUIRE(skeleton.joint_count > 0 && matrices.size / skeleton.joint_count >= frames && holds(matrices));
   for (std::size_t i = 0; i < sources.size; ++i) {
     const CrowdClip& clip = clips[i];
     Affine* const first = matrices.data + std::size_t{clip.first_frame} * skeleton.joint_count;

@@ -111,18 +111,20 @@ std::uint32_t ticks_of(double time_s) {
 }
 
 BadCall check_frames(const CrowdFrames& frames) {
+  MARROW_CHECK(holds(frames.clips));
   for (const CrowdClip& clip : frames.clips) {
     MARROW_CHECK(clip.steps > 0 && clip.steps <= 0xFFFF);
     MARROW_CHECK(clip.first_frame < frames.frame_count && clip.steps < frames.frame_count - clip.first_frame);
   }
-  MARROW_CHECK(frames.character_from_joint.size >= std::uint64_t{frames.frame_count} * frames.joint_count);
+  MARROW_CHECK(frames.character_from_joint.size >= std::uint64_t{frames.frame_count} * frames.joint_count &&
+               holds(frames.character_from_joint));
   return {};
 }
 
 BadCall check_instance(const CrowdFrames& frames, const CrowdInstance& instance) {
   for (const float x : instance.colour) MARROW_CHECK(is_finite(double{x}) && "the colour");
   for (const auto& row : instance.scene_from_character.rows)
-    for (const float x : row) MARROW_CHECK(is_finite(double{x}) && "scene_from_character");
+    for (const float x : row) MARROW_CHECK(x >= -1e12f && x <= 1e12f && "scene_from_character");
   const BadCall bad = check_play(frames, instance.a);
   if (bad || instance.b.clip == kNoCrowdClip) return bad;
   MARROW_CHECK(is_finite(double{instance.blend_s}) && instance.blend_s >= 0);
@@ -175,7 +177,7 @@ Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, dou
 
 Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
                   Span<Affine> scene_from_joint) {
-  MARROW_REQUIRE(scene_from_joint.size >= frames.joint_count);
+  MARROW_REQUIRE(holds(scene_from_joint, frames.joint_count));
   MARROW_REQUIRE_GOOD(check_moment(frames, instance, time_s));
   const CrowdShares at = shares_of(record_of(frames, instance), ticks_of(time_s));
   for (std::uint32_t joint = 0; joint < frames.joint_count; ++joint)

@@ -6,6 +6,7 @@
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
+#include "gles3/prepare.h"
 #include "gles3/texture.h"
 #include "marrow/block.h"
 #include "marrow/palette.h"
@@ -125,10 +126,9 @@ std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options) {
 Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                          const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out) {
   MARROW_REQUIRE(capacity > 0 && frames.frame_count > 0);
-  MARROW_REQUIRE(mesh.geometry.slot_count > 0 && mesh.joint_count > 0);
-  MARROW_REQUIRE(options.as_tangents.empty() || options.as_tangents.size >= as_tangent_count(mesh.geometry));
+  MARROW_REQUIRE_GOOD(check_mesh(mesh, options));
   MARROW_REQUIRE_GOOD(check_frames(frames));
-  MARROW_REQUIRE(memory.size >= crowd_mesh_bytes(mesh, options));
+  MARROW_REQUIRE(holds(memory, crowd_mesh_bytes(mesh, options)));
   MARROW_REQUIRE(is_on_boundary(memory.data));
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i) MARROW_REQUIRE(mesh.joints[i] < frames.joint_count);
   if (!mesh.geometry.targets.empty()) return Status::unsupported;

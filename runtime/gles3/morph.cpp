@@ -123,7 +123,7 @@ Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<con
   const Span<const MorphTarget> targets = mesh.geometry.targets;
   MARROW_REQUIRE(gpu.morph_texture != 0);
   MARROW_REQUIRE(program.morph_changes >= 0 && "a program with kMorphs, in use");
-  MARROW_REQUIRE(weights.size >= targets.size);
+  MARROW_REQUIRE(holds(weights, targets.size));
   float values[kMorphTargets][4];
   float reach[kMorphTargets];
   std::uint32_t count = 0;

@@ -44,7 +44,7 @@ void destroy(const Api& api, PaletteTexture& texture) {
 }
 
 Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes) {
-  MARROW_REQUIRE(!palettes.empty());
+  MARROW_REQUIRE(holds(palettes, 1));
   if (palettes.size > texture.capacity) return Status::unsupported;
   texture.current = (texture.current + 1) % 3;
   texture.count = static_cast<std::uint32_t>(palettes.size);

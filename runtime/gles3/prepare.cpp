@@ -1,6 +1,8 @@
 // Once a mesh: compact attributes into vertex buffers, and the bind matrices that undo their quantisation.
+#include "gles3/prepare.h"
 #include "core/check.h"
 #include "gles3/attributes.h"
+#include "gles3/compile.h"
 #include "gles3/encode.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
@@ -8,6 +10,7 @@
 #include "gles3/morph.h"
 #include "marrow/gles3.h"
 #include "marrow/skin.h"
+#include "math/finite.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -136,6 +139,14 @@ void label_mesh(const Api& api, const Mesh& mesh, const GpuMesh& gpu) {
 
 }  // namespace
 
+BadCall check_mesh(const Mesh& mesh, const PrepareOptions& options) {
+  const Geometry& g = mesh.geometry;
+  MARROW_CHECK(g.slot_count > 0 && mesh.joint_count > 0);
+  MARROW_CHECK(all_finite(g.box_min, 3) && all_finite(g.box_max, 3));
+  MARROW_CHECK(options.as_tangents.empty() || holds(options.as_tangents, as_tangent_count(g)));
+  return {};
+}
+
 std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options) {
   const VertexLayout layout = make_layout(mesh, !options.as_tangents.empty());
   std::size_t stride = layout.surface_stride;
@@ -147,11 +158,10 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out) {
   const Geometry& g = mesh.geometry;
-  MARROW_REQUIRE(g.slot_count > 0 && mesh.joint_count > 0);
-  MARROW_REQUIRE(bind.size >= mesh.joint_count);
-  MARROW_REQUIRE(scratch.size >= prepare_scratch_bytes(mesh, options));
+  MARROW_REQUIRE_GOOD(check_mesh(mesh, options));
+  MARROW_REQUIRE(holds(bind, mesh.joint_count));
+  MARROW_REQUIRE(holds(scratch, prepare_scratch_bytes(mesh, options)));
   const Span<const float> tangents = options.as_tangents;
-  MARROW_REQUIRE(tangents.empty() || tangents.size >= as_tangent_count(g));
   const VertexLayout layout = make_layout(mesh, !tangents.empty());
   // Eight influences in animation space need locations up to the last.
   if (caps.vertex_attributes <= kSurfaceLocations[7]) return Status::unsupported;
@@ -197,7 +207,7 @@ Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Progra
   const std::uint32_t array = deformer == Deformer::as     ? mesh.as_array
                               : deformer == Deformer::none ? 0
                                                            : mesh.ssd_array;
-  MARROW_REQUIRE(array != 0 && "prepared for this deformer");
+  MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");
   if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
   api.BindVertexArray(array);
   const auto count = static_cast<int>(mesh.index_count);

@@ -60,9 +60,11 @@ void by_compute(const Api& api, const GpuMesh& mesh, bool as, const Program& pro
 
 Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
                      std::uint32_t palette_binding, Program& out, Span<char> log) {
+  MARROW_REQUIRE(holds(log));
   clear(log);
-  MARROW_REQUIRE(key.palettes != Palettes::crowd);
-  MARROW_REQUIRE(key.deformer != Deformer::none);
+  MARROW_REQUIRE(key.palettes < Palettes::crowd);
+  MARROW_REQUIRE(skins(key.deformer));
+  MARROW_REQUIRE(method <= Preskin::compute);
   MARROW_REQUIRE(key.influences == 4 || key.influences == 8);
   ProgramKey of = key;
   of.features = key.features & (kNormals | kTangents | kMorphs | kSurfaceNormals);
@@ -88,7 +90,7 @@ Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Pr
 Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, const SkinnedMesh& to) {
   const bool as = deformer == Deformer::as;
   const std::uint32_t array = as ? mesh.as_array : mesh.ssd_array;
-  MARROW_REQUIRE(deformer != Deformer::none && array != 0 && "prepared for this deformer");
+  MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");
   MARROW_REQUIRE(to.slot_count == mesh.slot_count);
   if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
   if (program.vertex_layout >= 0) {

@@ -165,9 +165,12 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
 
 Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
                      Program& out, Span<char> log) {
+  MARROW_REQUIRE(holds(log));
   clear(log);
   MARROW_REQUIRE(source.vertex != nullptr && source.fragment != nullptr);
   MARROW_REQUIRE(key.influences == 4 || key.influences == 8);
+  MARROW_REQUIRE(key.deformer <= Deformer::as && key.palettes <= Palettes::crowd);
+  MARROW_REQUIRE(holds(source.feedback_varyings));
   const bool crowd = key.palettes == Palettes::crowd;
   MARROW_REQUIRE(!crowd || (key.deformer != Deformer::none && (key.features & kMorphs) == 0));
   return compile_program(api, key, {source.vertex, source.fragment, nullptr, source.feedback_varyings}, palette_binding,

@@ -21,6 +21,14 @@ Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSet
 
 }  // namespace
 
+BadCall check_roles(const ProgramSet& programs) {
+  MARROW_CHECK(programs.role_count > 0 && programs.role_count <= kMostRoles);
+  MARROW_CHECK(programs.count <= kMostPrograms && holds(programs.log));
+  for (std::uint32_t role = 0; role < programs.role_count; ++role)
+    MARROW_CHECK(programs.roles[role].vertex != nullptr && programs.roles[role].fragment != nullptr);
+  return {};
+}
+
 const Program* find_program(const ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
   for (std::uint32_t i = 0; i < programs.count; ++i) {
     const ProgramSetEntry& entry = programs.entries[i];
@@ -31,6 +39,7 @@ const Program* find_program(const ProgramSet& programs, const ProgramKey& key, s
 
 std::uint8_t features_read(const ProgramSet& programs, std::uint32_t role, const GpuMesh& mesh, Deformer deformer,
                            std::uint8_t wanted) {
+  if (role >= kMostRoles) return 0;
   int features = mesh.features & wanted & programs.role_features[role] & ~kSurfaceNormals;
   features |= mesh.features & kMorphs;
   if (deformer == Deformer::as && (features & (kNormals | kTangents)) != 0) features |= mesh.features & kSurfaceNormals;

@@ -1,6 +1,7 @@
 // The programs that skinners share.
 #pragma once
 
+#include "core/check.h"
 #include "marrow/gles3_skinner.h"
 
 namespace marrow::gles3 {
@@ -12,6 +13,9 @@ inline constexpr std::uint32_t pre_skinning(Preskin method) {
 // Of crowds.
 inline constexpr std::uint32_t kBlendingRole = kMostRoles + 2;
 inline constexpr ProgramKey kBlendingKey = {Deformer::none, 4, 0, Palettes::uniform_block};
+
+// Roles with texts, and entries that there is room for.
+BadCall check_roles(const ProgramSet& programs);
 
 // Null if there is none.
 const Program* find_program(const ProgramSet& programs, const ProgramKey& key, std::uint32_t role);

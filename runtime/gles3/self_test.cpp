@@ -258,7 +258,7 @@ Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& option
                  SelfTest& out) {
   MARROW_REQUIRE(options.ssd || options.as);
   MARROW_REQUIRE(options.seconds == nullptr || options.slow >= 1);
-  MARROW_REQUIRE(memory.size >= self_test_bytes(options));
+  MARROW_REQUIRE(holds(memory, self_test_bytes(options)));
   MARROW_REQUIRE(is_on_boundary(memory.data));
   Probe probe(api, caps, options);
   Memory pieces{memory.data};

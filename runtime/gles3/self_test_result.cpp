@@ -77,7 +77,8 @@ const char* to_string(Verdict verdict) {
                                               "GL reports an error",
                                               "its vertices are wrong",
                                               "much slower than another path"};
-  return reasons[static_cast<std::size_t>(verdict)];
+  const auto i = static_cast<std::size_t>(verdict);
+  return i < kVerdictCount ? reasons[i] : "";
 }
 
 std::uint64_t self_test_key(const Api& api, const Caps& caps, const SelfTestOptions& options) {
@@ -117,7 +118,7 @@ Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out) {
 }
 
 Status save(const SelfTest& test, Span<std::byte> out) {
-  MARROW_REQUIRE(out.size >= kSavedSelfTestBytes);
+  MARROW_REQUIRE(holds(out, kSavedSelfTestBytes));
   SavedSelfTest saved = {kSavedMagic, kSavedVersion, test.key, {}, 0};
   for (std::size_t i = 0; i < kPathCount; ++i) {
     const PathResult& from = test.paths[i];
@@ -131,6 +132,7 @@ Status save(const SelfTest& test, Span<std::byte> out) {
 
 Status restore(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<const std::byte> bytes,
                SelfTest& out) {
+  MARROW_REQUIRE(holds(bytes));
   if (bytes.size < kSavedSelfTestBytes) return Status::truncated;
   SavedSelfTest saved;
   std::memcpy(&saved, bytes.data, sizeof(saved));

@@ -5,8 +5,10 @@
 
 #include "core/check.h"
 #include "core/memory.h"
+#include "gles3/compile.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
+#include "gles3/prepare.h"
 #include "gles3/program_set.h"
 #include "gles3/skinned.h"
 #include "marrow/block.h"
@@ -135,6 +137,14 @@ Status upload_palettes(const Api& api, Skinner& s, std::uint32_t count) {
   return upload_palettes(api, s.texture, {s.palettes.data, std::size_t{count} * s.mesh.palette_size()});
 }
 
+// Whether a program reads what drawing gives it.
+bool may_draw(const Skinner& s, const Program& program) {
+  if (skins_once(s.options.path)) return true;
+  if (s.options.path == SkinningPath::texture && (program.reads != Palettes::texture || program.palettes < 0))
+    return false;
+  return s.weights.empty() || program.morph_changes >= 0;
+}
+
 // Of characters whose palettes are in the ring.
 Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint32_t binding, std::uint32_t count) {
   api.UseProgram(program.id);
@@ -151,8 +161,9 @@ Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint
 }  // namespace
 
 const char* to_string(SkinningPath path) {
-  const char* const names[] = {"ubo", "texture", "feedback", "compute", "cpu"};
-  return names[static_cast<std::size_t>(path)];
+  const char* const names[kPathCount] = {"ubo", "texture", "feedback", "compute", "cpu"};
+  const auto i = static_cast<std::size_t>(path);
+  return i < kPathCount ? names[i] : "";
 }
 
 std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options) {
@@ -168,13 +179,12 @@ std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options) {
 Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
                       ProgramSet& programs, Span<std::byte> memory, Skinner& out) {
   MARROW_REQUIRE(options.instances > 0);
-  MARROW_REQUIRE(options.deformer != Deformer::none);
-  MARROW_REQUIRE(programs.role_count > 0 && programs.role_count <= kMostRoles);
+  MARROW_REQUIRE(skins(options.deformer) && options.path <= SkinningPath::cpu);
+  MARROW_REQUIRE_GOOD(check_roles(programs));
   const Status possible = check_device(caps, mesh, options);
   if (possible != Status::ok) return possible;
-  MARROW_REQUIRE(mesh.geometry.slot_count > 0 && mesh.joint_count > 0);
-  MARROW_REQUIRE(options.as_tangents.empty() || options.as_tangents.size >= as_tangent_count(mesh.geometry));
-  MARROW_REQUIRE(memory.size >= skinner_bytes(mesh, options));
+  MARROW_REQUIRE_GOOD(check_mesh(mesh, prepare_options(options)));
+  MARROW_REQUIRE(holds(memory, skinner_bytes(mesh, options)));
   MARROW_REQUIRE(is_on_boundary(memory.data));
   Skinner made;
   made.mesh = mesh;
@@ -209,7 +219,8 @@ void destroy(const Api& api, Skinner& s) {
 
 Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_joint, Span<const float> weights) {
   MARROW_REQUIRE(instance < s.options.instances);
-  MARROW_REQUIRE(weights.size >= s.mesh.geometry.targets.size);
+  MARROW_REQUIRE(holds(weights, s.mesh.geometry.targets.size));
+  MARROW_REQUIRE(holds(scene_from_joint));
   for (std::uint32_t i = 0; i < s.mesh.joint_count; ++i) MARROW_REQUIRE(s.mesh.joints[i] < scene_from_joint.size);
   const Span<const Affine> bind = s.options.path == SkinningPath::cpu
                                       ? Span<const Affine>(s.mesh.inverse_bind, s.mesh.joint_count)
@@ -259,6 +270,7 @@ Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const 
             std::uint32_t count) {
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(first <= s.updated && count <= s.updated - first);
+  MARROW_REQUIRE(may_draw(s, program) && "the program from program_of()");
   const std::uint32_t joints = s.mesh.palette_size(), unit = s.options.texture_unit;
   const bool together = s.options.path == SkinningPath::texture && s.weights.empty();
   if (together && count > 0) {

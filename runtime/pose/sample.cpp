@@ -7,6 +7,7 @@
 #include "marrow/blend.h"
 #include "math/keys.h"
 #include "math/slerp.h"
+#include "pose/fits.h"
 #include "pose/sample_coded.h"
 
 namespace marrow {
@@ -114,8 +115,7 @@ BadCall sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Sp
                     const SampleOptions& options) {
   MARROW_CHECK(holds(out, skeleton.soa_size()));
   MARROW_CHECK(time_s == time_s);
-  for (const Track& track : clip.tracks) MARROW_CHECK(track.joint < skeleton.joint_count);
-  MARROW_CHECK(clip.coded.frame_count == 0 || clip.joint_count == skeleton.joint_count);
+  MARROW_CHECK(fits(clip, skeleton));
   MARROW_CHECK(options.joints.empty() || holds(options.joints, (std::size_t{skeleton.joint_count} + 31) / 32));
   if (clip.coded.frame_count != 0) {
     sample_coded(skeleton, clip.coded, time_s, options, out.data);

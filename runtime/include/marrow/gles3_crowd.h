@@ -83,7 +83,8 @@ struct CrowdInstance {
 // Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
 // are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
 // is linear in the drawing too.
-// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, or times beyond ±2⁴⁰ s).
+// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
+// scene_from_character beyond 1e12).
 Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s, std::uint32_t joint,
                    Affine& scene_from_joint);
 

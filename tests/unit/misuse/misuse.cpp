@@ -9,7 +9,7 @@
 namespace marrow::test {
 
 Misuse::Misuse(const char* function, std::uint64_t seed)
-    : function_(function), random_(seed), careless_(random_.below(3) != 0) {}
+    : function_(function), round_(seed), random_(seed), careless_(random_.below(3) != 0) {}
 
 float Misuse::bad_number(float good) {
   using Limits = std::numeric_limits<float>;

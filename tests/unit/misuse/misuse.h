@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -93,6 +94,8 @@ class Misuse {
     return is_bad() ? other : good;
   }
 
+  // Which of a row's calls this is.
+  std::uint64_t round() const { return round_; }
   // A refused call may have written a part.
   void may_write_when_refused() { watched_.clear(); }
   // Floats that make no sense went in as they were: nobody promises what comes out.
@@ -124,6 +127,7 @@ class Misuse {
   void expect_finite();
 
   const char* function_;
+  std::uint64_t round_;
   Random random_;
   bool careless_, garbage_ = false;
   Shape shape_ = Shape::good;
@@ -185,6 +189,11 @@ std::vector<MisuseRow> rows_of_reaching();
 std::vector<MisuseRow> rows_of_following();
 std::vector<MisuseRow> rows_of_skinning();
 std::vector<MisuseRow> rows_of_characters();
+
+// That there is a row of every function that the headers declare, and no other. headers: which of them, by name.
+void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::function<bool(const std::string&)>& headers);
+// That misuse is refused or harmless, and good calls are done.
+void misuse_all(const std::vector<MisuseRow>& rows);
 
 // What good calls are made with.
 struct MisuseStage {
