@@ -5,7 +5,7 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_morphs_test.cpp
-  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/settings_test.cpp)
+  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
 target_link_libraries(marrow_input_tests PRIVATE marrow_options marrow_goldens draco::draco)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
@@ -55,7 +55,7 @@ target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook mar
 
 marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
-  cli/atomic_test.cpp cli/compare_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/split_test.cpp cli/view_test.cpp)
+  cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/split_test.cpp cli/view_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
@@ -80,9 +80,9 @@ target_compile_options(marrow_cli_tests PRIVATE -O0)
 set_target_properties(marrow_cli_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 add_dependencies(marrow_cli_tests marrow)
 
-marrow_fuzz(gltf 3000 golden/*.gltf marrow_cook)
-marrow_fuzz(unpack 3000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
-marrow_fuzz(settings 3000 fuzz/seeds/*.toml marrow_options)
+marrow_fuzz(gltf 10000 golden/*.gltf marrow_cook)
+marrow_fuzz(unpack 10000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
+marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_options)
 add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_unpack_fuzz marrow_settings_fuzz marrow_input_tests)
 set_property(TEST input APPEND PROPERTY LABELS hostile)
 

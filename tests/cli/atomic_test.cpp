@@ -36,7 +36,7 @@ TEST(Atomic, KilledAtAnyMoment) {
     bytes[i] = read_text(out);
   }
   ASSERT_NE(bytes[0], bytes[1]);
-  constexpr int kKills = 60;
+  constexpr int kKills = 200;
   int killed = 0, old_kept = 0, leftovers = 0;
   std::string last = bytes[1];
   for (int i = 0; i < kKills; ++i) {

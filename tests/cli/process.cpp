@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -106,10 +107,16 @@ pid_t start(const std::vector<std::string>& program_and_arguments, const std::st
   return child;
 }
 
-int exit_code_of(pid_t child) {
+void wait_for(pid_t child, Ran& ran) {
   int status = 0;
-  if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for the program");
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  rusage used{};
+  if (wait4(child, &status, 0, &used) != child) throw std::runtime_error("cannot wait for the program");
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  ran.processor_s = seconds(used.ru_utime) + seconds(used.ru_stime);
+  ran.peak_bytes = static_cast<std::size_t>(used.ru_maxrss) * 1024;
 }
 
 }  // namespace
@@ -122,8 +129,11 @@ Ran run_program(const std::vector<std::string>& program_and_arguments, std::chro
     std::this_thread::sleep_for(kill_after);
     ::kill(child, SIGKILL);
   }
-  const int code = exit_code_of(child);
-  return {code, read_text(out), read_text(err)};
+  Ran ran;
+  wait_for(child, ran);
+  ran.out = read_text(out);
+  ran.err = read_text(err);
+  return ran;
 }
 
 Ran run_marrow_on_terminal(const std::vector<std::string>& arguments) {
@@ -138,8 +148,11 @@ Ran run_marrow_on_terminal(const std::vector<std::string>& arguments) {
   char bytes[4096];
   for (ssize_t n = 0; (n = ::read(terminal, bytes, sizeof bytes)) > 0;) err.append(bytes, static_cast<std::size_t>(n));
   ::close(terminal);
-  const int code = exit_code_of(child);
-  return {code, read_text(folder / "out"), err};
+  Ran ran;
+  wait_for(child, ran);
+  ran.out = read_text(folder / "out");
+  ran.err = err;
+  return ran;
 }
 
 }  // namespace marrow::test

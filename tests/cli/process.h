@@ -11,6 +11,8 @@ namespace marrow::test {
 struct Ran {
   int code = -1;  // exit code; 1000 + signal if killed
   std::string out, err;
+  double processor_s = 0;
+  std::size_t peak_bytes = 0;  // of memory
   // Lines of stderr that are no warnings about the source.
   std::vector<std::string> complaints() const;
 };

@@ -1,5 +1,6 @@
 // Stands in for libFuzzer where there is none: mutates seed files in a fixed pseudo-random way, so that every run is
-// the same. Usage: TARGET --iterations N SEED…
+// the same; half of the time by the target's own mutator, if it has one. The long form has five times as
+// many. Usage: TARGET --iterations N SEED…
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -11,9 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "support/rig.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" [[gnu::weak]] std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                                             unsigned seed);
 
 namespace {
 
@@ -56,6 +60,13 @@ void mutate(Random& random, Bytes& bytes) {
   }
 }
 
+// The target's own way, with room to grow.
+void mutate_soundly(Random& random, Bytes& bytes) {
+  const std::size_t size = bytes.size();
+  bytes.resize(2 * size + 4096);
+  bytes.resize(LLVMFuzzerCustomMutator(bytes.data(), size, bytes.size(), random.bits()));
+}
+
 Bytes read(const char* path) {
   std::ifstream in(path, std::ios::binary);
   Bytes bytes{std::istreambuf_iterator<char>(in), {}};
@@ -81,11 +92,16 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (const Bytes& seed : seeds) LLVMFuzzerTestOneInput(seed.data(), seed.size());
+  if (marrow::test::in_long_form()) iterations *= 5;
   Random random(1);
   const auto begin = std::chrono::steady_clock::now();
   for (; done < iterations; ++done) {
     Bytes bytes = seeds[done % seeds.size()];
-    for (std::uint32_t n = 1 + random.below(4); n > 0; --n) mutate(random, bytes);
+    if (LLVMFuzzerCustomMutator != nullptr && done % 2 == 1) {
+      mutate_soundly(random, bytes);
+    } else {
+      for (std::uint32_t n = 1 + random.below(4); n > 0; --n) mutate(random, bytes);
+    }
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
   }
   const std::chrono::duration<double> spent_s = std::chrono::steady_clock::now() - begin;

@@ -23,6 +23,11 @@ std::string assets_folder() {
   return given != nullptr ? given : in_source("../shared/assets");
 }
 
+std::string corpus_folder() {
+  const char* const given = std::getenv("MARROW_CORPUS");
+  return given != nullptr ? given : in_source("../shared/corpus");
+}
+
 bool in_long_form() {
   const char* const form = std::getenv("MARROW_TESTS");
   return form != nullptr && std::string(form) == "all";

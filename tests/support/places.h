@@ -11,6 +11,8 @@ std::string in_source(const std::string& path);
 std::string in_golden(const std::string& name);
 // The sample character.
 std::string newt_glb();
+// The folder of bad inputs: MARROW_CORPUS, or the one beside the checkout. It need not exist.
+std::string corpus_folder();
 // The folder of real models: MARROW_ASSETS, or the one beside the checkout. It need not exist.
 std::string assets_folder();
 // Whether tests run in their long form, every model on every path: MARROW_TESTS=all. The short form has the same

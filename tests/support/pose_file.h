@@ -28,6 +28,9 @@ enum class Deformer { rigid, ssd, as };
 PosedMesh pose_mesh(const File& file, std::uint32_t clip, float time_s, std::uint32_t mesh, Deformer deformer,
                     const std::vector<float>& cycle = {});
 
+// Whether every mesh's palette is of finite numbers, in every clip.
+bool has_finite_palettes(const File& file);
+
 // Every clip at a few moments, every mesh, every deformer; reads every name and index. Returns a hash of all of it.
 std::uint64_t exercise(const File& file);
 

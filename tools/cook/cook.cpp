@@ -2,6 +2,8 @@
 #include "cook/cook.h"
 
 #include <memory>
+#include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "common/failure.h"
@@ -58,9 +60,26 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
   return without_unmoved(std::move(out));
 }
 
+// Tells meshes apart that differ in their vertices or in what these hang on.
+std::string key_of(const BuiltMesh& mesh) {
+  std::string key;
+  const auto add = [&](const auto* first, std::size_t count) {
+    key.append(reinterpret_cast<const char*>(first), count * sizeof *first);
+  };
+  add(&mesh.geometry, 1);
+  add(&mesh.skeleton, 1);
+  add(mesh.joints.data(), mesh.joints.size());
+  add(mesh.inverse_bind.data(), mesh.inverse_bind.size());
+  add(mesh.half_joints.data(), mesh.half_joints.size());
+  return key;
+}
+
+// Each once that moves otherwise than those before it.
 std::vector<Mesh> views_of(const BuiltMeshes& built) {
   std::vector<Mesh> out;
+  std::unordered_set<std::string> seen;
   for (const BuiltMesh& mesh : built.meshes) {
+    if (!seen.insert(key_of(mesh)).second) continue;
     out.push_back(view(mesh, built.geometries[mesh.geometry]));
     for (const BuiltLod& lod : mesh.lods) out.push_back(view(mesh, built.geometries[lod.geometry]));
   }

@@ -4,7 +4,9 @@
 #include <cstring>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
+#include <unordered_map>
 
 #include "common/distinct.h"
 #include "common/failure.h"
@@ -148,9 +150,28 @@ const std::vector<MeshLevel>& levels_of(const RawScene& scene, const RawMesh& me
   return at->second;
 }
 
-bool same(const BuiltGeometry& a, const BuiltGeometry& b) {
-  return a.section.size() == b.section.size() && std::memcmp(a.section.data(), b.section.data(), a.section.size()) == 0;
-}
+// Geometries that differ, each once.
+class Geometries {
+ public:
+  explicit Geometries(std::vector<BuiltGeometry>& all) : all_(all) {}
+  std::uint32_t number_of(BuiltGeometry geometry) {
+    const std::string_view bytes(reinterpret_cast<const char*>(geometry.section.data()), geometry.section.size());
+    const auto [first, end] = by_hash_.equal_range(std::hash<std::string_view>()(bytes));
+    for (auto i = first; i != end; ++i) {
+      const BuiltGeometry& other = all_[i->second];
+      if (other.section.size() == bytes.size() && std::memcmp(other.section.data(), bytes.data(), bytes.size()) == 0)
+        return i->second;
+    }
+    const auto number = static_cast<std::uint32_t>(all_.size());
+    by_hash_.emplace(std::hash<std::string_view>()(bytes), number);
+    all_.push_back(std::move(geometry));
+    return number;
+  }
+
+ private:
+  std::vector<BuiltGeometry>& all_;
+  std::unordered_multimap<std::size_t, std::uint32_t> by_hash_;
+};
 
 // The parts of one task.
 std::vector<BuiltGeometry> build_task(const std::string& source, const Task& task, CookOptions options) {
@@ -165,19 +186,21 @@ std::vector<BuiltGeometry> build_task(const std::string& source, const Task& tas
   }
 }
 
-// On all cores; returns for each task which geometries its parts have become, of those that differ.
+// On all cores; returns for each task which geometries its parts have become, of those that differ. So many at a time,
+// for what is the same need not be kept.
 std::vector<std::vector<std::uint32_t>> build_tasks(const std::string& source, const std::vector<Task>& tasks,
                                                     const CookOptions& options,
                                                     std::vector<BuiltGeometry>& geometries) {
-  std::vector<std::vector<BuiltGeometry>> built(tasks.size());
-  tools::for_each_in_parallel(tasks.size(), [&](std::size_t i) { built[i] = build_task(source, tasks[i], options); });
+  constexpr std::size_t kAtATime = 1024;
+  Geometries distinct(geometries);
   std::vector<std::vector<std::uint32_t>> numbers;
-  for (std::vector<BuiltGeometry>& parts : built) {
-    std::vector<std::uint32_t>& number = numbers.emplace_back();
-    for (BuiltGeometry& geometry : parts) {
-      const auto twin = std::ranges::find_if(geometries, [&](const BuiltGeometry& g) { return same(g, geometry); });
-      number.push_back(static_cast<std::uint32_t>(twin - geometries.begin()));
-      if (twin == geometries.end()) geometries.push_back(std::move(geometry));
+  for (std::size_t first = 0; first < tasks.size(); first += kAtATime) {
+    std::vector<std::vector<BuiltGeometry>> built(std::min(kAtATime, tasks.size() - first));
+    tools::for_each_in_parallel(built.size(),
+                                [&](std::size_t i) { built[i] = build_task(source, tasks[first + i], options); });
+    for (std::vector<BuiltGeometry>& parts : built) {
+      std::vector<std::uint32_t>& number = numbers.emplace_back();
+      for (BuiltGeometry& geometry : parts) number.push_back(distinct.number_of(std::move(geometry)));
     }
   }
   return numbers;
