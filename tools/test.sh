@@ -49,7 +49,7 @@ validate_sample() {
 }
 get_arm64_gl() {
   export MARROW_ARM64_GL="${MARROW_ARM64_GL:-$here/build/arm64-gl}"
-  tools/get_arm64_gl.sh "$MARROW_ARM64_GL" || echo "SKIPPED: OpenGL ES on AArch64" >&2
+  tools/get_arm64.sh "$MARROW_ARM64_GL" tools/packages-arm64-gl.txt || echo "SKIPPED: OpenGL ES on AArch64" >&2
 }
 
 test_preset() {

@@ -1,10 +1,11 @@
 #include "deform/cylinder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
+
+#include "common/elementary.h"
 
 namespace marrow::deform {
 
@@ -27,7 +28,7 @@ SkinnedMesh cylinder() {
   for (std::uint32_t i = 0; i < kAlong; ++i) {
     for (std::uint32_t k = 0; k < kRound; ++k) {
       const double angle = 2 * std::numbers::pi * k / kRound;
-      add(kLength * (static_cast<double>(i) / (kAlong - 1) - 0.5), std::cos(angle), std::sin(angle));
+      add(kLength * (static_cast<double>(i) / (kAlong - 1) - 0.5), tools::cosine(angle), tools::sine(angle));
     }
   }
   add(-kLength / 2, 0, 0);
@@ -44,7 +45,8 @@ SkinnedMesh cylinder() {
 }
 
 Pose cylinder_pose(double bend_rad, double twist_rad) {
-  const double cz = std::cos(bend_rad), sz = std::sin(bend_rad), cx = std::cos(twist_rad), sx = std::sin(twist_rad);
+  const double cz = tools::cosine(bend_rad), sz = tools::sine(bend_rad), cx = tools::cosine(twist_rad),
+               sx = tools::sine(twist_rad);
   const Matrix still{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   return {still, {{cz, sz, 0}, {-sz * cx, cz * cx, sx}, {sz * sx, -cz * sx, cx}, {0, 0, 0}}};
 }

@@ -4,13 +4,14 @@
 #include <map>
 
 #include "deform/rotation_of_matrix.h"
+#include "deform/slerp.h"
 
 namespace marrow::deform {
 
 Matrix half_way(const Matrix& parent, const Matrix& joint, const glm::dvec3& centre, double share) {
   const glm::dmat3 a = rotation_of(linear_of(parent)), b = rotation_of(linear_of(joint));
   const glm::dquat turn = quaternion_of(glm::transpose(a) * b);
-  const glm::dmat3 rotation = a * glm::mat3_cast(glm::slerp(glm::dquat(1, 0, 0, 0), turn, share));
+  const glm::dmat3 rotation = a * glm::mat3_cast(slerp(glm::dquat(1, 0, 0, 0), turn, share));
   const glm::dmat3 linear =
       rotation * (glm::transpose(a) * linear_of(parent) * (1 - share) + glm::transpose(b) * linear_of(joint) * share);
   const glm::dvec3 moved = transform(parent, centre) * (1 - share) + transform(joint, centre) * share;

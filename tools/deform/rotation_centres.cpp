@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <glm/geometric.hpp>
 
+#include "common/elementary.h"
 #include "common/parallel.h"
 #include "deform/deformers.h"
 
@@ -52,7 +52,8 @@ Positions rotation_centres(const SkinnedMesh& mesh, double sigma) {
         const double a = influences[j].weight, b = influences[k].weight;
         for (const Patch& patch : found->second) {
           const double apart = a * patch.b - b * patch.a;
-          const double alike = a * b * patch.a * patch.b * std::exp(-apart * apart / (sigma * sigma)) * patch.area;
+          const double alike =
+              a * b * patch.a * patch.b * tools::exponential(-apart * apart / (sigma * sigma)) * patch.area;
           sum += patch.centre * alike;
           total += alike;
         }

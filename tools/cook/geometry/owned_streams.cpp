@@ -7,6 +7,8 @@
 
 #include <meshoptimizer.h>
 
+#include "cook/geometry/order_parts.h"
+
 namespace marrow::cook {
 
 Stream& OwnedStreams::add(StreamKind kind, std::uint32_t components, std::uint32_t bits) {
@@ -149,8 +151,7 @@ void optimise_order(OwnedStreams& s) {
   std::vector<float> positions;
   for (const std::int32_t v : *s.values_of(StreamKind::position))
     positions.push_back(position.bits == 0 ? std::bit_cast<float>(v) : static_cast<float>(v));
-  meshopt_optimizeOverdraw(s.indices.data(), ordered.data(), ordered.size(), positions.data(), count, 3 * sizeof(float),
-                           kCacheMissesForOverdraw);
+  s.indices = outer_parts_first(ordered, positions, kCacheMissesForOverdraw);
 }
 
 }  // namespace marrow::cook

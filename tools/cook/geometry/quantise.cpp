@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "common/elementary.h"
 #include "cook/geometry/owned_streams.h"
 #include "unpack/octahedron.h"
 
@@ -96,7 +97,7 @@ void canonical(std::int32_t& s, std::int32_t& t, std::int32_t most) {
 
 double angle_deg(const glm::dvec3& a, const float (&b)[3]) {
   const glm::dvec3 other(b[0], b[1], b[2]);
-  return glm::degrees(std::atan2(glm::length(glm::cross(a, other)), glm::dot(a, other)));
+  return glm::degrees(tools::angle_of(glm::length(glm::cross(a, other)), glm::dot(a, other)));
 }
 
 // The nearest of the grid's points round the projection. Returns how far it is off, in degrees.

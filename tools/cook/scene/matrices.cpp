@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "common/elementary.h"
+
 namespace marrow::cook {
 
 glm::dmat4 local_matrix(const RawNode& node) {
@@ -26,7 +28,7 @@ double largest_stretch(const glm::dmat3& linear) {
   const double p = std::sqrt(squares / 6);
   if (!(p > 0)) return std::sqrt(mean);
   const double r = std::clamp(glm::determinant(b) / (2 * p * p * p), -1.0, 1.0);
-  return std::sqrt(std::max(0.0, mean + 2 * p * std::cos(std::acos(r) / 3)));
+  return std::sqrt(std::max(0.0, mean + 2 * p * tools::cosine(tools::arc_cosine(r) / 3)));
 }
 
 Affine to_affine(const glm::dmat4& m) {

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "common/elementary.h"
 #include "common/failure.h"
 #include "cook/scene/views.h"
+#include "deform/slerp.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 
@@ -34,7 +36,7 @@ void mix_joint(const SoaTransform& from, const SoaTransform& to, double share, s
     out.translation[c][lane] = from.translation[c][lane] + s * (to.translation[c][lane] - from.translation[c][lane]);
     out.scale[c][lane] = from.scale[c][lane] + s * (to.scale[c][lane] - from.scale[c][lane]);
   }
-  set_rotation(out, lane, glm::slerp(rotation_of(from, lane), rotation_of(to, lane), share));
+  set_rotation(out, lane, deform::slerp(rotation_of(from, lane), rotation_of(to, lane), share));
 }
 
 // In [0, 1); the standard's distributions differ between libraries.
@@ -45,8 +47,8 @@ double fraction(std::mt19937& random) {
 void turn_joint(SoaTransform& t, std::size_t lane, std::mt19937& random) {
   constexpr double kMost = 0.7853981633974483;  // 45°
   const double z = 2 * fraction(random) - 1, around = 6.283185307179586 * fraction(random), r = std::sqrt(1 - z * z);
-  const double half = kMost * fraction(random) / 2, s = std::sin(half);
-  const glm::dquat turn(std::cos(half), s * r * std::cos(around), s * r * std::sin(around), s * z);
+  const double half = kMost * fraction(random) / 2, s = tools::sine(half);
+  const glm::dquat turn(tools::cosine(half), s * r * tools::cosine(around), s * r * tools::sine(around), s * z);
   set_rotation(t, lane, rotation_of(t, lane) * turn);
 }
 

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "common/distinct.h"
+#include "common/elementary.h"
 #include "common/parallel.h"
 #include "deform/dense.h"
 #include "deform/rotation_of_matrix.h"
@@ -52,11 +53,11 @@ struct FromExamples {
     for (const Rotations* const e : examples) to.push_back(distances(pose, *e));
   }
   double phi(const std::vector<Influence>& influences, std::size_t k, double sigma) const {
-    return std::exp(-weighted(influences, to[k]) / (2 * sigma * sigma));
+    return tools::exponential(-weighted(influences, to[k]) / (2 * sigma * sigma));
   }
   // How far the pose is from the bind pose: 0 there, almost 1 far away.
   double lift(const std::vector<Influence>& influences, double sigma) const {
-    return -std::expm1(-weighted(influences, bind) / (2 * sigma * sigma));
+    return -tools::exponential_less_1(-weighted(influences, bind) / (2 * sigma * sigma));
   }
 };
 

@@ -41,7 +41,11 @@ VectorXd pose_weights(const std::vector<Example>& examples, const Strength& stre
   VectorXd rows(3 * index(examples.size()));
   for (std::size_t i = 0; i < examples.size(); ++i) {
     const double error = mean > 0 ? examples[i].reference_error / mean : 0.0;
-    rows.segment<3>(3 * index(i)).setConstant(std::pow(1 / (error + strength.epsilon), strength.power));
+    const double share = 1 / (error + strength.epsilon);
+    rows.segment<3>(3 * index(i))
+        .setConstant(strength.halves == 0   ? 1
+                     : strength.halves == 1 ? std::sqrt(share)
+                                            : share);
   }
   return rows * (1.0 / rows.sum());
 }

@@ -21,11 +21,12 @@ struct Fold {
   std::size_t first, count;
 };
 
-// How much poses count; ε is in mean squared errors.
+// How much poses count: 1 / (error + ε) to the power of none, one or two halves; ε is in mean squared errors.
 struct Strength {
-  double power, epsilon;
+  int halves;
+  double epsilon;
 };
-inline constexpr Strength kStrengths[] = {{0, 1}, {0.5, 0.1}, {1, 0.1}, {1, 0.01}};
+inline constexpr Strength kStrengths[] = {{0, 1}, {1, 0.1}, {2, 0.1}, {2, 0.01}};
 inline constexpr std::size_t kBalanced = 1;  // of those
 inline constexpr std::size_t kStrengthCount = std::size(kStrengths);
 

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
 #include <utility>
+
+#include "common/elementary.h"
 
 namespace marrow::deform {
 namespace {
@@ -39,7 +40,7 @@ Combination old_point(std::uint32_t p, const std::set<std::uint32_t>& around, co
     return sum_of(std::move(shares));
   }
   const auto n = static_cast<double>(around.size());
-  const double part = 3.0 / 8 + std::cos(2 * std::numbers::pi / n) / 4, beta = (5.0 / 8 - part * part) / n;
+  const double part = 3.0 / 8 + tools::cosine(2 * std::numbers::pi / n) / 4, beta = (5.0 / 8 - part * part) / n;
   shares[p] = 1 - n * beta;
   for (const std::uint32_t q : around) shares[q] = beta;
   return sum_of(std::move(shares));

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/elementary.h"
 #include "common/parallel.h"
 #include "deform/weights/geodesic.h"
 #include "deform/weights/voxels.h"
@@ -83,7 +84,7 @@ std::vector<Influence> by_gaussian(const std::vector<BonesOfJoint>& joints, doub
     least = std::min(least, out.back().weight);
   }
   // All are scaled up alike, so that the largest is 1 however far the vertex is.
-  for (Influence& i : out) i.weight = std::exp(least - i.weight);
+  for (Influence& i : out) i.weight = tools::exponential(least - i.weight);
   return out;
 }
 

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "common/elementary.h"
+
 namespace marrow::deform {
 namespace {
 
@@ -158,7 +160,7 @@ Voxels::Voxels(const Positions& positions, std::span<const std::uint32_t> indice
     origin_ = (box.low + box.high) * 0.5 - glm::dvec3(size_) * (0.5 * side_);
     const std::size_t solid = fill(positions, indices);
     if (solid <= kMostSolid || last) return;
-    next = std::min(next, to_int(n * std::cbrt(static_cast<double>(kMostSolid) / static_cast<double>(solid))));
+    next = std::min(next, to_int(n * tools::cube_root(static_cast<double>(kMostSolid) / static_cast<double>(solid))));
   }
 }
 

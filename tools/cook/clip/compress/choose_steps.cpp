@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "deform/slerp.h"
+
 namespace marrow::cook {
 namespace {
 
@@ -138,7 +140,7 @@ void Segment::decode_local(std::size_t joint, std::size_t track, const CodedTrac
       const double u = static_cast<double>(k) / static_cast<double>(kMoments);
       if (path == TrackPath::translation) out[e].translation = rest.translation + a + u * (b - a);
       if (path == TrackPath::scale) out[e].scale = rest.scale + a + u * (b - a);
-      if (path == TrackPath::rotation) out[e].rotation = rest.rotation * glm::slerp(qa, qb, u);
+      if (path == TrackPath::rotation) out[e].rotation = rest.rotation * deform::slerp(qa, qb, u);
     }
     --e;
   }

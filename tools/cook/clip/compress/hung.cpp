@@ -130,9 +130,13 @@ std::vector<float> most_of(const Mesh& mesh, const Promise& promise) {
   return out;
 }
 
+double square(double x) {
+  return x * x;
+}
+
 double squared_distance(const float* a, const float* b) {
   double sum = 0;
-  for (int c = 0; c < 3; ++c) sum += std::pow(static_cast<double>(a[4 * c]) - static_cast<double>(b[4 * c]), 2);
+  for (int c = 0; c < 3; ++c) sum += square(static_cast<double>(a[4 * c]) - static_cast<double>(b[4 * c]));
   return sum;
 }
 
@@ -253,9 +257,9 @@ void VertexErrors::add(const std::vector<World>& source, const std::vector<World
         if (hung.most[slot] == 0) continue;
         double sum = 0;
         for (std::size_t c = 3 * slot; c < 3 * slot + 3; ++c)
-          sum += std::pow(static_cast<double>(here_[c]) - static_cast<double>(there_[c]), 2);
+          sum += square(static_cast<double>(here_[c]) - static_cast<double>(there_[c]));
         largest = std::max(largest, sum);
-        share = std::max(share, sum / std::pow(static_cast<double>(hung.most[slot]), 2));
+        share = std::max(share, sum / square(static_cast<double>(hung.most[slot])));
       }
       worst.error_m = std::max(worst.error_m, std::sqrt(largest));
       worst.share = std::max(worst.share, std::sqrt(share));

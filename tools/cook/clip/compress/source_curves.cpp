@@ -1,19 +1,20 @@
 #include "cook/clip/compress/source_curves.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+
+#include "common/elementary.h"
 
 namespace marrow::cook {
 namespace {
 
 glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double u) {
   if (glm::dot(a, b) < 0) b = -b;
-  const double angle = 2 * std::atan2(glm::length(b - a), glm::length(b + a));
+  const double angle = 2 * tools::angle_of(glm::length(b - a), glm::length(b + a));
   if (angle < 1e-9) return glm::normalize(a + u * (b - a));
-  return (std::sin((1 - u) * angle) * a + std::sin(u * angle) * b) / std::sin(angle);
+  return (tools::sine((1 - u) * angle) * a + tools::sine(u * angle) * b) / tools::sine(angle);
 }
 
 glm::dvec4 unit(glm::dvec4 q) {

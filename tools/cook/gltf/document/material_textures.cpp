@@ -1,12 +1,12 @@
 #include "cook/gltf/document/material_textures.h"
 
-#include <cmath>
+#include "common/elementary.h"
 
 namespace marrow::cook::gltf {
 
 glm::vec2 UvMapping::apply(glm::vec2 uv) const {
   const double u = scale[0] * static_cast<double>(uv.x), v = scale[1] * static_cast<double>(uv.y);
-  const double c = std::cos(rotation), s = std::sin(rotation);
+  const double c = tools::cosine(rotation), s = tools::sine(rotation);
   return {static_cast<float>(c * u + s * v + offset[0]), static_cast<float>(c * v - s * u + offset[1])};
 }
 

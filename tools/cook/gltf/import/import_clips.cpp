@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/elementary.h"
 #include "cook/gltf/import/import.h"
 
 namespace marrow::cook::gltf {
@@ -140,7 +141,8 @@ class ChannelImporter {
     std::size_t mended = 0;
     for (std::size_t first = 0; first < numbers.size(); first += per_key * 4) {
       float* value = &numbers[first + per_key / 2 * 4];
-      const double length = std::hypot(std::hypot(value[0], value[1]), std::hypot(value[2], value[3]));
+      const auto part = [&](int c) { return static_cast<double>(value[c]); };
+      const double length = tools::length_of(part(0), part(1), part(2), part(3));
       if (std::abs(length - 1) <= kKeySlack) continue;
       ++mended;
       if (length < kSmallestKey) {

@@ -10,6 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "common/elementary.h"
 #include "cook/gltf/import/import.h"
 #include "cook/scene/matrices.h"
 
@@ -43,7 +44,7 @@ bool has_affine_row(const glm::dmat4& matrix) {
 glm::dquat unit_rotation(const std::vector<double>& xyzw, const std::string& where, Report& report) {
   if (xyzw.empty()) return {1, 0, 0, 0};
   const glm::dquat rotation(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
-  const double length = std::hypot(std::hypot(xyzw[0], xyzw[1]), std::hypot(xyzw[2], xyzw[3]));
+  const double length = tools::length_of(xyzw[0], xyzw[1], xyzw[2], xyzw[3]);
   if (length < kSmallestAxis) {
     report.mend(under(where, "rotation"), "rotation-zero", "a quaternion of length zero; no rotation instead");
     return {1, 0, 0, 0};

@@ -1,20 +1,22 @@
 #!/usr/bin/env bash
-# Fetches Mesa for AArch64 with all that it needs, for tests under qemu-user: tools/get_arm64_gl.sh FOLDER.
-# The packages are Debian's, unpacked to the folder and not installed: beside the system's own Mesa they would have to be of the very
-# same version. A second run finds them there and does nothing. Exits with 3 where apt or the network is missing.
+# Fetches Debian's packages for AArch64 with all that they need, for programs under qemu-user, and to link those with.
+# usage: tools/get_arm64.sh FOLDER LIST      as tools/packages-arm64-gl.txt
+# They are unpacked to the folder and not installed: beside the system's own they would have to be of the very same
+# version. A second run finds them there and does nothing. Exits with 3 where apt or the network is missing.
 set -u
-packages=(libegl1 libegl-mesa0 libgl1-mesa-dri libgles2 libstdc++6)
-if [ $# -ne 1 ]; then
-  echo "usage: $0 FOLDER" >&2
+if [ $# -ne 2 ] || [ ! -r "$2" ]; then
+  echo "usage: $0 FOLDER LIST" >&2
   exit 1
 fi
+list=$2
+mapfile -t packages < <(sed 's/#.*//' "$list" | xargs -n 1)
 mkdir -p "$1" && folder=$(cd "$1" && pwd) || exit 2
-if [ -e "$folder/lib/ld-linux-aarch64.so.1" ]; then
+if cmp -s "$list" "$folder/.packages"; then
   exit 0
 fi
 for tool in apt-get dpkg-deb; do
   if ! command -v "$tool" >/dev/null; then
-    echo "get_arm64_gl: $tool is missing, so there is no OpenGL ES for AArch64" >&2
+    echo "get_arm64: $tool is missing, so there are no packages for AArch64" >&2
     exit 3
   fi
 done
@@ -29,16 +31,14 @@ options=(-o APT::Architecture=arm64 -o APT::Architectures=arm64 -o APT::Install-
   -o Debug::NoLocking=true)
 if ! { apt-get "${options[@]}" -qq update &&
   apt-get "${options[@]}" -qq -y --download-only install "${packages[@]}"; } >"$work/apt.txt" 2>&1; then
-  echo "get_arm64_gl: apt cannot fetch ${packages[*]} for arm64, so there is no OpenGL ES for AArch64" >&2
+  echo "get_arm64: apt cannot fetch ${packages[*]} for arm64" >&2
   tail -n 3 "$work/apt.txt" >&2
   exit 3
 fi
 set -e
 for archive in "$work"/cache/archives/*.deb; do dpkg-deb -x "$archive" "$work/root"; done
-# Last what a next run looks for.
-loader="$work/root/lib/ld-linux-aarch64.so.1"
-cp -P "$loader" "$work/loader"
-rm "$loader"
 rm -rf "$work"/root/usr/share/{doc,man,locale,icons,bug,lintian}
+# CMake's files of some packages name libraries by their whole paths.
+find "$work"/root/usr/lib -name '*.cmake' -exec sed -i "s|\"/usr\\([/\"]\\)|\"$folder/usr\\1|g" {} +
 cp -a "$work/root/." "$folder/"
-cp -P "$work/loader" "$folder/lib/ld-linux-aarch64.so.1"
+cp "$list" "$folder/.packages"  # last: what a next run looks for
