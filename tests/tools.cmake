@@ -53,9 +53,11 @@ marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp ro
   road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
-marrow_test(marrow_cli_tests cli cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp cli/bench_test.cpp
+marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp
+  cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
-  cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/split_test.cpp cli/view_test.cpp)
+  cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
+  cli/split_test.cpp cli/view_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
@@ -75,7 +77,21 @@ if(NOT MARROW_SANITIZE)
   marrow_warnings(marrow_fault_shim)
   add_dependencies(marrow_cli_tests marrow_fault_shim)
   target_sources(marrow_cli_tests PRIVATE cli/faults_test.cpp)
+  # It calls what it stands for: no compiler may know what that gives.
+  add_library(marrow_last_bit_shim MODULE cli/last_bit_shim.cpp)
+  target_link_libraries(marrow_last_bit_shim PRIVATE ${CMAKE_DL_LIBS})
+  target_compile_options(marrow_last_bit_shim PRIVATE -fno-builtin)
+  marrow_warnings(marrow_last_bit_shim)
+  add_dependencies(marrow_cli_tests marrow_last_bit_shim)
+  target_sources(marrow_cli_tests PRIVATE cli/last_bit_test.cpp)
 endif()
+# Nothing that a cooked file's bytes come through calls functions whose last bits differ between C libraries.
+set(cookers marrow_common marrow_cook marrow_cook_command marrow_deform marrow_draco marrow_meshopt marrow_options
+  marrow_runtime marrow_unpack)
+list(TRANSFORM cookers REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+add_test(NAME cook.own_functions COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DLIBRARIES=${cookers}"
+  -DOTHER=$<TARGET_FILE:marrow_export> -P ${CMAKE_CURRENT_SOURCE_DIR}/cli/own_functions.cmake)
+set_tests_properties(cook.own_functions PROPERTIES LABELS cook)
 target_compile_options(marrow_cli_tests PRIVATE -O0)
 set_target_properties(marrow_cli_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 add_dependencies(marrow_cli_tests marrow)

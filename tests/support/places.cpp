@@ -45,6 +45,10 @@ std::string reset_shim() {
   return MARROW_RESET_SHIM;
 }
 
+std::string last_bit_shim() {
+  return MARROW_LAST_BIT_SHIM;
+}
+
 std::string fault_shim() {
   return MARROW_FAULT_SHIM;
 }
