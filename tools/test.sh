@@ -52,6 +52,11 @@ get_arm64_gl() {
   tools/get_arm64.sh "$MARROW_ARM64_GL" tools/packages-arm64-gl.txt || echo "SKIPPED: OpenGL ES on AArch64" >&2
 }
 
+compare_bytes() {
+  tools/same_bytes.sh && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: cooked bytes of some compilers or processors" >&2
+}
+
 test_preset() {
   echo "== $1" >&2
   [ "$1" != release ] || timed "get ANGLE" get_angle
@@ -84,6 +89,7 @@ case "${1:-}" in
     export MARROW_TESTS=all
     timed "validate the sample" validate_sample
     for preset in release asan tsan scalar aarch64; do test_preset $preset; done
+    timed "same bytes everywhere" compare_bytes
     ;;
   *)
     if [[ $presets == *" $1 "* ]]; then
