@@ -58,8 +58,8 @@ struct TwoBoneJoints {
 // one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
 // Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
-// Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent the
-// wrong way, the target more than 120° off or near the pole, or there is a twist.
+// Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent
+// the wrong way, the target more than 120° off or near the pole, or there is a twist.
 Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
 
 // Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.

@@ -53,7 +53,8 @@ TEST(CallError, DebugBuildsBeginWithALineOnStderr) {
   const CallErrorHandler before = set_call_error_handler(test::first_call_error_handler());
   testing::internal::CaptureStderr();
   EXPECT_EQ(a_bad_call(), Status::bad_argument);
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "marrow: bad call of get_joint: holds(local) && joint / 4 < local.size\n");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "marrow: bad call of get_joint: holds(local) && joint / 4 < local.size\n");
   set_call_error_handler(before);
 #endif
 }
