@@ -3,10 +3,10 @@
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp
   unit/deform/deformers_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_files_test.cpp
+marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_morphs_test.cpp
-  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
-target_link_libraries(marrow_input_tests PRIVATE marrow_options marrow_goldens draco::draco)
+  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
+target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp
@@ -23,7 +23,7 @@ foreach(target marrow_input_tests marrow_cook_tests)
   set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endforeach()
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
-target_link_libraries(marrow_cook_tests PRIVATE marrow_options marrow_deform marrow_export marrow_sample draco::draco)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow unit/cook/elementary_test.cpp unit/cook/workflow_test.cpp)
@@ -86,7 +86,7 @@ if(NOT MARROW_SANITIZE)
   target_sources(marrow_cli_tests PRIVATE cli/last_bit_test.cpp)
 endif()
 # Nothing that a cooked file's bytes come through calls functions whose last bits differ between C libraries.
-set(cookers marrow_common marrow_cook marrow_cook_command marrow_deform marrow_draco marrow_meshopt marrow_options
+set(cookers marrow_common marrow_cook marrow_cook_command marrow_deform marrow_draco marrow_gltf marrow_meshopt marrow_options
   marrow_runtime marrow_unpack)
 list(TRANSFORM cookers REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_test(NAME cook.own_functions COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DLIBRARIES=${cookers}"
@@ -96,7 +96,7 @@ target_compile_options(marrow_cli_tests PRIVATE -O0)
 set_target_properties(marrow_cli_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 add_dependencies(marrow_cli_tests marrow)
 
-marrow_fuzz(gltf 10000 golden/*.gltf marrow_cook)
+marrow_fuzz(gltf 10000 golden/*.gltf marrow_gltf)
 marrow_fuzz(unpack 10000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
 marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_options)
 add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_unpack_fuzz marrow_settings_fuzz marrow_input_tests)

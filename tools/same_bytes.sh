@@ -88,6 +88,7 @@ END
   asset cesium-fit CesiumMan.glb --as fit --mesh-codec none --clip-codec raw
   asset cesium-u8 CesiumMan_u8.glb --clip-codec raw --mesh-codec meshopt
   asset cesium-draco CesiumMan_draco_in/CesiumMan.gltf --clip-codec raw
+  asset cesium-draco-raw CesiumMan_draco_in/CesiumMan.gltf --clip-codec raw --mesh-codec none
   asset figure RiggedFigure.glb --truth cor --psd 4 --lod 0.5 --mesh-codec none
   asset robot raylib_robot.glb --mesh-codec none --clip-codec raw
 }

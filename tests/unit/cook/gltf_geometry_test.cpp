@@ -1,11 +1,9 @@
-// Reading glTF: geometry and Draco, values by hand arithmetic from the specification.
+// Reading glTF: geometry, values by hand arithmetic from the specification.
 #include "cook/gltf/read.h"
 
 #include <cstdint>
 #include <vector>
 
-#include <draco/compression/encode.h>
-#include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gtest/gtest.h>
 
 #include "unit/cook/gltf_document.h"
@@ -257,147 +255,6 @@ TEST(Gltf, MaterialIsCarried) {
   EXPECT_EQ(material.name, "skin");
   EXPECT_TRUE(material.double_sided);
   EXPECT_EQ(material.base_colour, glm::vec4(.5F, .25F, 0, 1));
-}
-
-struct DracoTriangle {
-  std::vector<std::byte> bytes;
-  int position = 0, joints = 0, weights = 0;  // unique ids
-};
-
-DracoTriangle encode_draco(bool with_metadata = false) {
-  draco::TriangleSoupMeshBuilder soup;
-  soup.Start(2);
-  const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
-  const int joints = soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT8);
-  const int weights = soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32);
-  const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5F}};
-  const std::uint8_t joint[4] = {0, 0, 0, 0};
-  const float weight[4] = {1, 0, 0, 0};
-  const int faces[2][3] = {{0, 1, 2}, {1, 3, 2}};
-  for (int f = 0; f < 2; ++f) {
-    const draco::FaceIndex face(static_cast<std::uint32_t>(f));
-    soup.SetAttributeValuesForFace(position, face, corners[faces[f][0]], corners[faces[f][1]], corners[faces[f][2]]);
-    soup.SetAttributeValuesForFace(joints, face, joint, joint, joint);
-    soup.SetAttributeValuesForFace(weights, face, weight, weight, weight);
-  }
-  const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
-  if (with_metadata) {
-    auto whole = std::make_unique<draco::GeometryMetadata>();
-    auto branch = std::make_unique<draco::Metadata>();
-    branch->AddEntryString("author", std::string(300, 'a'));
-    whole->AddSubMetadata("branch", std::move(branch));
-    whole->AddEntryInt("number", 7);
-    mesh->AddMetadata(std::move(whole));
-    auto of_joints = std::make_unique<draco::AttributeMetadata>();
-    of_joints->AddEntryString("name", "joints");
-    mesh->AddAttributeMetadata(joints, std::move(of_joints));
-  }
-  draco::Encoder encoder;
-  encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
-  draco::EncoderBuffer buffer;
-  EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
-  DracoTriangle result;
-  const auto* begin = reinterpret_cast<const std::byte*>(buffer.data());
-  result.bytes.assign(begin, begin + buffer.size());
-  result.position = static_cast<int>(mesh->attribute(position)->unique_id());
-  result.joints = static_cast<int>(mesh->attribute(joints)->unique_id());
-  result.weights = static_cast<int>(mesh->attribute(weights)->unique_id());
-  return result;
-}
-
-Builder with_draco(const DracoTriangle& encoded = encode_draco()) {
-  Builder b;
-  b.root["extensionsUsed"] = b.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-  b.root["nodes"] = {{{"mesh", 0}, {"skin", 0}}, Json::object()};
-  b.root["scenes"][0]["nodes"] = {0, 1};
-  b.root["skins"] = {{{"joints", {1}}}};
-  const int positions =
-      b.accessor({{"componentType", kF32}, {"type", "VEC3"}, {"count", 4}, {"min", {0, 0, 0}}, {"max", {1, 1, 0.5}}});
-  const int joints = b.accessor({{"componentType", kU8}, {"type", "VEC4"}, {"count", 4}});
-  const int weights = b.accessor({{"componentType", kF32}, {"type", "VEC4"}, {"count", 4}});
-  const int indices = b.accessor({{"componentType", kU16}, {"type", "SCALAR"}, {"count", 6}});
-  Json& primitive = b.primitive({{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}});
-  primitive["indices"] = indices;
-  primitive["extensions"]["KHR_draco_mesh_compression"] = {
-      {"bufferView", b.view(encoded.bytes)},
-      {"attributes", {{"POSITION", encoded.position}, {"JOINTS_0", encoded.joints}, {"WEIGHTS_0", encoded.weights}}}};
-  return b;
-}
-
-constexpr const char* kDracoPointer = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
-
-TEST(GltfDraco, GeometryJointsAndWeightsAreDecoded) {
-  Builder b = with_draco();
-  const RawScene scene = read(b);
-  EXPECT_TRUE(scene.warnings.empty());
-  const RawPrimitive& primitive = scene.meshes[0].primitives.at(0);
-  ASSERT_EQ(primitive.positions.size(), 4U);
-  ASSERT_EQ(primitive.indices.size(), 6U);
-  // The coder may renumber vertices; the triangles' corners in space stay.
-  std::vector<glm::vec3> corners;
-  for (const std::uint32_t index : primitive.indices) corners.push_back(primitive.positions[index]);
-  const std::vector<glm::vec3> expected = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0.5F}, {0, 1, 0}};
-  EXPECT_EQ(corners, expected);
-  ASSERT_EQ(primitive.influences.size(), 4U);
-  EXPECT_EQ(primitive.influences[3].size(), 1U);
-  EXPECT_EQ(primitive.influences[3][0].weight, 1.0F);
-}
-
-TEST(GltfDraco, MetadataIsPassedOver) {
-  Builder b = with_draco(encode_draco(true));
-  EXPECT_EQ(read(b).meshes[0].primitives[0].positions.size(), 4U);
-}
-
-// Four bytes that claim 2^28 - 1 points, with metadata before them and without.
-TEST(GltfDraco, CountsAreComparedBeforeAnythingIsDecoded) {
-  for (const bool with_metadata : {false, true}) {
-    DracoTriangle bomb = encode_draco(with_metadata);
-    // Sequential data states its 2 triangles and 4 points, each in a byte, and then how they are connected.
-    std::size_t at = 11;
-    while (at + 1 < bomb.bytes.size() && !(bomb.bytes[at] == std::byte{2} && bomb.bytes[at + 1] == std::byte{4})) ++at;
-    ASSERT_LT(at + 1, bomb.bytes.size());
-    ASSERT_TRUE(with_metadata ? at > 300 : at == 11) << at;
-    const std::vector<std::byte> huge = {std::byte{0xFF}, std::byte{0xFF}, std::byte{0xFF}, std::byte{0x7F}};
-    const auto place = bomb.bytes.erase(bomb.bytes.begin() + static_cast<std::ptrdiff_t>(at + 1));
-    bomb.bytes.insert(place, huge.begin(), huge.end());
-    Builder b = with_draco(bomb);
-    expect_failure([&] { read(b); }, Exit::invalid, kDracoPointer, "differs from the accessors");
-  }
-}
-
-TEST(GltfDraco, OtherBitstreamsAreUnsupported) {
-  DracoTriangle old = encode_draco();
-  old.bytes[6] = std::byte{1};
-  Builder b = with_draco(old);
-  expect_failure([&] { read(b); }, Exit::unsupported, kDracoPointer, "Draco bitstream");
-}
-
-TEST(GltfDraco, EveryPrefixIsRefused) {
-  const std::size_t size = encode_draco().bytes.size();
-  std::size_t refused = 0;
-  for (std::size_t length = 1; length < size; ++length) {
-    Builder b = with_draco();
-    b.root["bufferViews"][0]["byteLength"] = length;
-    expect_failure([&] { read(b); }, Exit::invalid, kDracoPointer, "Draco");
-    ++refused;
-  }
-  EXPECT_EQ(refused, size - 1);
-}
-
-TEST(GltfDraco, PromisesAreChecked) {
-  Builder count = with_draco();
-  for (int i = 0; i < 3; ++i) count.root["accessors"][static_cast<std::size_t>(i)]["count"] = 5;
-  expect_failure([&] { read(count); }, Exit::invalid, kDracoPointer, "differs from the accessors");
-  Builder id = with_draco();
-  id.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["JOINTS_0"] = 77;
-  expect_failure([&] { read(id); }, Exit::invalid, "/meshes/0/primitives/0/attributes/JOINTS_0",
-                 "wrong Draco attribute");
-  Builder indices = with_draco();
-  indices.root["accessors"][3]["count"] = 3;  // fewer: seen before anything is unfolded
-  expect_failure([&] { read(indices); }, Exit::invalid, kDracoPointer, "differs from the accessors");
-  indices.root["accessors"][3]["count"] = 9;
-  expect_failure([&] { read(indices); }, Exit::invalid, "/meshes/0/primitives/0/indices",
-                 "differs from the Draco data");
 }
 
 }  // namespace

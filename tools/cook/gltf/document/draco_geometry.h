@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cook/gltf/document/accessor.h"
 #include "cook/gltf/document/findings.h"
 
 namespace draco {
@@ -36,9 +37,8 @@ class DracoGeometry {
   // Three a triangle, each below the number of points.
   std::vector<std::uint32_t> indices() const;
 
-  // `components` floats a point, in point order. Integers are normalised if `normalised` says so.
-  std::vector<float> attribute(std::uint32_t unique_id, std::size_t components, bool normalised,
-                               const std::string& where) const;
+  // As many floats a point as the accessor says, in point order. Integers are normalised if it says so.
+  std::vector<float> attribute(std::uint32_t unique_id, const Accessor& accessor, const std::string& where) const;
 
  private:
   std::unique_ptr<draco::Mesh> mesh_;

@@ -96,7 +96,7 @@ std::vector<float> VertexSource::read(const std::string& attribute) {
     const tinygltf::Value& ids = find_draco(primitive_)->Get("attributes");
     if (ids.Has(attribute)) {
       const auto id = static_cast<std::uint32_t>(ids.Get(attribute).GetNumberAsInt());
-      return draco_->attribute(id, accessor.components(), accessor.normalised, pointer_of(attribute));
+      return draco_->attribute(id, accessor, pointer_of(attribute));
     }
   }
   return read_floats(accessor);
