@@ -1,6 +1,9 @@
 // Textures in pictures: the right texel in the right corner, holes, and pictures that nobody can decode.
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -51,6 +54,14 @@ class TexturedQuad : public Rendered {
   static std::string data_uri(const std::string& bytes) {
     return "data:image/png;base64," + base64(std::as_bytes(std::span(bytes.data(), bytes.size())));
   }
+  // What drawing says, with success.
+  std::string rendered_words(const std::string& options) const {
+    const std::string command = test::program() + " render " + path("document.mrw") + " --size 240x200 " + options +
+                                " -o " + path("document.png") + " 2> " + path("words");
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::ifstream stream(path("words"));
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
   Patch red() const { return patch_of(pixels(), {true, false, false}); }
   Patch green() const { return patch_of(pixels(), {false, true, false}); }
   Patch blue() const { return patch_of(pixels(), {false, false, true}); }
@@ -89,14 +100,50 @@ TEST_F(TexturedQuad, FindsPicturesByReference) {
   EXPECT_EQ(render("--images-from " + path("nowhere")), 1);
 }
 
-TEST_F(TexturedQuad, LinksOutOfTheFolderAreRefused) {
+// By default a cooked file knows it by name alone.
+TEST_F(TexturedQuad, FindsPicturesInTheSource) {
+  Builder b = quad("");
+  const std::string red_png = encode(1, 1, {255, 0, 0, 255}), png = encode(2, 2, corners());
+  b.root["images"] = {{{"name", "face"}, {"uri", data_uri(png)}}, {{"name", "face"}, {"uri", data_uri(red_png)}}};
+  cook(b, "");
+  ASSERT_EQ(render(), 0) << "the source is beside the cooked file";
+  expect_corners();
+  fs::create_directory(path("elsewhere"));
+  fs::rename(path("document.gltf"), path("elsewhere/art.gltf"));
+  EXPECT_NE(rendered_words("").find("image 0 \"face\": drawn without: it lies inside the source"), std::string::npos);
+  EXPECT_EQ(red().count, 0u);
+  ASSERT_EQ(render("--images-from " + path("elsewhere/art.gltf")), 0);
+  expect_corners();
+}
+
+TEST_F(TexturedQuad, TheDemoShowsTheSourcesPictures) {
+  write("face.gltf", quad(data_uri(encode(2, 2, corners()))).text());
+  ASSERT_EQ(run("demo " + path("face.gltf") + " -o " + path("out")), 0);
+  const Pixels sheet = read_png(path("out/face.png"));
+  EXPECT_GT(patch_of(sheet, {true, false, false}).count, 20000u);
+  EXPECT_GT(patch_of(sheet, {true, true, false}).count, 20000u);
+}
+
+TEST_F(TexturedQuad, PicturesOfOneNameAreNotMistakenForEachOther) {
+  Builder b = quad("");
+  b.root["images"] = {{{"name", "face"}, {"uri", data_uri(encode(2, 2, corners()))}},
+                      {{"name", "face"}, {"uri", data_uri(encode(1, 1, {255, 0, 0, 255}))}}};
+  b.root["textures"].push_back({{"source", 1}});
+  b.root["materials"][0]["emissiveTexture"] = {{"index", 1}};
+  cook(b, "");
+  EXPECT_NE(rendered_words("").find("have this name"), std::string::npos);
+  EXPECT_EQ(red().count, 0u);
+}
+
+TEST_F(TexturedQuad, LinksOutOfTheFolderAreNotFollowed) {
   fs::create_directory(path("elsewhere"));
   write("elsewhere/a.png", encode(2, 2, corners()));
   fs::create_directory(path("here"));
   fs::create_symlink(path("elsewhere/a.png"), path("here/a.png"));
   cook(quad("a.png"), "");
-  EXPECT_EQ(render("--images-from " + path("here")), 3);
-  EXPECT_FALSE(fs::exists(path("document.png")));
+  const std::string said = rendered_words("--images-from " + path("here"));
+  EXPECT_NE(said.find("drawn without: URI not allowed"), std::string::npos) << said;
+  EXPECT_EQ(red().count, 0u);
 }
 
 TEST_F(TexturedQuad, MaskAndBlend) {
@@ -128,18 +175,22 @@ TEST_F(TexturedQuad, BlendIsBetween) {
   EXPECT_GT(half, none + 10);
 }
 
-TEST_F(TexturedQuad, DamagedPicturesAreRefused) {
+TEST_F(TexturedQuad, OfDamagedPicturesTheMaterialsColourIsDrawn) {
   const std::string good = encode(2, 2, corners());
   std::string huge = good;  // 65538 pixels wide; stb_image reads no checksums
   huge[17] = 1;
-  std::size_t refused = 0;
+  std::size_t named = 0;
   for (const std::string& bytes : {good.substr(0, 40), huge, good.substr(0, 8) + std::string(64, 'x')}) {
-    cook(quad(data_uri(bytes)), "--images embed");
-    EXPECT_EQ(render(), 3);
-    EXPECT_FALSE(fs::exists(path("document.png")));
-    ++refused;
+    Builder b = quad(data_uri(bytes));
+    b.root["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0, 1, 0, 1};
+    b.root["images"][0]["name"] = "face";
+    cook(b, "--images embed");
+    const std::string said = rendered_words("");
+    named += said.find("image 0 \"face\": drawn without: no PNG or JPEG that can be decoded") != std::string::npos;
+    EXPECT_GT(green().count, 4000u);
+    EXPECT_EQ(red().count, 0u);
   }
-  EXPECT_EQ(refused, 3u);
+  EXPECT_EQ(named, 3u);
 }
 
 }  // namespace

@@ -28,9 +28,10 @@ void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath
       ->type_name("A:B");
   command
       ->add_option("--images-from", a.images_from,
-                   "where images by reference are looked for, here and below; without it, the cooked file's folder")
-      ->type_name("DIR")
-      ->check(CLI::ExistingDirectory);
+                   "where images by reference are looked for: a folder and below, or the source that they lie inside; "
+                   "without it the cooked file's folder, and there a source of the same name")
+      ->type_name("DIR|SOURCE.glb")
+      ->check(CLI::ExistingPath);
 }
 
 void add_reach(CLI::App* command, ReachArguments& a) {

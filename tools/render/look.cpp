@@ -1,7 +1,6 @@
 #include "render/look.h"
 
 #include <cstdio>
-#include <filesystem>
 
 #include "common/failure.h"
 #include "render/heat.h"
@@ -36,11 +35,6 @@ std::optional<DeformerPair> parse_pair(const std::string& text) {
                   "give two of rigid, ssd and as, as in ssd:as");
   }
   return DeformerPair{*a, *b};
-}
-
-std::string folder_of_images(const LookArguments& arguments) {
-  if (!arguments.images_from.empty()) return arguments.images_from;
-  return std::filesystem::path(arguments.file).parent_path().string();
 }
 
 std::vector<Drawable> drawables_of(const std::string& path, const File& file, const Character& character,

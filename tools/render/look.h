@@ -14,7 +14,7 @@ namespace marrow::tools {
 
 struct LookArguments {
   std::string file, heatmap;
-  std::string images_from;  // empty: the file's folder
+  std::string images_from;  // as places_of_cooked() takes it
   Deformer deformer = Deformer::ssd;
   SkinPath path = SkinPath::ubo;
   AsNormals normals = AsNormals::tangents;
@@ -30,8 +30,6 @@ std::pair<int, int> parse_size(const std::string& text);
 using DeformerPair = std::pair<Deformer, Deformer>;
 // "ssd:as" → the two deformers; "" → none. Throws Failure (usage).
 std::optional<DeformerPair> parse_pair(const std::string& text);
-
-std::string folder_of_images(const LookArguments& arguments);
 
 // Deformer and path, or the distance between two deformers as colours.
 struct Manner {

@@ -34,7 +34,9 @@ class Stage {
     check(load({bytes_.data(), bytes_.size()}, file_));
     gl_.emplace();
     studio_.emplace(*gl_, kSide, kSide);
-    figure_.emplace(*gl_, studio_->programs(), file_);
+    const std::string& source = study.scene.source;
+    textures_.emplace(*gl_, source, file_, places_beside(source));
+    figure_.emplace(*gl_, studio_->programs(), file_, &*textures_);
   }
 
   // Where a deformer has put the vertices in a pose. normals: empty for those of the triangles.
@@ -93,6 +95,7 @@ class Stage {
   File file_;
   std::optional<Gl> gl_;
   std::optional<Studio> studio_;
+  std::optional<Textures> textures_;
   std::optional<Figure> figure_;
 };
 

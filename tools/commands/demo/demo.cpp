@@ -68,7 +68,8 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
   const File& file = loaded.file;
   const std::optional<std::uint32_t> clip =
       arguments.clip.empty() ? liveliest_clip(file) : find_clip(mrw, file, arguments.clip);
-  const Sheet sheet = make_sheet(gl, file, clip, stem);
+  const Textures textures(gl, input, file, places_beside(input));
+  const Sheet sheet = make_sheet(gl, file, textures, clip, stem);
   const std::string png = (std::filesystem::path(arguments.directory) / (stem + ".png")).string();
   write_png(png, sheet.image);
   const Timings timings = measure(file, clip);

@@ -53,11 +53,11 @@ float largest_over(const File& file, Character& character, const Play& play) {
   return largest;
 }
 
-Rows shoot_rows(const Gl& gl, const File& file, const Play& play) {
+Rows shoot_rows(const Gl& gl, const File& file, const Textures& textures, const Play& play) {
   Character character(file, AsNormals::tangents);
   const Performance performance(file, character, play);
   Studio studio(gl, kCellWidth, kCellHeight);
-  Figure figure(gl, studio.programs(), file, nullptr, AsNormals::tangents);
+  Figure figure(gl, studio.programs(), file, &textures, AsNormals::tangents);
   Rows rows;
   rows.largest_m = largest_over(file, character, play);
   rows.full_scale_m = sensible_scale(rows.largest_m, performance.diagonal());
@@ -117,9 +117,10 @@ std::optional<std::uint32_t> liveliest_clip(const File& file) {
   return best;
 }
 
-Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> clip, const std::string& title) {
+Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::optional<std::uint32_t> clip,
+                 const std::string& title) {
   const Play play = clip ? play_together(file, *clip) : Play{};
-  Rows rows = shoot_rows(gl, file, play);
+  Rows rows = shoot_rows(gl, file, textures, play);
   std::uint64_t vertices = 0, joints = 0;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) vertices += file.mesh(i).geometry.vertex_count;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;

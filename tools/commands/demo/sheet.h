@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "marrow/file.h"
 #include "render/gl.h"
+#include "render/textures.h"
 
 namespace marrow::tools {
 
@@ -21,6 +22,7 @@ std::optional<std::uint32_t> liveliest_clip(const File& file);
 
 // title: what the file is called. All clips of the name of `clip` play, one a skeleton. Without a clip the rest pose is
 // shown from six sides.
-Sheet make_sheet(const Gl& gl, const File& file, std::optional<std::uint32_t> clip, const std::string& title);
+Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::optional<std::uint32_t> clip,
+                 const std::string& title);
 
 }  // namespace marrow::tools

@@ -25,7 +25,7 @@ Sitting::Sitting(const LookArguments& arguments)
       reach_(loaded_.file, arguments.reach),
       character_(loaded_.file, normals_, arguments.lod),
       performance_(loaded_.file, reaching(), chosen_.play),
-      textures_(gl_, arguments.file, loaded_.file, folder_of_images(arguments)),
+      textures_(gl_, arguments.file, loaded_.file, places_of_cooked(arguments.file, arguments.images_from)),
       studio_(gl_, size_.first, size_.second),
       figure_(gl_, studio_.programs(), loaded_.file, &textures_, normals_, arguments.lod) {
   if (manner_.path != SkinPath::crowd || manner_.heat) return;

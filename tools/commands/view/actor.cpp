@@ -43,7 +43,7 @@ Actor::Actor(const Gl& gl, gles3::ProgramSet& programs, const LookArguments& arg
       arguments_(arguments),
       loaded_(std::move(loaded)),
       joints_(all_joints(loaded_.file)),
-      textures_(gl, arguments.file, loaded_.file, folder_of_images(arguments)) {
+      textures_(gl, arguments.file, loaded_.file, places_of_cooked(arguments.file, arguments.images_from)) {
   add_plays(std::move(chosen));
   for (std::uint32_t i = 0; i < file().mesh_count(); ++i)
     coarsest_lod_ = std::max(coarsest_lod_, static_cast<int>(file().mesh(i).lods.size));

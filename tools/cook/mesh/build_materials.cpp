@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "common/quantity.h"
+
 namespace marrow::cook {
 namespace {
 
@@ -61,19 +63,29 @@ class Shared {
   std::vector<int> image_of_;
 };
 
+// What a source holds itself is neither carried nor found by a path.
+void note_left_behind(const std::vector<RawImage>& images, Notes& notes) {
+  std::size_t count = 0;
+  std::uint64_t bytes = 0;
+  for (const RawImage& image : images) {
+    if (!image.uri.empty() || !image.bytes.empty()) continue;
+    ++count;
+    bytes += image.inside_bytes;
+  }
+  if (count == 0) return;
+  const std::string what = count == 1 ? "1 image stays" : std::to_string(count) + " images stay";
+  notes.warnings.push_back({"/images", "images-by-name",
+                            what + " in the source: " + tools::bytes_text(bytes) + "; --images embed takes " +
+                                (count == 1 ? "it" : "them") + " along"});
+}
+
 }  // namespace
 
 BuiltLooks build_materials(const RawScene& scene, const std::vector<BuiltMesh>& meshes, Images images, Notes& notes) {
   BuiltLooks out;
   Shared shared(scene, images, out);
   for (const BuiltMesh& mesh : meshes) out.sections.push_back(shared.section_of(mesh.raw_material));
-  const auto nameless = std::count_if(out.images.begin(), out.images.end(),
-                                      [](const RawImage& i) { return i.uri.empty() && i.bytes.empty(); });
-  if (nameless > 0)
-    notes.warnings.push_back({"/images", "images-by-name",
-                              std::to_string(nameless) +
-                                  " images lie inside the source and have no URI; they are referred to by name, and "
-                                  "--images embed carries them"});
+  note_left_behind(out.images, notes);
   return out;
 }
 

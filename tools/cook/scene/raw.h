@@ -111,7 +111,8 @@ struct RawImage {
   std::string name;  // never empty for an image that a material uses
   std::string uri;   // as in the file, percent-encoded; empty if there is none
   ImageFormat format = ImageFormat::unknown;
-  std::vector<std::byte> bytes;  // empty unless read_gltf() was asked for them
+  std::uint64_t inside_bytes = 0;  // of the source that are the image's; 0: it is a file of its own
+  std::vector<std::byte> bytes;    // empty unless read_gltf() was asked for them
 };
 
 // A mesh drawn at a node. Listed in node order.

@@ -56,6 +56,7 @@ class ImageImporter {
     if (is_file) raw.uri = uri->get<std::string>();
     raw.format = format_of_mime_type(image.value("mimeType", std::string()));
     if (raw.format == ImageFormat::unknown) raw.format = format_of_uri(raw.uri);
+    if (!is_file) raw.inside_bytes = inside_bytes(image);
     if (!with_bytes) return raw;
     if (is_file) {
       raw.bytes = file_bytes(raw.uri, under(where, "uri"));
@@ -71,6 +72,14 @@ class ImageImporter {
   }
 
  private:
+  // Without decoding: base64 has four characters for three bytes.
+  std::uint64_t inside_bytes(const Json& image) const {
+    if (image.contains("bufferView")) return document_.buffers.views[image.at("bufferView").get<std::size_t>()].length;
+    const std::string uri = image.value("uri", std::string());
+    const std::size_t characters = uri.size() - std::min(uri.size(), uri.find(',') + 1);
+    return characters / 4 * 3 - (uri.ends_with("==") ? 2u : uri.ends_with('=') ? 1u : 0u);
+  }
+
   std::vector<std::byte> view_bytes(std::size_t index, const std::string& where) {
     const View& view = document_.buffers.views[index];
     if (!view.present) {

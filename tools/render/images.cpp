@@ -1,0 +1,90 @@
+#include "render/images.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "common/failure.h"
+#include "common/printable.h"
+#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/uri.h"
+#include "cook/gltf/read.h"
+
+namespace marrow::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+ImagePlaces places_beside(const std::string& source) {
+  return {fs::path(source).parent_path().string(), source};
+}
+
+ImagePlaces places_of_cooked(const std::string& path, const std::string& from) {
+  std::error_code error;
+  if (fs::is_regular_file(from, error)) return places_beside(from);
+  ImagePlaces out{from.empty() ? fs::path(path).parent_path().string() : from, ""};
+  for (const char* const extension : {".glb", ".gltf"}) {
+    const fs::path source = fs::path(out.folder) / fs::path(path).stem().concat(extension);
+    if (out.source.empty() && fs::is_regular_file(source, error)) out.source = source.string();
+  }
+  return out;
+}
+
+ImageFinder::ImageFinder(std::string path, const File& file, ImagePlaces places)
+    : path_(std::move(path)), file_(file), places_(std::move(places)), read_(file.image_count()) {}
+
+std::string ImageFinder::name_of(std::uint32_t index) const {
+  return "image " + std::to_string(index) + " \"" + printable(file_.image(index).name) + '"';
+}
+
+Span<const std::byte> ImageFinder::bytes(std::uint32_t index) {
+  const marrow::Image image = file_.image(index);
+  if (!image.bytes.empty()) return image.bytes;
+  return *image.uri != '\0' ? file_bytes(index) : source_bytes(index);
+}
+
+Span<const std::byte> ImageFinder::file_bytes(std::uint32_t index) {
+  std::vector<std::byte>& out = read_[index];
+  const std::string uri = file_.image(index).uri, where = name_of(index);
+  cook::gltf::Report report(path_);
+  const std::string relative = cook::gltf::decode_relative_uri(uri, where, report);
+  const std::string found = cook::gltf::resolve_in_folder(places_.folder, relative, where, report);
+  std::error_code error;
+  if (!fs::exists(found, error))
+    throw Failure(Exit::io, path_, where, "no " + printable(uri) + " below \"" + places_.folder + '"',
+                  "say where with --images-from");
+  if (out.empty()) out = cook::gltf::read_regular_file(found, cook::gltf::kLargestFile + 1, where, report);
+  return {out.data(), out.size()};
+}
+
+Span<const std::byte> ImageFinder::source_bytes(std::uint32_t index) {
+  const std::string where = name_of(index), name = file_.image(index).name;
+  const cook::RawImage* found = nullptr;
+  for (const cook::RawImage& image : source_images(where)) {
+    if (image.name != name || image.bytes.empty()) continue;
+    if (found != nullptr && found->bytes != image.bytes)
+      throw Failure(Exit::invalid, path_, where, "several images of " + places_.source + " have this name",
+                    "give them names of their own, or cook with --images embed");
+    found = &image;
+  }
+  if (found == nullptr)
+    throw Failure(Exit::invalid, path_, where, places_.source + " has no PNG or JPEG of this name",
+                  "give the file's own source with --images-from");
+  return {found->bytes.data(), found->bytes.size()};
+}
+
+const std::vector<cook::RawImage>& ImageFinder::source_images(const std::string& where) {
+  if (source_images_) return *source_images_;
+  if (places_.source.empty())
+    throw Failure(Exit::io, path_, where, "it lies inside the source, which is not beside the file",
+                  "give --images-from SOURCE.glb, or cook with --images embed");
+  try {
+    source_images_ = cook::read_gltf(places_.source, {.image_bytes = true}).images;
+  } catch (const Failure& failure) {
+    throw Failure(failure.code(), path_, where, "its source cannot be read", failure.what());
+  }
+  return *source_images_;
+}
+
+}  // namespace marrow::tools
