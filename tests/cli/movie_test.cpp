@@ -214,6 +214,7 @@ TEST_F(MovieTest, HeatMapsShareOneScale) {
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
   EXPECT_EQ(ran.out.find("rigid:ssd: largest distance "), 0u) << ran.out;
+  EXPECT_EQ(ran.out.find("e-"), std::string::npos) << "plain numbers: " << ran.out;
   EXPECT_EQ(frames_of(chunks_of(read_text(folder_ / "h.png"))).size(), 5u);
 }
 

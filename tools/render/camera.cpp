@@ -43,11 +43,11 @@ float view_height() {
   return 2 * std::tan(0.5f * kFieldOfView);
 }
 
-Orbit orbit_round(std::span<const glm::vec3> points, float aspect, float margin) {
+Orbit orbit_round(std::span<const glm::vec3> points, float aspect, float margin, const Orbit& side) {
   Box box;
   for (const glm::vec3& p : points) box.add(p);
-  Orbit orbit;
-  const glm::vec3 from_centre = frame_points(points, aspect, margin).position - box.centre();
+  Orbit orbit = side;
+  const glm::vec3 from_centre = frame_points_from(side, points, aspect, margin).position - box.centre();
   orbit.distance = glm::dot(from_centre, back_of(orbit));
   // On the camera's axis, as far away as the box's centre.
   orbit.target = box.centre() + from_centre - orbit.distance * back_of(orbit);
@@ -66,6 +66,10 @@ Camera camera_on(const Orbit& orbit, float aspect, float radius) {
 Camera frame_points(std::span<const glm::vec3> points, float aspect, float margin, float turn_rad) {
   Orbit side;
   side.yaw += turn_rad;
+  return frame_points_from(side, points, aspect, margin);
+}
+
+Camera frame_points_from(const Orbit& side, std::span<const glm::vec3> points, float aspect, float margin) {
   const glm::vec3 back = back_of(side), right = right_of(side), up = up_of(side);
   const float tangent_y = std::tan(0.5f * kFieldOfView);
   const float slope_y = tangent_y * (1 - 2 * margin);

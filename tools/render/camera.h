@@ -41,8 +41,11 @@ struct Orbit {
   float distance = 1;
 };
 
-// The orbit on which frame_points()'s camera is.
-Orbit orbit_round(std::span<const glm::vec3> points, float aspect, float margin);
+// As frame_points(), from the side that the orbit's yaw and pitch say. The rest of it does not count.
+Camera frame_points_from(const Orbit& side, std::span<const glm::vec3> points, float aspect, float margin);
+
+// The orbit on which frame_points_from()'s camera is.
+Orbit orbit_round(std::span<const glm::vec3> points, float aspect, float margin, const Orbit& side = {});
 // radius: of what stands round the target; near and far planes follow it.
 Camera camera_on(const Orbit& orbit, float aspect, float radius);
 // To the right and up in the picture, unit, scene space.

@@ -90,6 +90,10 @@ Shot Performance::shot(const Character& character, float aspect, float margin, f
   return shot_by(moved(frame_points(points_, aspect, margin, turn_rad), followed(character)));
 }
 
+Shot Performance::shot_from(const Orbit& side, const Character& character, float aspect, float margin) const {
+  return shot_by(moved(frame_points_from(side, points_, aspect, margin), followed(character)));
+}
+
 Shot Performance::shot_by(const Camera& camera) const {
   Shot shot;
   shot.camera = camera;
@@ -105,7 +109,8 @@ Box Performance::box(const Character& character) const {
   return box;
 }
 
-Shot Performance::turned_shot(const Character& character, float aspect, float margin, float turn_rad) const {
+Shot Performance::turned_shot(const Character& character, float aspect, float margin, float turn_rad,
+                              const Orbit& side) const {
   // What a point passes on its way round; of near-by points the outermost are enough.
   const glm::vec3 axis = box_of(points_).centre();
   std::map<int, glm::vec2> widest;  // by height: how far from the axis, and how high
@@ -122,7 +127,8 @@ Shot Performance::turned_shot(const Character& character, float aspect, float ma
       swept.emplace_back(axis.x + profile.x * std::cos(angle), profile.y, axis.z + profile.x * std::sin(angle));
     }
   }
-  Shot shot = shot_by(moved(turned(frame_points(swept, aspect, margin), axis, turn_rad), followed(character)));
+  Shot shot =
+      shot_by(moved(turned(frame_points_from(side, swept, aspect, margin), axis, turn_rad), followed(character)));
   shot.light_turn_rad = turn_rad;
   return shot;
 }

@@ -21,6 +21,8 @@ class Performance {
   // A picture of this shape that frames the whole performance. A character that walks off is followed: `character`
   // stands where it is shot.
   Shot shot(const Character& character, float aspect, float margin, float turn_rad = 0) const;
+  // From another side: the orbit's yaw and pitch count.
+  Shot shot_from(const Orbit& side, const Character& character, float aspect, float margin) const;
   // For cameras that walk about: the orbit of shot(), but that what follows a character is to be added to its target.
   Orbit orbit(float aspect, float margin) const { return orbit_round(points_, aspect, margin); }
   glm::vec3 followed(const Character& character) const { return follows_ ? anchor(character) : glm::vec3(0); }
@@ -30,7 +32,8 @@ class Performance {
   // What all of it stays in, where the character stands.
   Box box(const Character& character) const;
   // The same on a turntable: framed so that all sides fit, from one distance, and lit from where the camera is.
-  Shot turned_shot(const Character& character, float aspect, float margin, float turn_rad) const;
+  Shot turned_shot(const Character& character, float aspect, float margin, float turn_rad,
+                   const Orbit& side = {}) const;
 
  private:
   glm::vec3 anchor(const Character& character) const;

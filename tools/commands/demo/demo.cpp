@@ -14,6 +14,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
+#include "common/quantity.h"
 #include "cook/cook.h"
 #include "sample/embedded.h"
 
@@ -81,11 +82,11 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
           std::to_string(cooked.file.size()),
           std::to_string(joints),
           std::to_string(vertices),
-          clip ? file.clip(*clip).name : "(rest pose)",
+          clip ? name_of_clip(file, *clip) : "(rest pose)",
           clip ? fmt::format("{:.1f}", timings.sample_us) : "-",
           fmt::format("{:.1f}", timings.ssd_us),
           fmt::format("{:.1f}", timings.as_us),
-          fmt::format("{:.2g} mm", 1e3 * static_cast<double>(sheet.largest_m)),
+          length_text(static_cast<double>(sheet.largest_m)),
           png};
 }
 

@@ -30,8 +30,9 @@ void draw_right(Image& image, int right, int baseline, float size, Rgb colour, c
 }
 
 Image lay_out(const SheetPage& page) {
-  const int rows = static_cast<int>(page.rows.size());
-  Image image(kWidth, kTitleHeight + rows * (kStripHeight + kCellHeight) + kFooterHeight, kPaper);
+  int height = kTitleHeight + kFooterHeight;
+  for (const SheetRow& row : page.rows) height += kStripHeight + row.cells.front().height;
+  Image image(kWidth, height, kPaper);
   const float title_end = draw_text(image, kEdge, 50, 24, kBright, page.title);
   draw_text(image, title_end + 24, 50, 13, kSheetQuiet, page.scene);
   draw_right(image, kWidth - kEdge, 50, 13, kSheetQuiet, page.right);
@@ -44,7 +45,7 @@ Image lay_out(const SheetPage& page) {
     y += kStripHeight;
     for (std::size_t column = 0; column < row.cells.size(); ++column)
       paste(image, row.cells[column], column_x(column), y);
-    y += kCellHeight;
+    y += row.cells.front().height;
   }
   for (std::size_t column = 0; column < page.columns.size(); ++column)
     draw_text(image, to_float(column_x(column)), to_float(y + 24), 11, kSheetQuiet, page.columns[column]);

@@ -11,11 +11,11 @@ namespace marrow::tools {
 
 inline constexpr int kSheetColumns = 6;
 inline constexpr int kCellWidth = 300;
-inline constexpr int kCellHeight = 320;
+inline constexpr int kCellHeight = 320;  // where a sheet does not choose another
 
 struct SheetRow {
   std::string name, about;
-  std::vector<Image> cells;  // kSheetColumns of them
+  std::vector<Image> cells;  // kSheetColumns of them, kCellWidth wide and of one height
   // Draws more at the right end of the strip, whose text stands on this line.
   std::function<void(Image& page, int right, int baseline)> strip;
 };

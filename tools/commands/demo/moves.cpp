@@ -15,6 +15,7 @@
 #include "commands/demo/layout.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
+#include "common/quantity.h"
 #include "cook/cook.h"
 #include "marrow/glm.h"
 #include "marrow/marrow.h"
@@ -177,7 +178,8 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
 
   SheetPage page;
   page.title = "Inverse kinematics";
-  page.scene = fmt::format("clip \"walk\", {:.2f} s, made for level ground", static_cast<double>(play.duration_s));
+  page.scene =
+      fmt::format("clip \"walk\", {} s, made for level ground", plain_number(static_cast<double>(play.duration_s)));
   page.rows = {{"As animated", "feet go through a slope, or hang above it", {}, {}},
                {"place_feet", "soles follow the ground, the pelvis gives way", {}, {}},
                {"place_feet, solve_two_bone, solve_look_at", "and a hand stays on a point, and the eyes", {}, {}}};

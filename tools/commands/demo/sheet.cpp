@@ -7,13 +7,17 @@
 #include <fmt/format.h>
 
 #include "commands/demo/layout.h"
-#include "image/caption.h"
+#include "common/quantity.h"
 #include "render/figure.h"
 #include "render/heat.h"
+#include "render/legend.h"
 #include "render/performance.h"
 
 namespace marrow::tools {
 namespace {
+
+constexpr int kLeastHeight = 200, kMostHeight = 440;  // of cells, pixels
+constexpr float kCellMargin = 0.05f;                  // of their sides
 
 float as_float(int value) {
   return static_cast<float>(value);
@@ -30,17 +34,67 @@ Moment moment_at(float duration_s, int column) {
   return duration_s > 0 ? Moment{duration_s * part, 0} : Moment{0, 6.2831853f * part};
 }
 
-// Metres in a unit that reads well; models need not be in metres, which is for the reader to know.
-std::string length_text(float length_m) {
-  const double mm = 1e3 * static_cast<double>(length_m);
-  return mm > 0 && mm < 0.001 ? fmt::format("{:.6f} mm", mm) : fmt::format("{:.4g} mm", mm);
-}
-
 struct Rows {
   std::array<std::vector<Image>, 3> cells;  // SSD, AS, difference
   float largest_m = 0;
   float full_scale_m = 0;
 };
+
+// From where each moment is drawn: all from one distance, as near as one shape of cells allows.
+struct Framing {
+  std::array<Orbit, kSheetColumns> orbits;
+  int cell_height = kCellHeight;
+  float aspect() const { return as_float(kCellWidth) / as_float(cell_height); }
+};
+
+// What the character is at one moment: how high and low it ever is belongs to it, so that the ground stays put.
+std::vector<glm::vec3> framed_points(const std::vector<PosedMesh>& posed, float low, float high) {
+  std::vector<glm::vec3> out;
+  for (const PosedMesh& mesh : posed)
+    for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3)
+      out.emplace_back(mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]);
+  const glm::vec3 centre = box_of(posed).centre();
+  out.emplace_back(centre.x, low, centre.z);
+  out.emplace_back(centre.x, high, centre.z);
+  return out;
+}
+
+// Width over height of what a camera on that side sees.
+float shape_of(const std::vector<glm::vec3>& points, const Orbit& side) {
+  Box box;
+  for (const glm::vec3& p : points) box.add({glm::dot(p, right_of(side)), glm::dot(p, up_of(side)), 0});
+  const glm::vec3 size = box.max - box.min;
+  return size.x / std::max(size.y, 1e-20f);
+}
+
+Framing frame_moments(const File& file, Character& character, const Play& play) {
+  std::vector<std::vector<PosedMesh>> moments;
+  Box all;
+  for (int column = 0; column < kSheetColumns; ++column) {
+    character.pose(play, moment_at(play.duration_s, column).time_s);
+    moments.push_back(skin_all(file, character, Deformer::ssd));
+    const Box box = box_of(moments.back());
+    all.add(box.min);
+    all.add(box.max);
+  }
+  Framing out;
+  std::vector<std::vector<glm::vec3>> points;
+  float widest = 0;
+  for (std::size_t column = 0; column < kSheetColumns; ++column) {
+    points.push_back(framed_points(moments[column], all.min.y, all.max.y));
+    out.orbits[column].yaw += moment_at(play.duration_s, static_cast<int>(column)).turn_rad;
+    widest = std::max(widest, shape_of(points.back(), out.orbits[column]));
+  }
+  const float height = as_float(kCellWidth) / std::max(widest, 1e-3f);
+  out.cell_height = static_cast<int>(std::clamp(height, as_float(kLeastHeight), as_float(kMostHeight)));
+  float distance = 0;
+  for (std::size_t column = 0; column < kSheetColumns; ++column) {
+    out.orbits[column] = orbit_round(points[column], out.aspect(), kCellMargin, out.orbits[column]);
+    distance = std::max(distance, out.orbits[column].distance);
+  }
+  for (Orbit& orbit : out.orbits) orbit.distance = distance;
+  return out;
+}
 
 // The largest distance over all moments first: one ramp serves the whole row.
 float largest_over(const File& file, Character& character, const Play& play) {
@@ -56,7 +110,8 @@ float largest_over(const File& file, Character& character, const Play& play) {
 Rows shoot_rows(const Gl& gl, const File& file, const Textures& textures, const Play& play) {
   Character character(file, AsNormals::tangents);
   const Performance performance(file, character, play);
-  Studio studio(gl, kCellWidth, kCellHeight);
+  const Framing framing = frame_moments(file, character, play);
+  Studio studio(gl, kCellWidth, framing.cell_height);
   Figure figure(gl, studio.programs(), file, &textures, AsNormals::tangents);
   Rows rows;
   rows.largest_m = largest_over(file, character, play);
@@ -66,30 +121,19 @@ Rows shoot_rows(const Gl& gl, const File& file, const Textures& textures, const 
     character.pose(play, moment.time_s);
     const std::vector<PosedMesh> ssd = skin_all(file, character, Deformer::ssd);
     const std::vector<PosedMesh> as = skin_all(file, character, Deformer::as);
-    Shot shot = performance.shot(character, as_float(kCellWidth) / kCellHeight, 0.05f, moment.turn_rad);
+    const Orbit& orbit = framing.orbits[static_cast<std::size_t>(column)];
+    Shot shot = performance.shot_by(camera_on(orbit, framing.aspect(), performance.radius()));
     shot.box = box_of(ssd);
     rows.cells[0].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::ssd)));
     rows.cells[1].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::as)));
-    shot.shading = 0.25f;
+    shot.shading = kHeatShading;
     rows.cells[2].push_back(studio.shoot(shot, figure.from_cpu(ssd, compare(ssd, as, rows.full_scale_m).colours)));
   }
   return rows;
 }
 
-void draw_ramp(Image& image, int edge, int baseline, float full_scale_m) {
-  constexpr int kLength = 180;
-  const std::string hottest = length_text(full_scale_m);
-  draw_right(image, edge, baseline, 11, kSheetQuiet, hottest);
-  const int right = edge - static_cast<int>(text_width(11, hottest)) - 12;
-  for (int x = 0; x < kLength; ++x) {
-    const Rgb colour = heat_colour(as_float(x) / (kLength - 1));
-    for (int y = baseline - 10; y <= baseline; ++y) blend(image, right - kLength + x, y, colour, 1);
-  }
-  draw_right(image, right - kLength - 10, baseline, 11, kSheetQuiet, "0");
-}
-
 std::string moment_text(const Moment& moment, bool moving) {
-  if (moving) return fmt::format("{:.2f} s", static_cast<double>(moment.time_s));
+  if (moving) return plain_number(static_cast<double>(moment.time_s), 2) + " s";
   return fmt::format("{:.0f} deg", static_cast<double>(moment.turn_rad) * 57.29578);
 }
 
@@ -117,6 +161,11 @@ std::optional<std::uint32_t> liveliest_clip(const File& file) {
   return best;
 }
 
+std::string name_of_clip(const File& file, std::uint32_t clip) {
+  const std::string name = file.clip(clip).name;
+  return name.empty() ? std::to_string(clip) : name;
+}
+
 Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::optional<std::uint32_t> clip,
                  const std::string& title) {
   const Play play = clip ? play_together(file, *clip) : Play{};
@@ -127,14 +176,18 @@ Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::
 
   SheetPage page;
   page.title = title;
-  page.scene = clip ? fmt::format("clip \"{}\", {:.2f} s", file.clip(*clip).name, static_cast<double>(play.duration_s))
-                    : std::string("rest pose");
+  page.scene =
+      clip ? fmt::format("clip \"{}\", {} s", name_of_clip(file, *clip), plain_number(static_cast<double>(play.duration_s)))
+           : std::string("rest pose");
   page.right = fmt::format("{} joints   {} vertices", joints, vertices);
   page.rows = {
       {"SSD", "skeletal subspace deformation, by the vertex shader", std::move(rows.cells[0]), {}},
       {"AS", "animation space, by the vertex shader", std::move(rows.cells[1]), {}},
-      {"Difference", "largest distance between SSD and AS: " + length_text(rows.largest_m), std::move(rows.cells[2]),
-       [&](Image& image, int right, int baseline) { draw_ramp(image, right, baseline, rows.full_scale_m); }}};
+      {"Difference", "largest distance between SSD and AS: " + length_text(static_cast<double>(rows.largest_m)),
+       std::move(rows.cells[2]), [&](Image& image, int right, int baseline) {
+         if (!shows_nothing(rows.largest_m, rows.full_scale_m))
+           draw_ramp(image, right, baseline, 11, kSheetQuiet, rows.full_scale_m);
+       }}};
   for (int column = 0; column < kSheetColumns; ++column)
     page.columns.push_back(moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
   return {lay_out(page), rows.largest_m};

@@ -20,6 +20,9 @@ struct Sheet {
 // The clip that bends joints most, the one worth showing; nullopt if the file has none.
 std::optional<std::uint32_t> liveliest_clip(const File& file);
 
+// Its name, or as --clip takes one without a name: its number.
+std::string name_of_clip(const File& file, std::uint32_t clip);
+
 // title: what the file is called. All clips of the name of `clip` play, one a skeleton. Without a clip the rest pose is
 // shown from six sides.
 Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::optional<std::uint32_t> clip,

@@ -8,6 +8,7 @@
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/quantity.h"
 #include "image/apng.h"
 
 namespace marrow::tools {
@@ -55,9 +56,10 @@ Movie plan_movie(const RenderArguments& arguments, const Play& play) {
   movie.duration_s = plays ? clip_s * std::max(1.0, std::ceil(turn_s / clip_s)) : turn_s;
   const double frames = std::max(1.0, std::round(movie.duration_s * arguments.fps));
   if (!(frames <= kMostFrames))
-    throw Failure(Exit::usage, "--movie", "",
-                  fmt::format("{:.4g} s at {} frames a second are too many frames", movie.duration_s, arguments.fps),
-                  fmt::format("at most {:.0f}: lower --fps", kMostFrames));
+    throw Failure(
+        Exit::usage, "--movie", "",
+        fmt::format("{} s at {} frames a second are too many frames", plain_number(movie.duration_s, 4), arguments.fps),
+        fmt::format("at most {:.0f}: lower --fps", kMostFrames));
   for (int i = 0; i < static_cast<int>(frames); ++i) {
     Instant& instant = movie.instants.emplace_back();
     const double time_s = movie.duration_s * i / frames;
@@ -107,8 +109,8 @@ void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
     }
   }
   if (!names) write_file_atomically(arguments.output, apng.finish());
-  std::fputs(fmt::format("{}: {}x{}, {} frames, {:.4g} s, {}\n", arguments.output, sitting.width(), sitting.height(),
-                         frames, movie.duration_s, sitting.gl().driver())
+  std::fputs(fmt::format("{}: {}x{}, {} frames, {} s, {}\n", arguments.output, sitting.width(), sitting.height(),
+                         frames, plain_number(movie.duration_s), sitting.gl().driver())
                  .c_str(),
              stderr);
 }

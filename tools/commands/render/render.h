@@ -4,12 +4,14 @@
 #include <optional>
 #include <string>
 
+#include "commands/render/viewpoint.h"
 #include "render/look.h"
 
 namespace marrow::tools {
 
 struct RenderArguments : LookArguments {
   std::string output;
+  ViewpointArguments viewpoint;
   bool movie = false;
   bool held = false;  // a movie of the moment --time
   int fps = 15;

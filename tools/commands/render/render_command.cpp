@@ -26,6 +26,18 @@ void add_movie(CLI::App* command, RenderArguments& a) {
       ->needs(movie);
 }
 
+void add_viewpoint(CLI::App* command, ViewpointArguments& a) {
+  add_one_of(command, "--view", kSides, a.side,
+             "the side that is seen of a character that faces +Z; left and right are its own");
+  CLI::Option* const joint =
+      command->add_option("--look-at", a.look_at, "aim at the place of a joint, and follow it")->type_name("JOINT");
+  command
+      ->add_option("--distance", a.distance,
+                   "from the joint to the camera, metres or as in 50cm; without it half of the character's size")
+      ->type_name("LENGTH")
+      ->needs(joint);
+}
+
 }  // namespace
 
 void add_render(CLI::App& app, int&) {
@@ -33,6 +45,7 @@ void add_render(CLI::App& app, int&) {
   CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
   add_look(command, a, kSkinPaths);
   add_reach(command, a.reach);
+  add_viewpoint(command, a.viewpoint);
   add_movie(command, a);
   command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
   command->callback([command] {

@@ -1,11 +1,14 @@
 #include "commands/render/sitting.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "common/failure.h"
 #include "common/load_mrw.h"
+#include "common/quantity.h"
 #include "render/heat.h"
+#include "render/legend.h"
 #include "render/mark.h"
 
 namespace marrow::tools {
@@ -15,13 +18,14 @@ constexpr float kFrameMargin = 0.09f;
 
 }  // namespace
 
-Sitting::Sitting(const LookArguments& arguments)
+Sitting::Sitting(const RenderArguments& arguments)
     : arguments_(arguments),
       size_(parse_size(arguments.size)),
       manner_{arguments.deformer, arguments.path, parse_pair(arguments.heatmap)},
       normals_(arguments.normals),
       loaded_(load_mrw(arguments.file)),
       chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
+      viewpoint_(make_viewpoint(arguments.file, loaded_.file, arguments.viewpoint)),
       reach_(loaded_.file, arguments.reach),
       character_(loaded_.file, normals_, arguments.lod),
       performance_(loaded_.file, reaching(), chosen_.play),
@@ -53,20 +57,43 @@ void Sitting::agree_on_heat(std::span<const Instant> instants) {
                        largest_distance(skin_all(loaded_.file, character_, a), skin_all(loaded_.file, character_, b)));
   }
   manner_.heat_scale = sensible_scale(largest, performance_.diagonal());
-  std::printf("%s: largest distance %.6g mm (%.3g of the diagonal); the hottest colour is %.6g mm\n",
-              arguments_.heatmap.c_str(), 1e3 * static_cast<double>(largest),
-              static_cast<double>(largest / performance_.diagonal()), 1e3 * static_cast<double>(manner_.heat_scale));
+  largest_m_ = largest;
+  fmt::print("{}: largest distance {} ({} of the diagonal); the hottest colour is {}\n", arguments_.heatmap,
+             length_text(static_cast<double>(largest)),
+             plain_number(static_cast<double>(largest / performance_.diagonal())),
+             length_text(static_cast<double>(manner_.heat_scale)));
+}
+
+Shot Sitting::frame(const Instant& instant) const {
+  const float aspect = static_cast<float>(width()) / static_cast<float>(height());
+  Orbit orbit = viewpoint_.direction;
+  if (!viewpoint_.joint && instant.turn_rad) {
+    Shot shot = performance_.turned_shot(character_, aspect, kFrameMargin, *instant.turn_rad, orbit);
+    shot.light_turn_rad += light_turn_rad(orbit);
+    return shot;
+  }
+  orbit.yaw += instant.turn_rad.value_or(0);
+  if (!viewpoint_.joint) {
+    Shot shot = performance_.shot_from(orbit, character_, aspect, kFrameMargin);
+    shot.light_turn_rad = light_turn_rad(orbit);
+    return shot;
+  }
+  const Affine& joint = character_.scene_from_joint(viewpoint_.joint->skeleton)[viewpoint_.joint->joint];
+  orbit.target = {joint.rows[0][3], joint.rows[1][3], joint.rows[2][3]};
+  orbit.distance = viewpoint_.distance.value_or(performance_.radius());
+  Shot shot = performance_.shot_by(camera_on(orbit, aspect, performance_.radius()));
+  shot.light_turn_rad = light_turn_rad(orbit);
+  return shot;
 }
 
 Image Sitting::shoot(const Instant& instant) {
   character_.pose(chosen_.play, instant.time_s);
-  const float aspect = static_cast<float>(width()) / static_cast<float>(height());
-  Shot shot = instant.turn_rad ? performance_.turned_shot(character_, aspect, kFrameMargin, *instant.turn_rad)
-                               : performance_.shot(character_, aspect, kFrameMargin);
+  Shot shot = frame(instant);
   if (baked_) baked_->blend(instant.time_s);
   const std::vector<Drawable> drawables =
       drawables_of(arguments_.file, loaded_.file, character_, figure_, manner_, shot);
   Image image = studio_.shoot(shot, drawables);
+  if (manner_.heat) draw_legend(image, "distance, " + arguments_.heatmap, largest_m_, manner_.heat_scale);
   for (const Reach::Goal& goal : reach_.goals()) draw_mark(image, shot.camera, goal.position);
   return image;
 }

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "render/look.h"
+#include "commands/render/render.h"
 #include "render/performance.h"
 
 namespace marrow::tools {
@@ -19,7 +19,7 @@ struct Instant {
 class Sitting {
  public:
   // Throws Failure: usage if an option makes no sense, and what loading, textures and the driver throw.
-  explicit Sitting(const LookArguments& arguments);
+  explicit Sitting(const RenderArguments& arguments);
 
   const Play& play() const { return chosen_.play; }
   int width() const { return size_.first; }
@@ -30,17 +30,19 @@ class Sitting {
   // says on stdout what they mean. Without it nothing.
   void agree_on_heat(std::span<const Instant> instants);
 
-  // With marks at the goals of inverse kinematics, if there are any.
+  // With a legend of colours, and marks at the goals of inverse kinematics, if there are any.
   Image shoot(const Instant& instant);
 
  private:
   Character& reaching();
-  const LookArguments& arguments_;
+  Shot frame(const Instant& instant) const;
+  const RenderArguments& arguments_;
   std::pair<int, int> size_;
   Manner manner_;
   AsNormals normals_;
   LoadedFile loaded_;
   Chosen chosen_;
+  Viewpoint viewpoint_;
   Reach reach_;
   Character character_;
   Performance performance_;
@@ -48,6 +50,7 @@ class Sitting {
   Textures textures_;
   Studio studio_;
   Figure figure_;
+  float largest_m_ = 0;               // of the heat map
   std::unique_ptr<BakedPlay> baked_;  // of path crowd
 };
 
