@@ -77,8 +77,17 @@ TEST(Compare, WritesOnePage) {
   EXPECT_NE(page.find("<h1>Use "), std::string::npos);
   EXPECT_NE(page.find("as_fit_half1"), std::string::npos);
   EXPECT_EQ(page.find("://"), std::string::npos) << "self-contained; pictures in base64 have no colons";
+  // The figures are there without the script, which finds them by these marks.
+  for (const char* const mark : {"<td data-value=\"ssd\">ssd</td>", "<th>RMS, held out, mm</th>",
+                                 "<svg class=\"chart\"", "<label data-series=\"as_fit\">", "<polyline", " data-mm=\""})
+    EXPECT_NE(page.find(mark), std::string::npos) << mark;
+  EXPECT_EQ(page.find("</script>"), page.rfind("</script>"));
+  EXPECT_EQ(page.find(" src=\"http"), std::string::npos);
 #ifdef MARROW_HAS_GLES
   EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+  for (const char* const mark :
+       {"<figure data-name=\"truth\">", "<figure data-name=\"as_fit_half1\">", "linear-gradient(90deg,#"})
+    EXPECT_NE(page.find(mark), std::string::npos) << mark;
 #endif
 }
 

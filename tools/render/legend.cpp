@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/quantity.h"
 #include "image/caption.h"
@@ -43,26 +44,16 @@ int draw_ramp(Image& image, int right, int baseline, float cap_height, Rgb colou
 void draw_legend(Image& image, const std::string& heading, float largest_m, float full_scale_m) {
   if (image.width < kLeastWidth || image.height < kLeastHeight) return;
   const float text = std::clamp(static_cast<float>(image.height) / 64, 7.0f, 24.0f);
-  const int unit = static_cast<int>(std::lround(text)), bar = 16 * unit, pad = unit;
+  const int unit = static_cast<int>(std::lround(text)), baseline = image.height - unit;
+  for (int y = image.height - 3 * unit; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) blend(image, x, y, kPlate, 0.8f);
+  int end = image.width - unit;
+  if (!shows_nothing(largest_m, full_scale_m)) end = draw_ramp(image, end, baseline, text, kQuiet, full_scale_m) - unit;
   const std::string largest = "at most " + length_text(static_cast<double>(largest_m));
-  const int words = static_cast<int>(std::ceil(std::max(text_width(text, heading), text_width(text, largest))));
-  const int half_number = static_cast<int>(text_width(text, length_text(static_cast<double>(full_scale_m)))) / 2;
-  const bool nothing = shows_nothing(largest_m, full_scale_m);
-  const int width = std::max(bar + half_number, words) + 2 * pad, height = (nothing ? 3 : 8) * unit + 2 * pad;
-  const int left = pad, top = image.height - pad - height;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) blend(image, left + x, top + y, kPlate, 0.8f);
-  const auto line = [&](int baseline) { return static_cast<float>(top + pad + baseline); };
-  const auto x = static_cast<float>(left + pad);
-  draw_text(image, x, line(unit), text, kBright, heading);
-  draw_text(image, x, line(3 * unit), text, kQuiet, largest);
-  if (nothing) return;
-  draw_bar(image, left + pad, top + pad + 4 * unit, bar, unit + unit / 2);
-  draw_text(image, x, line(8 * unit), text, kQuiet, "0");
-  for (const int half : {1, 2}) {
-    const std::string number = length_text(0.5 * half * static_cast<double>(full_scale_m));
-    const float at = x + 0.5f * static_cast<float>(half * bar) - 0.5f * text_width(text, number);
-    draw_text(image, at, line(8 * unit), text, kQuiet, number);
+  auto x = static_cast<float>(unit);
+  for (const auto& [word, colour] : {std::pair(heading, kBright), std::pair(largest, kQuiet)}) {
+    if (x + text_width(text, word) > static_cast<float>(end)) return;
+    x = draw_text(image, x, static_cast<float>(baseline), text, colour, word) + 2 * text;
   }
 }
 

@@ -14,8 +14,8 @@ bool shows_nothing(float largest_m, float full_scale_m);
 // `baseline`. Returns where it begins. Precondition: full_scale_m > 0.
 int draw_ramp(Image& image, int right, int baseline, float cap_height, Rgb colour, float full_scale_m);
 
-// The same on a plate in the lower left corner, with a heading and, in the middle of the ramp, half the number; of
-// a map that shows nothing it says so. A picture that is too small has no room for it.
+// The same in a strip along the lower edge, narrower than the margin round a framed figure, behind a heading and the
+// largest distance. A map that shows nothing has no ramp, and a picture that is too small no strip.
 void draw_legend(Image& image, const std::string& heading, float largest_m, float full_scale_m);
 
 }  // namespace marrow::tools

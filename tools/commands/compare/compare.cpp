@@ -81,14 +81,16 @@ void write_pictures(const std::string& folder, const std::vector<PictureRow>& ro
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw Failure(Exit::io, folder, "", error.message(), "give a folder that can be written");
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t i = 0; i < rows[r].pictures.size(); ++i) {
-      const Picture& picture = rows[r].pictures[i];
-      const std::size_t colon = picture.caption.find(':');
-      const std::string name = fmt::format("{}-{}-{}{}.png", r + 1, i + 1, picture.caption.substr(0, colon),
-                                           colon == std::string::npos ? "" : "-error");
-      write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png);
-    }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::size_t number = 0;
+    for (const std::vector<Picture>* const pictures : {&rows[r].shapes, &rows[r].errors})
+      for (const Picture& picture : *pictures) {
+        const std::size_t colon = picture.caption.find(':');
+        const std::string name = fmt::format("{}-{}-{}{}.png", r + 1, ++number, picture.caption.substr(0, colon),
+                                             colon == std::string::npos ? "" : "-error");
+        write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png);
+      }
+  }
 }
 
 }  // namespace

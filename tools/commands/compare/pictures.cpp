@@ -8,17 +8,20 @@
 #include <glm/geometric.hpp>
 
 #include "common/aligned_bytes.h"
+#include "common/quantity.h"
 #include "cook/cook.h"
 #include "cook/scene/matrices.h"
 #include "deform/surface.h"
 #include "render/figure.h"
 #include "render/heat.h"
+#include "render/legend.h"
 #include "render/performance.h"
 
 namespace marrow::tools {
 namespace {
 
 constexpr int kSide = 380;
+constexpr float kLeastScale = 1e-4f;  // of the diagonal: what is less is no difference that anyone sees
 
 // The study's mesh as the studio draws it.
 class Stage {
@@ -63,6 +66,7 @@ class Stage {
     return out;
   }
 
+  // Framed as `framed` is. heat: its colours instead of the mesh's own, with a legend.
   Picture shoot(const std::vector<PosedMesh>& meshes, const std::vector<PosedMesh>& framed, const std::string& caption,
                 const HeatMap* heat) {
     std::vector<glm::vec3> points;
@@ -76,12 +80,14 @@ class Stage {
     shot.ground_height = shot.box.min.y;
     std::vector<Drawable> drawables;
     if (heat != nullptr) {
-      shot.shading = 0.25f;
+      shot.shading = kHeatShading;
       drawables = figure_->from_cpu(meshes, heat->colours);
     } else {
       drawables = figure_->from_cpu(meshes);
     }
-    return {caption, encode_png(studio_->shoot(shot, drawables))};
+    Image image = studio_->shoot(shot, drawables);
+    if (heat != nullptr) draw_legend(image, "off the truth", heat->largest, heat->full_scale);
+    return {caption, encode_png(image)};
   }
 
  private:
@@ -114,6 +120,15 @@ std::vector<std::size_t> worst_poses(const Round& round, const std::vector<doubl
   return out;
 }
 
+std::vector<std::string> ramp_of_styles() {
+  std::vector<std::string> out;
+  for (int i = 0; i <= 10; ++i) {
+    const Rgb c = heat_colour(0.1f * static_cast<float>(i));
+    out.push_back(fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<PictureRow> draw_worst_poses(const Study& study, const DeformerComparison& comparison,
@@ -127,11 +142,12 @@ std::vector<PictureRow> draw_worst_poses(const Study& study, const DeformerCompa
   for (const std::size_t i : worst_poses(round, comparison.rows[deformers.front()].error_of_pose, most)) {
     const HeldPose& held = round.held[i];
     PictureRow row;
-    row.title = held.clip.empty() ? fmt::format("pose {}", i) : fmt::format("{} at {:.2f} s", held.clip, held.time_s);
+    row.title =
+        held.clip.empty() ? fmt::format("pose {}", i) : fmt::format("{} at {} s", held.clip, plain_number(held.time_s));
     deform::Positions positions;
     truth(held.pose, positions);
     const std::vector<PosedMesh> wanted = stage.posed(held.pose, positions, {});
-    row.pictures.push_back(stage.shoot(wanted, wanted, "truth", nullptr));
+    row.shapes.push_back(stage.shoot(wanted, wanted, "truth", nullptr));
     std::vector<std::vector<PosedMesh>> shapes;
     float scale = 0;
     for (const std::size_t d : deformers) {
@@ -139,15 +155,17 @@ std::vector<PictureRow> draw_worst_poses(const Study& study, const DeformerCompa
       trained.deform(held.pose, positions);
       shapes.push_back(stage.posed(held.pose, positions, shading_normals(trained, bind_normals, held.pose, false)));
       scale = std::max(scale, largest_distance(shapes.back(), wanted));
-      row.pictures.push_back(stage.shoot(shapes.back(), wanted, comparison.rows[d].deformer, nullptr));
+      row.shapes.push_back(stage.shoot(shapes.back(), wanted, comparison.rows[d].deformer, nullptr));
     }
+    scale = std::max({scale, kLeastScale * static_cast<float>(comparison.diagonal_m), 1e-9f});
+    row.scale_m = static_cast<double>(scale);
+    row.ramp = ramp_of_styles();
     for (std::size_t d = 0; d < deformers.size(); ++d) {
-      const HeatMap heat = compare(shapes[d], wanted, std::max(scale, 1e-9f));
-      row.pictures.push_back(
-          stage.shoot(shapes[d], wanted,
-                      fmt::format("{}: off by up to {:.1f} mm", comparison.rows[deformers[d]].deformer,
-                                  1e3 * static_cast<double>(heat.largest)),
-                      &heat));
+      const HeatMap heat = compare(shapes[d], wanted, scale);
+      row.errors.push_back(stage.shoot(shapes[d], wanted,
+                                       fmt::format("{}: off by up to {}", comparison.rows[deformers[d]].deformer,
+                                                   length_text(static_cast<double>(heat.largest))),
+                                       &heat));
     }
     out.push_back(std::move(row));
   }

@@ -14,10 +14,13 @@ struct Picture {
   std::vector<std::byte> png;
 };
 
-// A row a pose: the truth, deformers, and how far those are from it as colours.
+// A row a pose.
 struct PictureRow {
   std::string title;
-  std::vector<Picture> pictures;
+  std::vector<Picture> shapes;    // the truth first, then deformers
+  std::vector<Picture> errors;    // how far those are from it, as colours that mean the same in the row
+  double scale_m = 0;             // what the hottest colour stands for
+  std::vector<std::string> ramp;  // the colours from the coldest on, as style sheets have them
 };
 
 // deformers: indices into the comparison's rows. At most `most` poses, no two of one clip.

@@ -40,6 +40,12 @@ const RawInstance* largest_skinned(const RawScene& scene) {
   return best;
 }
 
+// What is said of a clip without a name is its number.
+std::string title_of_clip(const BuiltScene& built, std::uint32_t clip) {
+  const std::string& name = built.clips[clip].name;
+  return name.empty() ? "clip " + std::to_string(clip) : name;
+}
+
 // Which of a row's poses are held out.
 using IsHeld = std::function<bool(std::size_t number, std::size_t clip)>;
 
@@ -51,7 +57,7 @@ void add_round(const std::vector<SampledPose>& poses, const std::vector<std::uin
     const auto ordinal = static_cast<std::size_t>(std::ranges::find(clips, poses[i].clip) - clips.begin());
     if (is_held(i, ordinal)) {
       round.held.push_back({deform_pose(study.source, built.skeletons[study.source.skeleton], poses[i].local),
-                            built.clips[poses[i].clip].name, static_cast<double>(poses[i].time_s)});
+                            title_of_clip(built, poses[i].clip), static_cast<double>(poses[i].time_s)});
     } else {
       trained.push_back(poses[i]);
     }

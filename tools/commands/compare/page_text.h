@@ -1,0 +1,117 @@
+// What does not change in the page of `marrow compare`: its style, and the script that it does without if it must.
+#pragma once
+
+namespace marrow::tools {
+
+inline constexpr const char* kPageStyle =
+    R"(body{font:15px/1.5 system-ui,sans-serif;max-width:1240px;margin:2rem auto;padding:0 1rem;color:#222;background:#fafafa}
+h1{font-size:1.5rem;line-height:1.3}h2{font-size:1.1rem;margin-top:2.2rem}h3{font-size:1rem;margin:1.4rem 0 .4rem}
+.wide{overflow-x:auto}table{border-collapse:collapse;background:#fff;font-variant-numeric:tabular-nums}
+td,th{padding:.3rem .6rem;text-align:right;border-bottom:1px solid #ddd;white-space:nowrap}
+thead th{white-space:normal;vertical-align:bottom;font-size:.85rem}td:first-child,th:first-child{text-align:left}
+th button{font:inherit;color:inherit;background:none;border:0;padding:0;text-align:inherit;cursor:pointer}
+th button:after{content:" \2195";color:#aaa}th[aria-sort=ascending] button:after{content:" \2191";color:#222}
+th[aria-sort=descending] button:after{content:" \2193";color:#222}
+.grid{display:grid;gap:8px;align-items:end}figure{margin:0}figure img{width:100%;border-radius:4px;display:block}
+figcaption,.note,.scale{font-size:.85rem;color:#555}.scale{align-self:start}
+.ramp{height:12px;border-radius:2px;margin:.4rem 0 .1rem}.ends{display:flex;justify-content:space-between}
+.slider{max-width:480px;margin-top:8px}.slider input{width:100%;margin:.3rem 0}.stage{position:relative;touch-action:none;cursor:ew-resize}
+.stage img{width:100%;display:block;border-radius:4px;user-select:none;-webkit-user-drag:none}
+.stage img+img{position:absolute;inset:0}.stage i{position:absolute;top:0;bottom:0;width:2px;background:#fff;margin-left:-1px;pointer-events:none}
+.names{display:flex;justify-content:space-between}
+.key label{margin-right:1rem;white-space:nowrap}svg{background:#fff;border:1px solid #ddd;margin:0 8px 8px 0;max-width:100%}
+polyline{fill:none;stroke-width:1.5}polyline.off{display:none})";
+
+// Tables are sorted by a click on a heading, two pictures of a pose lie over each other under a slider, and lines of
+// charts come and go, which are drawn anew so that they fill the chart.
+inline constexpr const char* kPageScript = R"((() => {
+'use strict';
+const all = (selector, root = document) => [...root.querySelectorAll(selector)];
+const make = (tag, parent, properties = {}) => parent.appendChild(Object.assign(document.createElement(tag), properties));
+
+for (const table of all('table')) {
+  all('thead th', table).forEach((heading, column) => {
+    const text = heading.textContent;
+    heading.textContent = '';
+    make('button', heading, {type: 'button', textContent: text}).onclick = () => {
+      const falls = heading.getAttribute('aria-sort') === 'ascending';
+      all('th', table).forEach(other => other.removeAttribute('aria-sort'));
+      heading.setAttribute('aria-sort', falls ? 'descending' : 'ascending');
+      const key = row => row.cells[column].dataset.value;
+      const order = (a, b) => {
+        const x = key(a), y = key(b);
+        if (x === '' || y === '') return (x === '') - (y === '');
+        const d = column ? x - y : x < y ? -1 : x > y ? 1 : 0;
+        return falls ? -d : d;
+      };
+      table.tBodies[0].append(...[...table.tBodies[0].rows].sort(order));
+    };
+  });
+}
+
+for (const pose of all('.pose')) {
+  const shapes = all('figure[data-name]', pose);
+  if (shapes.length < 3) continue;
+  const slider = make('div', pose, {className: 'slider'});
+  const stage = make('div', slider, {className: 'stage'});
+  const images = [make('img', stage, {alt: ''}), make('img', stage, {alt: ''})];
+  const line = make('i', stage);
+  const range = make('input', slider, {type: 'range', min: 0, max: 100, step: 0.1, value: 50});
+  range.setAttribute('aria-label', 'how much is seen of the left picture');
+  const names = make('div', slider, {className: 'names'});
+  const slide = () => {
+    images[1].style.clipPath = `inset(0 0 0 ${range.value}%)`;
+    line.style.left = range.value + '%';
+  };
+  [1, shapes.length - 1].forEach((chosen, side) => {
+    const select = make('select', names);
+    select.setAttribute('aria-label', side ? 'right picture' : 'left picture');
+    shapes.forEach((shape, i) => make('option', select, {textContent: shape.dataset.name, value: i}));
+    select.onchange = () => { images[side].src = all('img', shapes[select.value])[0].src; };
+    select.value = chosen;
+    select.onchange();
+  });
+  range.oninput = slide;
+  stage.onpointerdown = stage.onpointermove = event => {
+    if (!event.buttons) return;
+    const box = stage.getBoundingClientRect();
+    range.value = 100 * (event.clientX - box.left) / box.width;
+    slide();
+  };
+  slide();
+}
+
+const nice = most => {
+  const unit = 10 ** Math.floor(Math.log10(most));
+  return unit * [1, 2, 5, 10].find(step => step * unit >= most * 0.999999);
+};
+const draw = chart => {
+  const lines = all('polyline', chart).map(line => ({line, values: line.dataset.mm.split(' ').map(Number)}));
+  const seen = lines.filter(({line}) => !line.classList.contains('off'));
+  const most = Math.max(0, ...seen.flatMap(({values}) => values));
+  if (!(most > 0)) return;
+  const top = nice(most), [low, height] = [+chart.dataset.low, +chart.dataset.height];
+  for (const {line, values} of lines) {
+    const points = line.getAttribute('points').trim().split(' ');
+    line.setAttribute('points', points.map((p, i) =>
+      `${p.split(',')[0]},${(low - height * values[i] / top).toFixed(1)}`).join(' '));
+  }
+  all('[data-share]', chart).forEach(tick => {
+    tick.textContent = `${+(top * tick.dataset.share).toPrecision(3)} mm`;
+  });
+};
+for (const key of all('.key label')) {
+  const name = key.dataset.series, lines = all(`polyline[data-series="${name}"]`);
+  const box = document.createElement('input');
+  box.type = 'checkbox';
+  box.checked = lines.some(line => !line.classList.contains('off'));
+  key.prepend(box, ' ');
+  box.onchange = () => {
+    lines.forEach(line => line.classList.toggle('off', !box.checked));
+    all('svg.chart').forEach(draw);
+  };
+}
+})();
+)";
+
+}  // namespace marrow::tools
