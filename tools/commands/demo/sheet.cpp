@@ -176,9 +176,9 @@ Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::
 
   SheetPage page;
   page.title = title;
-  page.scene =
-      clip ? fmt::format("clip \"{}\", {} s", name_of_clip(file, *clip), plain_number(static_cast<double>(play.duration_s)))
-           : std::string("rest pose");
+  page.scene = clip ? fmt::format("clip \"{}\", {} s", name_of_clip(file, *clip),
+                                  plain_number(static_cast<double>(play.duration_s)))
+                    : std::string("rest pose");
   page.right = fmt::format("{} joints   {} vertices", joints, vertices);
   page.rows = {
       {"SSD", "skeletal subspace deformation, by the vertex shader", std::move(rows.cells[0]), {}},
