@@ -23,7 +23,7 @@ foreach(target marrow_input_tests marrow_cook_tests)
   set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endforeach()
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
-target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_sample draco::draco)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow unit/cook/elementary_test.cpp unit/cook/workflow_test.cpp)
