@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "render/look.h"
 #include "render/performance.h"
@@ -33,8 +34,17 @@ class Sitting {
   // With marks at the goals of inverse kinematics, if there are any.
   Image shoot(const Instant& instant);
 
+  // After the last picture: says on stderr which goals were not reached.
+  void warn_of_misses() const;
+
  private:
+  // Of a goal over all pictures.
+  struct Misses {
+    float largest_m = 0;
+    int pictures = 0;
+  };
   Character& reaching();
+  void note_misses();
   const LookArguments& arguments_;
   std::pair<int, int> size_;
   Manner manner_;
@@ -42,6 +52,8 @@ class Sitting {
   LoadedFile loaded_;
   Chosen chosen_;
   Reach reach_;
+  std::vector<Misses> misses_;  // as reach_.goals()
+  int pictures_ = 0;
   Character character_;
   Performance performance_;
   Gl gl_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/formats.h"
 #include "cook/gltf/document/buffers.h"
 #include "cook/gltf/document/container.h"
 #include "cook/gltf/document/findings.h"
@@ -130,6 +131,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
 RawScene read_gltf(const std::string& path, const ReadOptions& options) {
   Report report(path);
   const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", report);
+  tools::expect_gltf(path, bytes);
   return read_scene(path, bytes, std::filesystem::path(path).parent_path().string(), options, report);
 }
 
