@@ -5,10 +5,14 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "commands/command.h"
 #include "common/call_errors.h"
 #include "common/failure.h"
+#include "common/nearest.h"
+#include "common/printable.h"
 
 namespace marrow::tools {
 namespace {
@@ -32,6 +36,36 @@ constexpr AddCommand kCommands[] = {
 #endif
 };
 
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> out;
+  for (const CLI::Option* const option : command.get_options())
+    for (const std::string& name : option->get_lnames()) out.push_back("--" + name);
+  return out;
+}
+
+std::vector<std::string> command_names(CLI::App& app) {
+  std::vector<std::string> out;
+  for (const CLI::App* const command : app.get_subcommands([](CLI::App*) { return true; }))
+    out.push_back(command->get_name());
+  return out;
+}
+
+// A word that means nothing explains more than what is missing without it.
+std::string explain(CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  const CLI::App& command = commands.empty() ? app : *commands.front();
+  const std::string help = "see marrow " + (commands.empty() ? "" : command.get_name() + " ") + "--help";
+  for (const std::string& text : command.remaining()) {
+    const std::string word = text.substr(0, text.find('='));
+    if (word.starts_with("-")) {
+      const std::string question = did_you_mean(word, option_names(command));
+      return "unknown option " + printable(word) + (question.empty() ? "" : ": " + question) + " (" + help + ")";
+    }
+    if (commands.empty()) return "no command \"" + printable(word) + "\": " + suggestion(word, command_names(app));
+  }
+  return std::string(error.what()) + " (" + help + ")";
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Marrow: skeletal animation, from glTF to pixels.", "marrow"};
   app.require_subcommand(1);
@@ -46,7 +80,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    std::fprintf(stderr, "marrow: %s (see --help)\n", e.what());
+    std::fprintf(stderr, "marrow: %s\n", explain(app, e).c_str());
     return static_cast<int>(Exit::usage);
   }
   return exit_code;

@@ -92,6 +92,25 @@ int open_locked(const std::string& temporary, const std::string& path) {
   }
 }
 
+// What has the name already is a regular file, or nothing.
+void expect_free_name(const std::string& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) == 0 && S_ISDIR(info.st_mode))
+    throw Failure(Exit::io, path, "", "cannot write", "it is a directory; name a file in it");
+  if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+    throw Failure(Exit::io, path, "", "cannot write", "there is something that is not a regular file");
+  if (!std::filesystem::path(path).has_filename()) fail(path, "cannot write", ENOENT);
+}
+
+void expect_usable_folder(const std::string& path, const std::string& folder) {
+  struct stat info {};
+  if (::stat(folder.c_str(), &info) != 0)
+    throw Failure(Exit::io, path, "", "cannot write", "there is no folder " + folder + "; make it, or name another");
+  if (!S_ISDIR(info.st_mode)) throw Failure(Exit::io, path, "", "cannot write", folder + " is no folder");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw Failure(Exit::io, path, "", "cannot write into the folder " + folder, std::strerror(errno));
+}
+
 // The renaming itself reaches the disk. Not every file system can be asked to, and the file is whole either way.
 void flush_folder(const std::filesystem::path& folder) {
   const Descriptor directory{::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
@@ -101,13 +120,8 @@ void flush_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 StagedFile::StagedFile(std::string path, std::span<const std::byte> bytes) : path_(std::move(path)) {
-  struct stat info {};
-  if (::stat(path_.c_str(), &info) == 0 && S_ISDIR(info.st_mode))
-    throw Failure(Exit::io, path_, "", "cannot write", "it is a directory; name a file in it");
-  if (::stat(path_.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
-    throw Failure(Exit::io, path_, "", "cannot write", "there is something that is not a regular file");
+  expect_free_name(path_);
   const std::filesystem::path target(path_);
-  if (!target.has_filename()) fail(path_, "cannot write", ENOENT);
   temporary_ = (target.parent_path() / ("." + target.filename().string() + ".tmp")).string();
   fd_ = open_locked(temporary_, path_);
   try {
@@ -145,6 +159,19 @@ void write_file_atomically(const std::string& path, std::span<const std::byte> b
 
 void write_file_atomically(const std::string& path, std::string_view text) {
   write_file_atomically(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void expect_writable(const std::string& path) {
+  expect_free_name(path);
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  expect_usable_folder(path, folder.empty() ? "." : folder);
+}
+
+void expect_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::path made = std::filesystem::absolute(path, error);
+  while (made.has_relative_path() && !std::filesystem::exists(made, error)) made = made.parent_path();
+  expect_usable_folder(path, made.string());
 }
 
 void create_folders(const std::string& path) {

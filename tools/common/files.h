@@ -55,6 +55,12 @@ class StagedFile {
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 void write_file_atomically(const std::string& path, std::string_view text);
 
+// What can be known before the work about writing `path`. Throws Failure (io): its folder is not there or cannot be
+// written, or something that is no regular file has its name.
+void expect_writable(const std::string& path);
+// The same of a folder that create_folders() is to make.
+void expect_folder(const std::string& path);
+
 // Throws Failure (io).
 void create_folders(const std::string& path);
 

@@ -4,6 +4,9 @@
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/formats.h"
+#include "common/nearest.h"
+#include "common/printable.h"
 #include "common/unpack_mrw.h"
 #include "marrow/unpack.h"
 
@@ -14,6 +17,7 @@ LoadedFile load_mrw(const std::string& path) {
   loaded.bytes = read_file(path);
   if (loaded.bytes.size() == 0) throw Failure(Exit::invalid, path, "@0", "empty file", "cook the source again");
   const std::span<const std::byte> bytes(loaded.bytes.data(), loaded.bytes.size());
+  expect_cooked(path, bytes);
   loaded.stored_bytes = bytes.size();
   const bool packed = is_packed({bytes.data(), bytes.size()});
   if (packed) {
@@ -38,13 +42,15 @@ std::uint32_t find_clip(const std::string& path, const File& file, const std::st
   const char* const end = name_or_index.data() + name_or_index.size();
   const auto [stop, error] = std::from_chars(name_or_index.data(), end, index);
   if (error == std::errc() && stop == end && index < file.clip_count()) return index;
-  std::string names;
+  std::vector<std::string> names, numbered;
   for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
-    if (i > 0) names.append(", ");
-    names.append(std::to_string(i)).append(" \"").append(file.clip(i).name).append("\"");
+    names.emplace_back(file.clip(i).name);
+    numbered.push_back(std::to_string(i) + " \"" + printable(names.back()) + "\"");
   }
+  const std::string question = did_you_mean(name_or_index, names);
   throw Failure(Exit::usage, path, "", "no clip \"" + name_or_index + "\"",
-                names.empty() ? "the file has no clips" : "there are " + names);
+                names.empty() ? "the file has no clips"
+                              : question + (question.empty() ? "" : " ") + "there are " + listed(numbered));
 }
 
 }  // namespace marrow::tools

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #include <toml++/toml.h>
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/nearest.h"
 #include "common/pattern.h"
 #include "common/printable.h"
 
@@ -21,22 +21,6 @@ constexpr const char* kName = "marrow.toml";
 
 std::string place(const toml::source_region& region) {
   return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
-}
-
-// How many letters must be changed, added or left out (Levenshtein).
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row[b.size()];
 }
 
 // The line, from 1, on which keys are dotted more than kMostDots times, or 0. Each dot nests a table, and neither
@@ -107,12 +91,11 @@ class Reader {
 
  private:
   [[noreturn]] void unknown(const toml::key& key, std::string_view also) const {
-    std::string nearest(also);
-    for (const Option& option : option_table())
-      if (distance(key.str(), option.name) < distance(key.str(), nearest)) nearest = option.name;
-    const bool near = distance(key.str(), nearest) <= std::max<std::size_t>(2, nearest.size() / 3);
+    std::vector<std::string> names{std::string(also)};
+    for (const Option& option : option_table()) names.emplace_back(option.name);
+    const std::string question = tools::did_you_mean(key.str(), names);
     fail(place(key.source()), "unknown setting \"" + std::string(key.str()) + "\"",
-         near ? "did you mean \"" + nearest + "\"?" : "`marrow cook --help` lists the options");
+         question.empty() ? "`marrow cook --help` lists the options" : question);
   }
 
   Value value_of(const std::string& text, const toml::node& node) const {

@@ -7,11 +7,14 @@
 
 #include "common/distinct.h"
 #include "common/failure.h"
+#include "common/nearest.h"
 
 namespace marrow::tools {
 namespace {
 
 constexpr std::uint16_t kIterations = 64;
+// Of a chain's length: a miss of less cannot be seen.
+constexpr float kMissShare = 1e-3f;
 
 [[noreturn]] void refuse(const std::string& goal, std::string rule) {
   throw Failure(Exit::usage, "--ik", "", "\"" + goal + "\": " + std::move(rule),
@@ -54,10 +57,12 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) refuse(text, "the point is not finite");
     goal.name = text.substr(0, equals);
     bool found = false;
+    std::vector<std::string> names;
     for (std::uint32_t s = 0; s < file.skeleton_count() && !found; ++s) {
       const Skeleton skeleton = file.skeleton(s);
       for (std::uint32_t j = 0; j < skeleton.joint_count && !found; ++j) {
-        if (goal.name != file.text(skeleton.names[j])) continue;
+        names.emplace_back(file.text(skeleton.names[j]));
+        if (goal.name != names.back()) continue;
         goal.skeleton = s;
         goal.joint = j;
         found = true;
@@ -65,7 +70,7 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
         if (above(file_, skeleton, j, joints_).size() < least) refuse(text, "too few joints above it");
       }
     }
-    if (!found) refuse(text, "there is no such joint");
+    if (!found) throw Failure(Exit::usage, "--ik", "", "no joint \"" + goal.name + "\"", suggestion(goal.name, names));
     goals_.push_back(std::move(goal));
   }
 }
@@ -74,6 +79,30 @@ void Reach::apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine>
   if (std::ranges::find(goals_, skeleton, &Goal::skeleton) == goals_.end()) return;
   if (!solver_) return solve_limbs(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
   solve_chains(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
+}
+
+float Reach::miss_m(const Goal& goal, Span<const Affine> scene_from_joint) const {
+  const auto distance = [](const Affine& joint, const std::array<float, 3>& p) {
+    return std::hypot(joint.rows[0][3] - p[0], joint.rows[1][3] - p[1], joint.rows[2][3] - p[2]);
+  };
+  float length = 0;
+  const Affine* below = &scene_from_joint[goal.joint];
+  for (const std::uint16_t j : above(file_, file_.skeleton(goal.skeleton), goal.joint, joints_)) {
+    const Affine& joint = scene_from_joint[j];
+    length += distance(joint, {below->rows[0][3], below->rows[1][3], below->rows[2][3]});
+    below = &joint;
+  }
+  const float miss = distance(scene_from_joint[goal.joint], goal.position);
+  return miss > IkOptions().tolerance_m + kMissShare * length ? miss : 0;
+}
+
+std::vector<std::string> Reach::chain(const Goal& goal) const {
+  const Skeleton skeleton = file_.skeleton(goal.skeleton);
+  std::vector<std::string> out{goal.name};
+  for (const std::uint16_t j : above(file_, skeleton, goal.joint, joints_))
+    out.emplace_back(file_.text(skeleton.names[j]));
+  std::ranges::reverse(out);
+  return out;
 }
 
 void Reach::solve_limbs(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local,

@@ -41,6 +41,11 @@ class Reach {
   };
   const std::vector<Goal>& goals() const { return goals_; }
 
+  // By how much the goal's joint is away from it in this pose; 0 for less than a solver cares about.
+  float miss_m(const Goal& goal, Span<const Affine> scene_from_joint) const;
+  // The names of the joints that turn for it, and its own: "thigh", "shin", "foot".
+  std::vector<std::string> chain(const Goal& goal) const;
+
  private:
   void solve_limbs(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local, Span<Affine> scene) const;
   void solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local, Span<Affine> scene) const;

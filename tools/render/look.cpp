@@ -1,5 +1,6 @@
 #include "render/look.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "common/failure.h"
@@ -35,6 +36,18 @@ std::optional<DeformerPair> parse_pair(const std::string& text) {
                   "give two of rigid, ssd and as, as in ssd:as");
   }
   return DeformerPair{*a, *b};
+}
+
+LoadedFile load_level(const std::string& path, std::uint32_t level) {
+  LoadedFile loaded = load_mrw(path);
+  std::size_t coarsest = 0;
+  for (std::uint32_t m = 0; m < loaded.file.mesh_count(); ++m)
+    coarsest = std::max(coarsest, loaded.file.mesh(m).lods.size);
+  if (level <= coarsest) return loaded;
+  throw Failure(Exit::usage, path, "", "no level of detail " + std::to_string(level),
+                coarsest == 0
+                    ? "there is 1 level, 0, in full; more are cooked by marrow cook --lod"
+                    : "there are " + std::to_string(coarsest + 1) + " levels, 0 to " + std::to_string(coarsest));
 }
 
 std::vector<Drawable> drawables_of(const std::string& path, const File& file, const Character& character,

@@ -31,6 +31,9 @@ using DeformerPair = std::pair<Deformer, Deformer>;
 // "ssd:as" → the two deformers; "" → none. Throws Failure (usage).
 std::optional<DeformerPair> parse_pair(const std::string& text);
 
+// The cooked file, which has this level of detail. Throws Failure: usage if it has not, and what load_mrw() throws.
+LoadedFile load_level(const std::string& path, std::uint32_t level);
+
 // Deformer and path, or the distance between two deformers as colours.
 struct Manner {
   Deformer deformer = Deformer::ssd;

@@ -17,6 +17,7 @@
 #include "commands/bench/gpu_work.h"
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/formats.h"
 
 namespace marrow::tools {
 namespace {
@@ -145,6 +146,10 @@ nlohmann::ordered_json report(const std::string& driver, const std::vector<GpuRo
 }  // namespace
 
 void run_gpu_bench(const GpuBenchArguments& arguments) {
+  if (!arguments.chart.empty()) {
+    expect_extension(arguments.chart, {".svg"});
+    expect_writable(arguments.chart);
+  }
   const Gl gl;
   const GpuTimer timer(gl);
   Models models;

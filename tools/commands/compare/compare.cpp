@@ -13,6 +13,7 @@
 #include "commands/compare/verdict.h"
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/formats.h"
 
 namespace marrow::tools {
 namespace {
@@ -78,9 +79,7 @@ void print_table(const Study& study, const CompareArguments& a, const DeformerCo
 
 // POSE-PICTURE-CAPTION.png, the caption up to what is measured.
 void write_pictures(const std::string& folder, const std::vector<PictureRow>& rows) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Failure(Exit::io, folder, "", error.message(), "give a folder that can be written");
+  create_folders(folder);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::size_t number = 0;
     for (const std::vector<Picture>* const pictures : {&rows[r].shapes, &rows[r].errors})
@@ -96,6 +95,11 @@ void write_pictures(const std::string& folder, const std::vector<PictureRow>& ro
 }  // namespace
 
 void run_compare(const CompareArguments& a) {
+  if (!a.out.empty()) {
+    expect_extension(a.out, {".html", ".htm"});
+    expect_writable(a.out);
+  }
+  if (!a.pictures.empty()) expect_folder(a.pictures);
   if (a.in.empty() == a.sample.empty())
     throw Failure(Exit::usage, "compare", "", "nothing to compare on, or two things",
                   "give IN.glb or --sample cylinder");

@@ -22,6 +22,7 @@
 #include "commands/cook/outcome.h"
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/formats.h"
 #include "common/hash.h"
 #include "common/load_mrw.h"
 #include "common/parallel.h"
@@ -268,10 +269,20 @@ std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
+// Empty names do not count.
+void expect_all_writable(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths)
+    if (!path.empty()) expect_writable(path);
+}
+
 // All files are on the disk before the first takes its place; the output comes last, so that what is new has its
 // report and dependencies beside it.
 int cook_one(const CookArguments& a) {
-  expect_distinct({a.out, a.report, a.depfile}, a.inputs);
+  const std::vector<std::string> written = {a.out, a.report, a.depfile};
+  expect_distinct(written, a.inputs);
+  expect_all_writable(written);
+  if (is_named_gltf(a.out))
+    throw Failure(Exit::usage, a.out, "", "unknown format", "a cooked file is no glTF; its name ends with .mrw");
   SettingsOf settings(a.settings);
   const std::string root = fs::path(a.inputs[0]).parent_path().string();
   Order order = settings.order({a.inputs[0], a.out, root.empty() ? "." : root}, a.given);
@@ -342,6 +353,7 @@ int cook_batch(const CookArguments& a) {
   for (const CookJob& job : jobs) orders.push_back(settings.order(job, given));
   settings.warn_of_unused(a.inputs);
   create_folders(a.out);
+  expect_all_writable({a.report, a.depfile});
 
   Cook cook(a);
   std::vector<Outcome> outcomes(jobs.size());

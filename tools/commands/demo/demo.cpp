@@ -46,12 +46,6 @@ void print_table(const std::vector<Row>& rows) {
   }
 }
 
-void create_directory(const std::string& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw Failure(Exit::io, directory, "", error.message(), "give a folder that can be written");
-}
-
 std::uint64_t source_bytes(const nlohmann::ordered_json& report) {
   return report.at("source").at("bytes").get<std::uint64_t>();
 }
@@ -112,7 +106,7 @@ void show_moves(const Gl& gl, const std::string& directory) {
 }  // namespace
 
 void run_demo(const DemoArguments& arguments) {
-  create_directory(arguments.directory);
+  create_folders(arguments.directory);
   std::vector<std::string> inputs = arguments.inputs;
   if (inputs.empty()) {
     inputs.push_back((std::filesystem::path(arguments.directory) / kSampleName).string());

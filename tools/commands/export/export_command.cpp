@@ -3,6 +3,7 @@
 #include "commands/arguments.h"
 #include "commands/command.h"
 #include "common/files.h"
+#include "common/formats.h"
 #include "common/load_mrw.h"
 #include "export/export.h"
 
@@ -14,6 +15,8 @@ void add_export(CLI::App& app, int&) {
   add_input(command, in);
   command->add_option("-o,--output", out, "the file to write")->required()->type_name("OUT.glb");
   command->callback([] {
+    expect_extension(out, {".glb"});
+    expect_writable(out);
     const LoadedFile loaded = load_mrw(in);
     const Exported exported = export_file(loaded.file, in);
     for (const std::string& warning : exported.warnings) fmt::print(stderr, "{}: warning: {}\n", in, warning);

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "common/failure.h"
 #include "common/files.h"
+#include "common/formats.h"
 #include "common/load_mrw.h"
 #include "common/vertex_order.h"
 #include "pose/evaluate.h"
@@ -79,9 +79,9 @@ std::string to_obj(const File& file, const Character& character, Deformer deform
 }  // namespace
 
 void run_pose(const PoseArguments& a) {
-  const bool obj = a.out.ends_with(".obj");
-  if (!obj && !a.out.ends_with(".bin"))
-    throw Failure(Exit::usage, a.out, "", "unknown format", "the output's name ends with .obj or .bin");
+  expect_extension(a.out, {".obj", ".bin"});
+  expect_writable(a.out);
+  const bool obj = has_extension(a.out, ".obj");
   const LoadedFile loaded = load_mrw(a.in);
   const Chosen chosen = choose(a.in, loaded.file, a.choice);
   Character character(loaded.file);

@@ -8,6 +8,7 @@
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "common/formats.h"
 #include "common/quantity.h"
 #include "image/apng.h"
 
@@ -88,6 +89,14 @@ std::optional<FrameNames> parse_frame_names(const std::string& output) {
   return names;
 }
 
+void expect_movie_output(const std::string& output) {
+  const std::optional<FrameNames> names = parse_frame_names(output);
+  if (names && !names->folder.empty()) return expect_folder(names->folder);
+  const std::string first = names ? names->name(0) : output;
+  expect_extension(first, {".png", ".apng"});
+  expect_writable(first);
+}
+
 void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
   const Movie movie = plan_movie(arguments, sitting.play());
   const std::optional<FrameNames> names = parse_frame_names(arguments.output);
@@ -113,6 +122,7 @@ void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
                          frames, plain_number(movie.duration_s), sitting.gl().driver())
                  .c_str(),
              stderr);
+  sitting.warn_of_misses();
 }
 
 }  // namespace marrow::tools

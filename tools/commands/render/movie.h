@@ -31,6 +31,9 @@ struct FrameNames {
 // Nothing for the name of one file. Throws Failure (usage) for two numbers in one name.
 std::optional<FrameNames> parse_frame_names(const std::string& output);
 
+// Throws Failure (usage, io) if this could not be written.
+void expect_movie_output(const std::string& output);
+
 // Throws Failure.
 void shoot_movie(const RenderArguments& arguments, Sitting& sitting);
 

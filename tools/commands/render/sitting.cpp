@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/load_mrw.h"
+#include "common/printable.h"
 #include "common/quantity.h"
 #include "render/heat.h"
 #include "render/legend.h"
@@ -23,7 +23,7 @@ Sitting::Sitting(const RenderArguments& arguments)
       size_(parse_size(arguments.size)),
       manner_{arguments.deformer, arguments.path, parse_pair(arguments.heatmap)},
       normals_(arguments.normals),
-      loaded_(load_mrw(arguments.file)),
+      loaded_(load_level(arguments.file, arguments.lod)),
       chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
       viewpoint_(make_viewpoint(arguments.file, loaded_.file, arguments.viewpoint)),
       reach_(loaded_.file, arguments.reach),
@@ -86,8 +86,33 @@ Shot Sitting::frame(const Instant& instant) const {
   return shot;
 }
 
+void Sitting::note_misses() {
+  misses_.resize(reach_.goals().size());
+  ++pictures_;
+  for (std::size_t i = 0; i < misses_.size(); ++i) {
+    const Reach::Goal& goal = reach_.goals()[i];
+    const std::span<const Affine> joints = character_.scene_from_joint(goal.skeleton);
+    const float miss = reach_.miss_m(goal, {joints.data(), joints.size()});
+    misses_[i].largest_m = std::max(misses_[i].largest_m, miss);
+    misses_[i].pictures += miss > 0 ? 1 : 0;
+  }
+}
+
+void Sitting::warn_of_misses() const {
+  for (std::size_t i = 0; i < misses_.size(); ++i) {
+    if (misses_[i].pictures == 0) continue;
+    std::vector<std::string> names = reach_.chain(reach_.goals()[i]);
+    for (std::string& name : names) name = "\"" + printable(name) + "\"";
+    const std::string when =
+        pictures_ == 1 ? "" : fmt::format(" at most, in {} of {} pictures", misses_[i].pictures, pictures_);
+    fmt::print(stderr, "--ik: warning: {} misses its goal by {:.3g} m{}\n", fmt::join(names, " > "),
+               misses_[i].largest_m, when);
+  }
+}
+
 Image Sitting::shoot(const Instant& instant) {
   character_.pose(chosen_.play, instant.time_s);
+  note_misses();
   Shot shot = frame(instant);
   if (baked_) baked_->blend(instant.time_s);
   const std::vector<Drawable> drawables =

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "commands/render/render.h"
 #include "render/performance.h"
@@ -33,9 +34,18 @@ class Sitting {
   // With a legend of colours, and marks at the goals of inverse kinematics, if there are any.
   Image shoot(const Instant& instant);
 
+  // After the last picture: says on stderr which goals were not reached.
+  void warn_of_misses() const;
+
  private:
+  // Of a goal over all pictures.
+  struct Misses {
+    float largest_m = 0;
+    int pictures = 0;
+  };
   Character& reaching();
   Shot frame(const Instant& instant) const;
+  void note_misses();
   const RenderArguments& arguments_;
   std::pair<int, int> size_;
   Manner manner_;
@@ -44,6 +54,8 @@ class Sitting {
   Chosen chosen_;
   Viewpoint viewpoint_;
   Reach reach_;
+  std::vector<Misses> misses_;  // as reach_.goals()
+  int pictures_ = 0;
   Character character_;
   Performance performance_;
   Gl gl_;

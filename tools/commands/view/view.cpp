@@ -14,7 +14,9 @@
 #include "commands/view/panel.h"
 #include "commands/view/window.h"
 #include "common/failure.h"
-#include "common/load_mrw.h"
+#include "common/files.h"
+#include "common/formats.h"
+#include "common/nearest.h"
 
 namespace marrow::tools {
 namespace {
@@ -47,6 +49,12 @@ bool drawn_by_processor(const Gl& gl) {
   return named("llvmpipe") || named("softpipe") || named("SwiftShader");
 }
 
+std::vector<std::string> joint_names(const Actor& actor) {
+  std::vector<std::string> out;
+  for (const NamedJoint& joint : actor.joints()) out.push_back(joint.name);
+  return out;
+}
+
 Settings first_settings(const ViewArguments& arguments, const std::optional<DeformerPair>& pair, const Actor& actor) {
   Settings s;
   s.clip = actor.chosen();
@@ -58,7 +66,7 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   s.deformer = arguments.deformer;
   s.path = arguments.path;
   s.normals = arguments.normals;
-  s.lod = static_cast<int>(std::min(arguments.lod, static_cast<std::uint32_t>(actor.coarsest_lod())));
+  s.lod = static_cast<int>(arguments.lod);
   s.bones = arguments.bones;
   if (pair) {
     s.colours = Colours::distance;
@@ -68,7 +76,7 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   const auto joint = std::ranges::find(actor.joints(), arguments.weights, &NamedJoint::name);
   if (joint == actor.joints().end())
     throw Failure(Exit::usage, arguments.file, "", "no joint \"" + arguments.weights + "\"",
-                  "`marrow view` without --weights lists them in its panel");
+                  suggestion(arguments.weights, joint_names(actor)));
   s.colours = Colours::weights;
   s.joint = static_cast<std::size_t>(joint - actor.joints().begin());
   return s;
@@ -82,7 +90,7 @@ class View {
       : arguments_(arguments),
         size_(parse_size(arguments.size)),
         pair_(parse_pair(arguments.heatmap)),
-        loaded_(load_mrw(arguments.file)),
+        loaded_(load_level(arguments.file, arguments.lod)),
         chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
         window_("marrow: " + std::filesystem::path(arguments.file).filename().string(), size_.first, size_.second,
                 arguments.screenshot.empty()),
@@ -191,6 +199,10 @@ void run_to_the_end(const ViewArguments& arguments, View& view) {
 }  // namespace
 
 void run_view(const ViewArguments& arguments) {
+  if (!arguments.screenshot.empty()) {
+    expect_extension(arguments.screenshot, {".png"});
+    expect_writable(arguments.screenshot);
+  }
   std::optional<Settings> settings;
   while (true) {
     View view(arguments, settings);

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "common/failure.h"
+#include "common/nearest.h"
 #include "common/pattern.h"
 #include "cook/scene/views.h"
 #include "marrow/sample.h"
@@ -11,9 +12,11 @@
 namespace marrow::cook {
 namespace {
 
-[[noreturn]] void no_such_clip(const std::string& name, const RuleOrigin& origin) {
+[[noreturn]] void no_such_clip(const std::string& name, const std::vector<BuiltClip>& clips, const RuleOrigin& origin) {
+  std::vector<std::string> names;
+  for (const BuiltClip& clip : clips) names.push_back(clip.name);
   throw tools::Failure(tools::Exit::usage, origin.file, origin.where, "no clip is called \"" + name + "\"",
-                       "give CLIP or CLIP=REFERENCE with names as `marrow info` lists them");
+                       names.empty() ? "there are no clips" : tools::suggestion(name, names));
 }
 
 std::vector<SoaTransform> first_frame(const BuiltSkeleton& of, const BuiltClip& clip) {
@@ -31,7 +34,7 @@ std::vector<SoaTransform> reference_pose(const BuiltSkeleton& skeleton, const st
   const std::string& reference = rule.reference;
   if (reference == "rest") return {};
   if (reference != "first" && std::ranges::find(clips, reference, &BuiltClip::name) == clips.end())
-    no_such_clip(reference, rule.origin);
+    no_such_clip(reference, clips, rule.origin);
   const auto other = std::ranges::find_if(
       clips, [&](const BuiltClip& c) { return c.name == reference && c.skeleton == clip.skeleton; });
   if (reference != "first" && other == clips.end()) return {};  // it leaves this skeleton at rest
@@ -53,7 +56,7 @@ std::vector<AdditiveReference> additive_references(const std::vector<BuiltSkelet
       out[i] = {rule.reference, reference_pose(skeletons[clips[i].skeleton], clips, clips[i], rule)};
       ++found;
     }
-    if (found == 0 && rule.origin.must_fit) no_such_clip(rule.clips, rule.origin);
+    if (found == 0 && rule.origin.must_fit) no_such_clip(rule.clips, clips, rule.origin);
     if (found == 0)
       notes.warnings.push_back(
           {"/animations", "rule-fits-nothing", "additive: no clip is called \"" + rule.clips + "\""});

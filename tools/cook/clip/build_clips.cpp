@@ -4,6 +4,7 @@
 #include <map>
 
 #include "common/failure.h"
+#include "common/nearest.h"
 #include "common/parallel.h"
 #include "common/pattern.h"
 #include "cook/clip/additive_references.h"
@@ -36,6 +37,13 @@ Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double large
   return promise;
 }
 
+std::vector<std::string> joint_names(const std::vector<BuiltSkeleton>& skeletons) {
+  std::vector<std::string> out;
+  for (const BuiltSkeleton& skeleton : skeletons)
+    out.insert(out.end(), skeleton.joint_names.begin(), skeleton.joint_names.end());
+  return out;
+}
+
 void check_clip_error_rules(const std::vector<BuiltSkeleton>& skeletons, const CookOptions& options, Notes& notes) {
   for (const ClipErrorRule& rule : options.clip_error) {
     const auto fits = [&](const std::string& joint) { return tools::fits(rule.joints, joint); };
@@ -48,7 +56,7 @@ void check_clip_error_rules(const std::vector<BuiltSkeleton>& skeletons, const C
     if (!found && rule.origin.must_fit)
       throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where,
                            "no joint is called \"" + rule.joints + "\"",
-                           "give JOINT=E with names as `marrow info --json` lists them");
+                           tools::suggestion(rule.joints, joint_names(skeletons)));
   }
 }
 

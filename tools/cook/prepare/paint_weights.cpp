@@ -12,6 +12,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/hash.h"
+#include "common/nearest.h"
 #include "common/printable.h"
 #include "cook/prepare/bind_bones.h"
 
@@ -97,6 +98,14 @@ int joint_called(const RawScene& scene, const RawSkin& skin, const std::string& 
   return found == skin.joints.end() ? kNone : static_cast<int>(found - skin.joints.begin());
 }
 
+// The joints that meshes are bound to.
+std::vector<std::string> bound_joints(const RawScene& scene, const std::vector<Canvas>& canvases) {
+  std::vector<std::string> out;
+  for (const Canvas& canvas : canvases)
+    for (const int joint : canvas.skin->joints) out.push_back(scene.nodes[to_index(joint)].name);
+  return out;
+}
+
 // A rule that fits nothing is a mistake, or, where it need not fit, a warning.
 void refuse_paint(const PaintRule& rule, const std::string& why, const std::string& advice, Notes& notes) {
   if (rule.origin.must_fit)
@@ -126,7 +135,7 @@ void apply(const RawScene& scene, const PaintRule& rule, std::vector<Canvas>& ca
   }
   if (!has_joint)
     return refuse_paint(rule, "no joint that a mesh is bound to is called \"" + rule.joint + "\"",
-                        "give JOINT=MASK.png with names as `marrow info --json` lists them", notes);
+                        tools::suggestion(rule.joint, bound_joints(scene, canvases)), notes);
   if (!has_uvs)
     return refuse_paint(rule, "no mesh that \"" + rule.joint + "\" could move has UVs", "export the meshes with UVs",
                         notes);

@@ -1,0 +1,27 @@
+// Which of the two kinds of file a file is, glTF or cooked, and what to do with one that is neither.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace marrow::tools {
+
+// Whether the name ends so, in any case. `extension`: ".png".
+bool has_extension(std::string_view path, std::string_view extension);
+
+// .gltf, .glb, and .vrm, which is glTF inside.
+bool is_named_gltf(const std::string& path);
+
+// Throws Failure (usage) that lists `extensions`, if the name has none of them.
+void expect_extension(const std::string& path, std::initializer_list<const char*> extensions);
+
+// Throws Failure if `bytes` are plainly no cooked file: invalid for glTF, unsupported for what other programs write.
+void expect_cooked(const std::string& path, std::span<const std::byte> bytes);
+
+// Throws Failure if `bytes` are plainly no glTF: invalid for a cooked file, unsupported for what other programs write.
+void expect_gltf(const std::string& path, std::span<const std::byte> bytes);
+
+}  // namespace marrow::tools
