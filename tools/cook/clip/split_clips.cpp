@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 
 #include "cook/skeleton/group_trees.h"
 
@@ -31,10 +30,8 @@ std::vector<ClipPart> split_clips(const RawScene& scene, const BuiltScene& built
       parts[skeleton != kNone ? skeleton : parts.begin()->first].scalars.push_back(scalar);
       duration_s = std::max(duration_s, scalar.times_s.back());
     }
-    // By their names parts are known to belong together.
-    const bool needs_name = clip.name.empty() && parts.size() > 1;
     for (auto& [skeleton, part] : parts) {
-      part.name = needs_name ? "animations[" + std::to_string(clip.source) + ']' : clip.name;
+      part.name = clip.name;
       out.push_back({static_cast<std::uint32_t>(skeleton), std::move(part), duration_s});
     }
   }

@@ -151,7 +151,6 @@ struct RawClip {
   std::string name;  // may be empty
   std::vector<RawChannel> channels;
   std::vector<RawScalar> scalars;
-  std::size_t source = 0;  // which animation of the document
 };
 
 struct RawWarning {

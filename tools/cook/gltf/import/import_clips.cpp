@@ -176,7 +176,6 @@ std::vector<RawClip> import_clips(const Document& document, const std::vector<Ra
     const std::string where = pointer("animations", a);
     RawClip clip;
     clip.name = clean_name(animation.name, where, report);
-    clip.source = a;
     ChannelImporter importer(document, animation, where, budget, report);
     for (std::size_t c = 0; c < animation.channels.size(); ++c) {
       const tinygltf::AnimationChannel& channel = animation.channels[c];
