@@ -26,7 +26,7 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
-marrow_test(marrow_workflow_tests workflow unit/common/nearest_test.cpp unit/cook/elementary_test.cpp unit/cook/workflow_test.cpp)
+marrow_test(marrow_workflow_tests workflow unit/common/nearest_test.cpp unit/common/warnings_test.cpp unit/cook/elementary_test.cpp unit/cook/workflow_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook_command marrow_sample)
 if(MARROW_SANITIZE)
   set_tests_properties(workflow PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*")
