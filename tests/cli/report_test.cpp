@@ -179,7 +179,7 @@ TEST(Report, WarningsAreSaid) {
   const nlohmann::json r = nlohmann::json::parse(read_text(folder / "r.json"));
   ASSERT_EQ(r.at("warnings").size(), 4u);
   for (const auto& warning : r["warnings"]) EXPECT_GT(warning.at("text").get<std::string>().size(), 10u);
-  for (const auto& [i, end] : {std::pair(0, " (1 of 3; --report lists all)\n"), std::pair(3, "\n")}) {
+  for (const auto& [i, end] : {std::pair(0u, " (1 of 3; --report lists all)\n"), std::pair(3u, "\n")}) {
     const std::string where = r["warnings"][i].at("pointer"), rule = r["warnings"][i].at("rule"),
                       text = r["warnings"][i].at("text");
     EXPECT_NE(ran.err.find(looks + ": " + where + ": warning: " + rule + ": " + text + end), std::string::npos)
