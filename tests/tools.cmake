@@ -4,9 +4,9 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
   unit/deform/deformers_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
-  unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_morphs_test.cpp
+  unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_meshopt_test.cpp unit/cook/gltf_morphs_test.cpp
   unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
-target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco)
+target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp
@@ -23,7 +23,7 @@ foreach(target marrow_input_tests marrow_cook_tests)
   set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endforeach()
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
-target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_sample draco::draco)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow unit/common/nearest_test.cpp unit/common/progress_test.cpp unit/common/warnings_test.cpp unit/cook/elementary_test.cpp unit/cook/workflow_test.cpp)

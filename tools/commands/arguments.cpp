@@ -12,7 +12,7 @@ void add_input(CLI::App* command, std::string& to) {
 void add_choice(CLI::App* command, Choice& choice) {
   command
       ->add_option("--clip", choice.clip,
-                   "clip by name: all of that name, one a skeleton; or one clip by index; without it the rest pose")
+                   "clip by name or by index, and what other skeletons play by that name; without it the rest pose")
       ->type_name("C");
   command->add_option("--clips", choice.clips, "take the clip from this clip pack")->type_name("PACK.mrw");
   command

@@ -9,13 +9,15 @@
 namespace marrow::cook {
 namespace {
 
-// What is given of learning must have something to do.
-void refuse_idle(const LearnOptions& learn, const Given& given) {
+// What is given of weights and of learning must have something to do.
+void refuse_idle(const CookOptions& options, const Given& given) {
+  const LearnOptions& learn = options.learn;
   const auto refuse_unless = [&](bool makes_sense, const char* name, const char* without, const char* advice) {
     const auto found = given.find(name);
     if (!makes_sense && found != given.end() && found->second.front().text != "false")
       refuse(found->second.front(), fmt::format("--{} without {}", name, without), advice);
   };
+  refuse_unless(options.weights.make.has_value(), "rebind", "new weights", "give --auto-weights too");
   const bool fits = learn.animation_space == AnimationSpace::fit,
              beside = learn.multi_weights || learn.pose_examples > 0;
   refuse_unless(fits || beside, "truth", "a fit", "give --as fit, --mwe or --psd too");
@@ -79,7 +81,7 @@ CookOptions to_options(const Given& given) {
       option.set(options, value);
     }
   }
-  refuse_idle(options.learn, given);
+  refuse_idle(options, given);
   refuse_with_subdivide(options, given);
   if (!options.skeleton_file.empty() && !options.clips_only)
     refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");

@@ -16,6 +16,10 @@ void set_auto_weights(CookOptions& options, const Value& given) {
   options.weights.make = *value_of(kWeightMethods, given.text);
 }
 
+void set_rebind(CookOptions& options, const Value&) {
+  options.weights.rebind = true;
+}
+
 void set_smooth_weights(CookOptions& options, const Value& given) {
   options.weights.smooth_steps = whole_number(given, 0, deform::kMostSmoothSteps);
   options.weights.smooth_origin = given.origin;
@@ -34,6 +38,7 @@ constexpr Option kWeightOptions[] = {
      "skin weights for meshes that come without; geodesic: by the way to the bones through the mesh, which is "
      "recommended; gaussian and nearest: straight through the air",
      names_in<kWeightMethods>, set_auto_weights},
+    {"rebind", OptionKind::flag, "", "with --auto-weights: the file's own skin weights are replaced", {}, set_rebind},
     {"smooth-weights",
      OptionKind::text,
      "STEPS",

@@ -59,16 +59,15 @@ Play play_pack(const std::string& pack_path, const File& pack, const std::string
   if (pack.reference_count() == 0)
     throw Failure(Exit::invalid, pack_path, "", "not a clip pack", "cook it with --clips-only");
   const std::uint32_t first = find_clip(pack_path, pack, wanted);
-  const bool by_name = pack.clip(first).name == wanted;
+  const char* const name = pack.clip(first).name;
   const Play play = play_together(file, pack, first);
   for (std::uint32_t r = 0; r < pack.reference_count(); ++r) {
     const std::uint32_t clip = pack.clip(first).skeleton == r ? first
-                               : by_name                      ? pack.find_clip(wanted.c_str(), r)
+                               : *name != 0                   ? pack.find_clip(name, r)
                                                               : pack.clip_count();
     if (clip == pack.clip_count()) continue;
     const auto plays = std::ranges::find(play.clip_of_skeleton, clip);
     if (plays == play.clip_of_skeleton.end()) refuse(pack_path, pack, r, path, file, play);
-    if (!by_name) return only(file, play, static_cast<std::uint32_t>(plays - play.clip_of_skeleton.begin()));
   }
   return play;
 }
@@ -87,10 +86,7 @@ Chosen choose(const std::string& path, const File& file, const Choice& choice) {
     out.pack = load_mrw(choice.clips);
     out.play = play_pack(choice.clips, out.pack->file, choice.clip, path, file);
   } else if (!choice.clip.empty()) {
-    const std::uint32_t index = find_clip(path, file, choice.clip);
-    const Clip clip = file.clip(index);
-    out.play = play_together(file, index);
-    if (clip.name != choice.clip) out.play = only(file, out.play, clip.skeleton);
+    out.play = play_together(file, find_clip(path, file, choice.clip));
   }
   return out;
 }

@@ -10,7 +10,7 @@
 namespace marrow::tools {
 
 struct Choice {
-  std::string clip;   // by name, which all clips of that name play, one a skeleton; or one by number; empty: none
+  std::string clip;   // by name or by number; of each other skeleton the clip of the same name plays too; empty: none
   std::string clips;  // a clip pack that it comes from; empty: the file itself
   float time_s = 0;
 };

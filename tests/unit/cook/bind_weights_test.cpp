@@ -241,6 +241,39 @@ TEST(BindWeights, NothingToBind) {
   expect_failure([&] { bind(scene, make()); }, Exit::usage, "", "several skins");
 }
 
+// All of the bar hangs on the joint at its upper end, by its file; bound anew it is as if that had not been said.
+TEST(BindWeights, RebindingReplacesTheFilesWeights) {
+  const auto document = [](bool weighted) {
+    SceneDocument d;
+    bones(d);
+    draw(d, d.node("body"), bar(d.b), 0);
+    if (!weighted) return d.read();
+    std::vector<std::uint8_t> joints;
+    std::vector<float> weights;
+    for (int v = 0; v < 36; ++v) {
+      joints.insert(joints.end(), {2, 0, 0, 0});
+      weights.insert(weights.end(), {1, 0, 0, 0});
+    }
+    Json& attributes = d.b.root["meshes"][0]["primitives"][0]["attributes"];
+    const int of_joints = d.b.numbers<std::uint8_t>(kU8, "VEC4", 4, joints);
+    const int of_weights = d.b.numbers<float>(kF32, "VEC4", 4, weights);
+    attributes.update({{"JOINTS_0", of_joints}, {"WEIGHTS_0", of_weights}});
+    return d.read();
+  };
+  RawScene bare = document(false), rebound = document(true), kept = document(true);
+  bind(bare, make());
+  WeightOptions options = make();
+  expect_failure([&] { bind(kept, options); }, Exit::usage, "", "every mesh has weights already");
+  options.rebind = true;
+  bind(rebound, options);
+  EXPECT_TRUE(warns(rebound, "weights-made", "/meshes/0"));
+  expect_bound(rebound.meshes[0].primitives[0]);
+  const auto &ours = rebound.meshes[0].primitives[0].influences, &theirs = bare.meshes[0].primitives[0].influences;
+  ASSERT_EQ(ours.size(), theirs.size());
+  for (std::size_t v = 0; v < ours.size(); ++v)
+    for (const std::uint32_t joint : {0U, 1U, 2U}) EXPECT_EQ(weight_of(ours[v], joint), weight_of(theirs[v], joint));
+}
+
 // Inverse binds of zeros: no bone is anywhere.
 TEST(BindWeights, InverseBindsThatCannotBeInverted) {
   SceneDocument d;
@@ -404,6 +437,10 @@ TEST(WeightOptions, AsText) {
   };
   EXPECT_FALSE(given("auto-weights", "none").weights.any());
   EXPECT_EQ(given("auto-weights", "geodesic").weights.make, WeightMethod::geodesic);
+  EXPECT_THROW(given("rebind", "true"), Failure) << "of nothing";
+  EXPECT_TRUE(
+      to_options({{"auto-weights", {{"nearest", {"--auto-weights", ""}}}}, {"rebind", {{"true", {"--rebind", ""}}}}})
+          .weights.rebind);
   EXPECT_EQ(given("smooth-weights", "12").weights.smooth_steps, 12);
   EXPECT_EQ(given("paint", "a=b=c.png").weights.paint.at(0).joint, "a=b");
   EXPECT_EQ(given("paint", "a=b=c.png").weights.paint.at(0).file, "c.png");

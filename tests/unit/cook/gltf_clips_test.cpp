@@ -193,7 +193,12 @@ TEST(GltfNumbers, OtherPointersAreLeftOutAndSaid) {
   const std::vector<const char*> pointers = {"",
                                              "nodes/0/extras/health",
                                              "/",
-                                             "/nodes/0/translation",
+                                             "/nodes/1/translation",
+                                             "/nodes/00/translation",
+                                             "/nodes/0/mesh",
+                                             "/nodes/0/weights/0",
+                                             "/nodes/0/translation/0",
+                                             "/meshes/0/weights",
                                              "/nodes/0/extras",
                                              "/nodes/0/extras/none",
                                              "/nodes/0/extras/text",
@@ -218,6 +223,48 @@ TEST(GltfNumbers, OtherPointersAreLeftOutAndSaid) {
     dropped += warns(scene, "channel-dropped", "/animations/0/channels/0/target/path") && scene.clips.empty();
   }
   EXPECT_EQ(dropped, pointers.size());
+}
+
+// What KHR_animation_pointer says of a node, and what glTF 2.0 says itself, are the same clip.
+TEST(GltfPointers, NodesMayBePointedAt) {
+  const auto document = [](bool by_pointer) {
+    Builder b = skinned();
+    Json& primitive = b.root["meshes"][0]["primitives"][0];
+    const int change = b.positions({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+    primitive["targets"] = {{{"POSITION", change}}};
+    const int times = b.times({0, 1});
+    b.channel(times, b.numbers<float>(kF32, "VEC3", 3, {0, 1, 0, 0, 2, 0}), "translation", "LINEAR", 2);
+    b.channel(times, b.numbers<float>(kF32, "VEC3", 3, {1, 1, 1, 2, 2, 2}), "scale", "LINEAR", 1);
+    b.channel(times, b.numbers<float>(kF32, "SCALAR", 1, {0, 0.5F}), "weights", "LINEAR", 0);
+    if (by_pointer) {
+      b.root["extensionsUsed"] = {"KHR_animation_pointer"};
+      for (Json& channel : b.root["animations"][0]["channels"]) {
+        const std::string to =
+            "/nodes/" + channel["target"]["node"].dump() + '/' + channel["target"]["path"].get<std::string>();
+        channel["target"] = {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", to}}}}}};
+      }
+    }
+    return b;
+  };
+  Builder plain = document(false), pointing = document(true);
+  const RawScene expected = read(plain), scene = read(pointing);
+  EXPECT_TRUE(scene.warnings.empty());
+  ASSERT_EQ(scene.clips.size(), 1U);
+  ASSERT_EQ(scene.clips[0].channels.size(), 3U);
+  ASSERT_EQ(scene.clips[0].scalars.size(), 1U);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const RawChannel &ours = scene.clips[0].channels[c], &theirs = expected.clips[0].channels[c];
+    EXPECT_EQ(ours.node, theirs.node);
+    EXPECT_EQ(ours.path, theirs.path);
+    EXPECT_EQ(ours.times_s, theirs.times_s);
+    EXPECT_EQ(ours.values, theirs.values);
+  }
+  EXPECT_EQ(scene.clips[0].scalars[0].name, expected.clips[0].scalars[0].name);
+  EXPECT_EQ(scene.clips[0].scalars[0].values, (std::vector<float>{0, 0.5F}));
+  // A property is driven once, whoever says so.
+  Builder twice = document(true);
+  twice.channel(5, 6, "rotation", "LINEAR", 2);
+  expect_refused(twice.text(), Exit::invalid, "/animations/0/channels/4/target", "animated twice");
 }
 
 TEST(GltfNumbers, MistakesAreRefused) {

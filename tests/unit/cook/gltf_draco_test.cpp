@@ -249,7 +249,9 @@ TEST(GltfDraco, QuantisedNumbersAreRestored) {
   soup.Start(38);
   const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
   const int normal = soup.AddAttribute(draco::GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
-  const auto place = [](int i) { return glm::vec3(0.3F * static_cast<float>(i), i % 2, std::sin(static_cast<float>(i))); };
+  const auto place = [](int i) {
+    return glm::vec3(0.3F * static_cast<float>(i), i % 2, std::sin(static_cast<float>(i)));
+  };
   const auto up = [](int i) { return glm::normalize(glm::vec3(std::cos(static_cast<float>(i)), 1, 0.2F)); };
   for (int f = 0; f < 38; ++f) {
     const int second = f + 1 + f % 2, third = f + 2 - f % 2;  // all turn the same way

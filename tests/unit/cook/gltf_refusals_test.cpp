@@ -128,8 +128,6 @@ const BadDocument kBadDocuments[] = {
      "/animations/0/channels/1/target", "animated twice"},
     {R"([{"op":"add","path":"/extensionsRequired","value":["EVIL_x"]}])", Exit::unsupported, "/extensionsRequired/0",
      "EVIL_x"},
-    {R"([{"op":"add","path":"/extensionsUsed","value":["EXT_meshopt_compression"]},{"op":"add","path":"/extensionsRequired","value":["EXT_meshopt_compression"]}])",
-     Exit::unsupported, "/extensionsRequired/0", "EXT_meshopt_compression"},
     {R"([{"op":"add","path":"/extensions","value":{"KHR_x":[]}}])", Exit::invalid, "/extensions/KHR_x", "wrong type"},
     {R"([{"op":"add","path":"/images","value":[{"bufferView":99,"mimeType":"image/png"}]}])", Exit::invalid,
      "/images/0/bufferView", "reference to nothing"},

@@ -302,12 +302,11 @@ TEST(GltfRules, NumbersOfVertices) {
   Builder b = furnished();
   Json& attributes = b.root["meshes"][0]["primitives"][0]["attributes"];
   attributes["TEXCOORD_0"] = b.numbers<float>(kF32, "VEC2", 2, {0, 0, kNan, 0, 0, 1e13F, 1, 1});
-  attributes["COLOR_0"] = b.numbers<float>(kF32, "VEC4", 4,
-                                           {kNan, 0, 0, 1, 0, 2, 0, 1, 0, 0, -1, 1, 0, 0, 0, 1.0000001F});
+  attributes["COLOR_0"] =
+      b.numbers<float>(kF32, "VEC4", 4, {kNan, 0, 0, 1, 0, 2, 0, 1, 0, 0, -1, 1, 0, 0, 0, 1.0000001F});
   attributes["NORMAL"] = 8;
   // One tangent is none, one too long, one without a sign; one is as it should be.
-  attributes["TANGENT"] =
-      b.numbers<float>(kF32, "VEC4", 4, {kNan, 0, 0, 1, 2, 0, 0, -1, 1, 0, 0, 0.5F, 0, 1, 0, -1});
+  attributes["TANGENT"] = b.numbers<float>(kF32, "VEC4", 4, {kNan, 0, 0, 1, 2, 0, 0, -1, 1, 0, 0, 0.5F, 0, 1, 0, -1});
   const RawScene scene = read(b);
   const RawPrimitive& primitive = scene.meshes[0].primitives[0];
   EXPECT_TRUE(warns(scene, "uvs-mended", ATTRIBUTES "/TEXCOORD_0"));
@@ -324,8 +323,8 @@ TEST(GltfRules, NumbersOfVertices) {
   EXPECT_EQ(primitive.tangents[3], glm::vec4(0, 1, 0, -1));
 
   Builder weights = skinned();
-  weights.root["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] = weights.numbers<float>(
-      kF32, "VEC4", 4, {1, 0, 0, 0, kNan, 0, 0, 0, 0.25F, 0.75F, 0, 0, 1, 0, 0, 0});
+  weights.root["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] =
+      weights.numbers<float>(kF32, "VEC4", 4, {1, 0, 0, 0, kNan, 0, 0, 0, 0.25F, 0.75F, 0, 0, 1, 0, 0, 0});
   expect_failure([&] { read(weights); }, Exit::invalid, ATTRIBUTES "/WEIGHTS_0", "not a finite number");
   Builder early = skinned();
   early.root["animations"][0]["samplers"][0]["input"] = early.times({-1, 1});

@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "cook/cook.h"
+#include "pose/choose.h"
+#include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -50,6 +52,28 @@ TEST(Skeletons, ACharacterEach) {
   EXPECT_EQ(built.meshes[0].skeleton, 0u);
   EXPECT_EQ(built.meshes[1].skeleton, 1u);
   EXPECT_EQ(built.meshes[0].geometry, built.meshes[1].geometry) << "geometry is shared as ever";
+}
+
+// A clip of several skeletons is one a skeleton; they play together by their name, if they have one.
+TEST(Skeletons, PartsOfAClipPlayTogetherByNameAndByNumber) {
+  SceneDocument d;
+  const std::vector<int> a = d.character("Ada", -1), b = d.character("Bob", 1);
+  for (const char* name : {"greet", "nod", ""}) {
+    d.clip(name);
+    d.turn(a[3], {0, 0.5F, 1});
+    d.turn(b[3], {0, 0.25F});
+  }
+  const LoadedCook cooked(cook_scene(d.read(), {}));
+  const File& file = cooked.file;
+  ASSERT_EQ(file.clip_count(), 6u);
+  const auto played = [&](const std::string& clip) {
+    const tools::Play play = tools::choose("two.mrw", file, {clip, "", 0}).play;
+    return std::vector<std::uint32_t>(play.clip_of_skeleton.begin(), play.clip_of_skeleton.end());
+  };
+  for (const char* of_greet : {"greet", "0", "1"}) EXPECT_EQ(played(of_greet), (std::vector<std::uint32_t>{0, 1}));
+  for (const char* of_nod : {"nod", "2", "3"}) EXPECT_EQ(played(of_nod), (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_EQ(played("4"), (std::vector<std::uint32_t>{4, kNoClip}));
+  EXPECT_EQ(played("5"), (std::vector<std::uint32_t>{kNoClip, 5}));
 }
 
 TEST(Skeletons, OneSkinTiesTrees) {

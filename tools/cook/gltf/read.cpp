@@ -49,6 +49,22 @@ Json take_limits(Json& extras) {
   return taken.is_null() ? Json(false) : taken;
 }
 
+// Names of morph targets as exporters write them, mesh.extras.targetNames; one list a mesh, empty where there is none.
+std::vector<std::vector<std::string>> read_target_names(const Json& root) {
+  std::vector<std::vector<std::string>> out;
+  const auto meshes = root.find("meshes");
+  if (meshes == root.end()) return out;
+  for (const Json& mesh : *meshes) {
+    out.emplace_back();
+    const auto extras = mesh.find("extras");
+    if (extras == mesh.end() || !extras->is_object()) continue;
+    const auto names = extras->find("targetNames");
+    if (names == extras->end() || !names->is_array()) continue;
+    for (const Json& name : *names) out.back().push_back(name.is_string() ? name.get<std::string>() : std::string());
+  }
+  return out;
+}
+
 // What is imported from the JSON itself.
 void set_aside(Json& root, Document& document) {
   for (const char* name : {"materials", "textures", "samplers", "images"})
@@ -74,6 +90,7 @@ Document read_document(const Container& container, const std::optional<std::stri
   check_texture_coordinates(root, report);
   document.extensions_used = extensions_used(root);
   document.target_names = read_target_names(root);
+  aim_at_nodes(root);
   document.user_numbers = find_user_numbers(root);
   set_aside(root, document);
   document.model = parse_model(std::move(root), document.user_numbers, report);

@@ -61,6 +61,14 @@ std::vector<char> moving_nodes(const RawScene& scene) {
   return out;
 }
 
+// What a skin draws is then as if it had come without weights.
+void forget_weights(RawScene& scene) {
+  for (const RawInstance& instance : scene.instances) {
+    if (instance.skin == kNone || !scene.nodes[to_index(instance.node)].in_scene) continue;
+    for (RawPrimitive& primitive : scene.meshes[to_index(instance.mesh)].primitives) primitive.influences.clear();
+  }
+}
+
 // Meshes that have a skin in the file: in the skin's mesh space.
 void add_skin_groups(RawScene& scene, std::vector<Group>& groups) {
   std::map<int, Group> by_skin;
@@ -278,7 +286,7 @@ void bind(RawScene& scene, const Group& group, deform::WeightMethod method, Made
 }
 
 void say_nothing_bound(const Left& left, const RuleOrigin& origin, Notes& notes) {
-  std::string why = "every mesh has weights already", advice = "leave the option out";
+  std::string why = "every mesh has weights already", advice = "leave the option out, or replace them by --rebind";
   tools::Exit code = tools::Exit::usage;
   if (left.many_skins > 0) {
     why = "the file has several skins, and no mesh without weights has one of them";
@@ -340,6 +348,7 @@ RawScene bind_weights(RawScene scene, const WeightOptions& options, Notes& notes
   Made made;
   Left left;
   if (options.make) {
+    if (options.rebind) forget_weights(scene);
     add_skin_groups(scene, groups);
     add_free_group(scene, groups, left, notes);
     if (groups.empty()) say_nothing_bound(left, options.make_origin, notes);

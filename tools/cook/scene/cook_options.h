@@ -55,6 +55,7 @@ struct PaintRule {
 struct WeightOptions {
   std::optional<deform::WeightMethod> make;
   RuleOrigin make_origin = {"--auto-weights", ""};
+  bool rebind = false;  // make them for meshes that have weights, too
   int smooth_steps = 0;
   RuleOrigin smooth_origin = {"--smooth-weights", ""};
   std::vector<PaintRule> paint;  // the last of a joint counts

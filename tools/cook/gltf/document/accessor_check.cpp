@@ -126,9 +126,6 @@ class Checker {
     }
     check_fits(offset, accessor_.stride, used, accessor_.count, view.length, where_);
     if (view.present) accessor_.base = view.bytes.data() + offset;
-    if (!view.present && view.meshopt) {
-      report_.unsupported(where_, "needs the extension EXT_meshopt_compression", "export without it");
-    }
   }
 
   // Both the offset in the view and the one in the buffer count.

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "cook/gltf/document/meshopt_view.h"
 #include "cook/gltf/document/regular_file.h"
 #include "cook/gltf/document/uri.h"
 
@@ -10,6 +11,9 @@ namespace marrow::cook::gltf {
 namespace {
 
 constexpr std::uint64_t kMostExternalBytes = kLargestFile;
+// What compressed views may unfold to: so many bytes, and so many times the file's.
+constexpr std::uint64_t kFreeUnfolding = std::uint64_t{1} << 25;
+constexpr std::uint64_t kMostUnfolding = 16;
 constexpr std::int64_t kVertexTarget = 34962;
 constexpr std::int64_t kIndexTarget = 34963;
 
@@ -34,7 +38,9 @@ class Loader {
     } else if (index == 0 && container_.binary) {
       add_chunk(length, where);
     } else {
-      report_.warn(where, "buffer-without-data", "no bytes are given for this buffer; what refers to it reads as zero");
+      if (!is_placeholder(buffer, where))
+        report_.warn(where, "buffer-without-data",
+                     "no bytes are given for this buffer; what refers to it reads as zero");
       result.buffers.emplace_back(std::nullopt);
     }
   }
@@ -48,8 +54,6 @@ class Loader {
     added.length = view.at("byteLength").get<std::uint64_t>();
     added.stride = static_cast<std::uint32_t>(count_or(view, "byteStride", 0));
     added.target = static_cast<std::int64_t>(count_or(view, "target", 0));
-    const auto extensions = view.find("extensions");
-    added.meshopt = extensions != view.end() && extensions->contains("EXT_meshopt_compression");
     check_stride(added, where);
     const auto& buffer = result.buffers[buffer_index];
     const std::uint64_t capacity = buffer ? buffer->size() : declared_length_[buffer_index];
@@ -57,7 +61,11 @@ class Loader {
       report_.invalid(under(where, "byteLength"), "beyond the buffer's end",
                       "the buffer has " + std::to_string(capacity) + " bytes; export again");
     }
-    if (buffer) {
+    std::string meshopt_where = where;
+    if (const Json* meshopt = find_meshopt(view, meshopt_where)) {
+      added.present = true;
+      added.bytes = decoded_bytes(*meshopt, added, meshopt_where);
+    } else if (buffer) {
       added.present = true;
       added.bytes = buffer->subspan(offset, added.length);
     }
@@ -78,6 +86,29 @@ class Loader {
     if (view.stride % 4 != 0) report_.invalid(here, "not a multiple of 4", "export again");
     if (view.stride > view.length) report_.invalid(here, "longer than the view", "export again");
     if (view.target == kIndexTarget) report_.invalid(here, "only vertex data may have a stride", "export again");
+  }
+
+  // Its views are compressed, and their bytes stand elsewhere.
+  static bool is_placeholder(const Json& buffer, std::string where) {
+    const Json* meshopt = find_meshopt(buffer, where);
+    return meshopt != nullptr && meshopt->value("fallback", false);
+  }
+
+  // The compressed bytes count, whether or not there are plain ones beside them.
+  std::span<const std::byte> decoded_bytes(const Json& extension, const View& view, const std::string& where) {
+    const MeshoptView meshopt = read_meshopt_view(extension, view.length, view.stride, where, report_);
+    const auto& source = result.buffers[meshopt.buffer];
+    if (!source) report_.invalid(under(where, "buffer"), "no data", "the buffer has no bytes; export again");
+    if (meshopt.offset > source->size() || meshopt.coded_length > source->size() - meshopt.offset) {
+      report_.invalid(under(where, "byteLength"), "beyond the buffer's end",
+                      "the buffer has " + std::to_string(source->size()) + " bytes; export again");
+    }
+    coded_bytes_ += meshopt.coded_length;
+    unfolded_bytes_ += view.length;
+    if (unfolded_bytes_ > kFreeUnfolding + kMostUnfolding * coded_bytes_)
+      report_.unsupported(where, "unfolds too far", "split the scene, or export it without compression");
+    return result.owned.emplace_back(
+        decode_meshopt(meshopt, source->subspan(meshopt.offset, meshopt.coded_length), where, report_));
   }
 
   void add_bytes(std::span<const std::byte> bytes, std::uint64_t length, const std::string& where) {
@@ -126,6 +157,7 @@ class Loader {
   Report& report_;
   std::map<std::string, std::size_t> owned_of_path_;
   std::vector<std::uint64_t> declared_length_;
+  std::uint64_t coded_bytes_ = 0, unfolded_bytes_ = 0;  // of compressed views
 };
 
 }  // namespace

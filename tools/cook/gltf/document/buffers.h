@@ -15,13 +15,12 @@
 namespace marrow::cook::gltf {
 
 struct View {
-  std::span<const std::byte> bytes;  // empty when the buffer has none
+  std::span<const std::byte> bytes;  // decoded, if compressed; empty when the buffer has none
   bool present = false;              // the buffer's bytes are known
   std::uint64_t offset = 0;          // in the buffer
   std::uint64_t length = 0;
   std::uint32_t stride = 0;  // 0: tightly packed
   std::int64_t target = 0;   // 0: not given
-  bool meshopt = false;      // EXT_meshopt_compression; the bytes here are only its fallback
 };
 
 struct Buffers {

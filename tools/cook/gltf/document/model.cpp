@@ -50,7 +50,10 @@ bool is_animated(const Json& channel, const std::string& where, Report& report) 
   const Json& target = channel.at("target");
   const auto& path = target.at("path").get_ref<const std::string&>();
   if (path == "pointer") {
-    report.warn(under(where, "target", "path"), "channel-dropped", "it points at no number in extras; left out");
+    const std::string* const to = pointer_of(channel);
+    report.warn(under(where, "target", "path"), "channel-dropped",
+                (to == nullptr ? "it points nowhere" : "it points at " + *to) +
+                    ": neither a node's transform or weights, nor a number in extras; left out");
     return false;
   }
   if (!kPaths.contains(path)) {

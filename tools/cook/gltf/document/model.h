@@ -1,10 +1,11 @@
 // Hands a checked document to tinygltf, which turns it into typed structures.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cook/gltf/document/accessor.h"
-#include "cook/gltf/document/extras.h"
+#include "cook/gltf/document/animation_pointer.h"
 #include "cook/gltf/document/json.h"
 #include "cook/gltf/document/tinygltf.h"
 

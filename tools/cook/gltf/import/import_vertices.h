@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cook/gltf/document/draco_geometry.h"
+#include "cook/gltf/import/draco_geometry.h"
 #include "cook/gltf/import/import.h"
 
 namespace marrow::cook::gltf {

@@ -5,7 +5,7 @@
 
 #include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
-#include "cook/gltf/document/material_textures.h"
+#include "cook/gltf/rules/material_textures.h"
 #include "cook/scene/raw.h"
 
 namespace marrow::cook::gltf {

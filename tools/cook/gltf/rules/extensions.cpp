@@ -11,9 +11,9 @@ namespace marrow::cook::gltf {
 namespace {
 
 // Read in full.
-constexpr std::array<std::string_view, 4> kRead = {"KHR_mesh_quantization", "KHR_draco_mesh_compression",
-                                                   "KHR_texture_transform",
-                                                   "KHR_animation_pointer"};  // what it leaves out it says
+constexpr std::array<std::string_view, 6> kRead = {
+    "KHR_mesh_quantization",   "KHR_draco_mesh_compression", "EXT_meshopt_compression",
+    "KHR_meshopt_compression", "KHR_texture_transform",      "KHR_animation_pointer"};  // what it leaves out it says
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
 constexpr std::array<std::string_view, 25> kHarmless = {"KHR_materials_anisotropy",

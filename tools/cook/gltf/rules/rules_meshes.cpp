@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "cook/gltf/document/material_textures.h"
+#include "cook/gltf/rules/material_textures.h"
 #include "cook/gltf/rules/rules.h"
 
 namespace marrow::cook::gltf {

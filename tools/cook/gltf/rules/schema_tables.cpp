@@ -80,13 +80,31 @@ constexpr Property kAnimation[] = {objects("channels", kChannelSchema, true),
                                    objects("samplers", kAnimationSamplerSchema, true)};
 constexpr Schema kAnimationSchema{kAnimation};
 
-constexpr Property kBuffer[] = {text("uri"), count_of("byteLength", 1, true)};
+constexpr Property kMeshoptBuffer[] = {flag("fallback")};
+constexpr Schema kMeshoptBufferSchema{kMeshoptBuffer};
+constexpr Property kBufferExtensions[] = {object("EXT_meshopt_compression", kMeshoptBufferSchema),
+                                          object("KHR_meshopt_compression", kMeshoptBufferSchema)};
+constexpr Schema kBufferExtensionsSchema{kBufferExtensions, true};
+constexpr Property kBuffer[] = {text("uri"), count_of("byteLength", 1, true),
+                                object("extensions", kBufferExtensionsSchema)};
 constexpr Schema kBufferSchema{kBuffer};
+constexpr Property kMeshopt[] = {index_of("buffer", "buffers", true),
+                                 count_of("byteOffset", 0),
+                                 count_of("byteLength", 1, true),
+                                 {.name = "byteStride", .kind = Kind::integer, .required = true, .min = 2, .max = 256},
+                                 count_of("count", 1, true),
+                                 text("mode", true, "ATTRIBUTES TRIANGLES INDICES"),
+                                 text("filter", false, "NONE OCTAHEDRAL QUATERNION EXPONENTIAL COLOR")};
+constexpr Schema kMeshoptSchema{kMeshopt};
+constexpr Property kBufferViewExtensions[] = {object("EXT_meshopt_compression", kMeshoptSchema),
+                                              object("KHR_meshopt_compression", kMeshoptSchema)};
+constexpr Schema kBufferViewExtensionsSchema{kBufferViewExtensions, true};
 constexpr Property kBufferView[] = {index_of("buffer", "buffers", true),
                                     count_of("byteOffset", 0),
                                     count_of("byteLength", 1, true),
                                     {.name = "byteStride", .kind = Kind::integer, .min = 4, .max = 252},
-                                    code("target", false)};
+                                    code("target", false),
+                                    object("extensions", kBufferViewExtensionsSchema)};
 constexpr Schema kBufferViewSchema{kBufferView};
 
 constexpr Property kImage[] = {text("uri"), text("mimeType"), index_of("bufferView", "bufferViews")};

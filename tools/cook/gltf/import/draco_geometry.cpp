@@ -1,5 +1,5 @@
 // Decodes KHR_draco_mesh_compression.
-#include "cook/gltf/document/draco_geometry.h"
+#include "cook/gltf/import/draco_geometry.h"
 
 #include <cstring>
 #include <exception>
@@ -87,9 +87,9 @@ std::unique_ptr<draco::Mesh> decode(std::span<const std::byte> bytes, const std:
   std::unique_ptr<draco::Mesh> mesh;
   try {
     draco::Decoder decoder;
-    for (const auto kind : {draco::GeometryAttribute::POSITION, draco::GeometryAttribute::NORMAL,
-                            draco::GeometryAttribute::COLOR, draco::GeometryAttribute::TEX_COORD,
-                            draco::GeometryAttribute::GENERIC})
+    for (const auto kind :
+         {draco::GeometryAttribute::POSITION, draco::GeometryAttribute::NORMAL, draco::GeometryAttribute::COLOR,
+          draco::GeometryAttribute::TEX_COORD, draco::GeometryAttribute::GENERIC})
       decoder.SetSkipAttributeTransform(kind);  // restore() does it
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
     if (!decoded.ok()) refuse(decoded.status().error_msg());

@@ -1,4 +1,4 @@
-#include "cook/gltf/document/material_textures.h"
+#include "cook/gltf/rules/material_textures.h"
 
 #include "common/elementary.h"
 

@@ -1,17 +1,17 @@
-// What animations need of `extras`, which no other stage looks at.
+// What animations drive by KHR_animation_pointer: transforms of nodes, and numbers in `extras`.
 #pragma once
 
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "cook/gltf/document/json.h"
 
 namespace marrow::cook::gltf {
 
-// Names of morph targets as exporters write them, mesh.extras.targetNames; one list a mesh, empty where there is none.
-std::vector<std::vector<std::string>> read_target_names(const Json& root);
+// Rewrites channels that point at /nodes/3/translation, rotation, scale or weights as channels of that node, as
+// glTF 2.0 has them. `root` has been through check_schema().
+void aim_at_nodes(Json& root);
 
 // A number in `extras` that an animation drives by KHR_animation_pointer.
 struct UserNumber {
@@ -24,5 +24,8 @@ struct UserNumber {
 // the asset, or of an element of a root collection such as /nodes/3. `root` has been through check_schema().
 using UserNumbers = std::map<std::pair<std::size_t, std::size_t>, UserNumber>;
 UserNumbers find_user_numbers(const Json& root);
+
+// Where a channel points to; null if it does not.
+const std::string* pointer_of(const Json& channel);
 
 }  // namespace marrow::cook::gltf

@@ -1,5 +1,4 @@
-// What animations need of `extras`, which no other stage looks at.
-#include "cook/gltf/document/extras.h"
+#include "cook/gltf/document/animation_pointer.h"
 
 #include <charconv>
 #include <cmath>
@@ -50,6 +49,10 @@ std::optional<std::size_t> owner_steps(const Json& root, const std::vector<std::
   return 2;
 }
 
+bool is_animated_property(std::string_view name) {
+  return name == "translation" || name == "rotation" || name == "scale" || name == "weights";
+}
+
 std::string owner_name(const Json& owner, const std::vector<std::string>& steps, std::size_t count) {
   if (count < 2) return {};
   const auto name = owner.is_object() ? owner.find("name") : owner.end();
@@ -77,6 +80,8 @@ std::optional<UserNumber> resolve(const Json& root, const std::string& pointer) 
   return std::isfinite(out.rest) ? std::optional(out) : std::nullopt;
 }
 
+}  // namespace
+
 const std::string* pointer_of(const Json& channel) {
   const Json& target = channel.at("target");
   if (target.at("path") != "pointer") return nullptr;
@@ -86,21 +91,20 @@ const std::string* pointer_of(const Json& channel) {
   return extension == extensions->end() ? nullptr : &extension->at("pointer").get_ref<const std::string&>();
 }
 
-}  // namespace
-
-std::vector<std::vector<std::string>> read_target_names(const Json& root) {
-  std::vector<std::vector<std::string>> out;
-  const auto meshes = root.find("meshes");
-  if (meshes == root.end()) return out;
-  for (const Json& mesh : *meshes) {
-    out.emplace_back();
-    const auto extras = mesh.find("extras");
-    if (extras == mesh.end() || !extras->is_object()) continue;
-    const auto names = extras->find("targetNames");
-    if (names == extras->end() || !names->is_array()) continue;
-    for (const Json& name : *names) out.back().push_back(name.is_string() ? name.get<std::string>() : std::string());
+void aim_at_nodes(Json& root) {
+  const auto animations = root.find("animations");
+  if (animations == root.end()) return;
+  for (Json& animation : *animations) {
+    for (Json& channel : animation.at("channels")) {
+      const std::string* const to = pointer_of(channel);
+      const auto steps = to == nullptr ? std::nullopt : split_pointer(*to);
+      if (!steps || steps->size() != 3 || (*steps)[0] != "nodes" || !is_animated_property((*steps)[2])) continue;
+      const Json* const nodes = step_into(root, "nodes");
+      const Json* const node = nodes == nullptr ? nullptr : step_into(*nodes, (*steps)[1]);
+      if (node == nullptr) continue;
+      channel["target"] = {{"node", node - &nodes->front()}, {"path", (*steps)[2]}};
+    }
   }
-  return out;
 }
 
 UserNumbers find_user_numbers(const Json& root) {
