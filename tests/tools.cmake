@@ -26,8 +26,8 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
-marrow_test(marrow_workflow_tests workflow unit/common/nearest_test.cpp unit/cook/elementary_test.cpp
-  unit/cook/quantity_test.cpp unit/cook/workflow_test.cpp)
+marrow_test(marrow_workflow_tests workflow unit/common/nearest_test.cpp unit/common/progress_test.cpp
+  unit/common/warnings_test.cpp unit/cook/elementary_test.cpp unit/cook/quantity_test.cpp unit/cook/workflow_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook_command marrow_sample)
 if(MARROW_SANITIZE)
   set_tests_properties(workflow PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*")
@@ -58,7 +58,7 @@ marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.
   cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
   cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
-  cli/names_test.cpp cli/split_test.cpp cli/view_test.cpp)
+  cli/names_test.cpp cli/progress_test.cpp cli/split_test.cpp cli/view_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)

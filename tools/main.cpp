@@ -11,6 +11,7 @@
 #include "commands/command.h"
 #include "common/call_errors.h"
 #include "common/failure.h"
+#include "common/interrupt.h"
 #include "common/nearest.h"
 #include "common/printable.h"
 
@@ -73,7 +74,7 @@ int run(int argc, char** argv) {
   app.footer(
       "Results go to stdout, everything else to stderr.\n"
       "Exit codes: 0 done, 1 usage, 2 input/output, 3 invalid input, 4 unsupported, 5 internal, "
-      "6 files differ (diff).");
+      "6 files differ (diff), 130 interrupted.");
   int exit_code = 0;
   for (const AddCommand add : kCommands) add(app, exit_code);
   try {
@@ -100,6 +101,7 @@ int main(int argc, char** argv) {
   using marrow::tools::Exit;
   std::set_new_handler(marrow::tools::end_without_memory);
   try {
+    marrow::tools::end_cleanly_on_interrupt();
     marrow::tools::print_call_errors();
     const int code = marrow::tools::run(argc, argv);
     // What a pipe or a full disk refuses is known when everything has been handed over.

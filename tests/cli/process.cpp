@@ -136,7 +136,7 @@ Ran run_program(const std::vector<std::string>& program_and_arguments, std::chro
   return ran;
 }
 
-Ran run_marrow_on_terminal(const std::vector<std::string>& arguments) {
+Ran run_marrow_on_terminal(const std::vector<std::string>& arguments, const std::string& interrupt_at) {
   const TemporaryFolder folder;
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0)
@@ -146,7 +146,13 @@ Ran run_marrow_on_terminal(const std::vector<std::string>& arguments) {
   const pid_t child = start(all, folder / "out", ::ptsname(terminal));
   std::string err;
   char bytes[4096];
-  for (ssize_t n = 0; (n = ::read(terminal, bytes, sizeof bytes)) > 0;) err.append(bytes, static_cast<std::size_t>(n));
+  bool to_interrupt = !interrupt_at.empty();
+  for (ssize_t n = 0; (n = ::read(terminal, bytes, sizeof bytes)) > 0;) {
+    err.append(bytes, static_cast<std::size_t>(n));
+    if (!to_interrupt || err.find(interrupt_at) == std::string::npos) continue;
+    ::kill(child, SIGINT);
+    to_interrupt = false;
+  }
   ::close(terminal);
   Ran ran;
   wait_for(child, ran);

@@ -19,8 +19,9 @@ struct Ran {
 
 // Arguments behind the program's name; stdin is empty. Throws std::runtime_error if the program cannot be started.
 Ran run_marrow(const std::vector<std::string>& arguments);
-// The same with stderr on a terminal.
-Ran run_marrow_on_terminal(const std::vector<std::string>& arguments);
+// The same with stderr on a terminal; interrupted (SIGINT) as soon as `interrupt_at` is shown there, unless that is
+// empty.
+Ran run_marrow_on_terminal(const std::vector<std::string>& arguments, const std::string& interrupt_at = "");
 
 // Any program, looked for as a shell does; killed (SIGKILL) after `kill_after` unless that is 0.
 Ran run_program(const std::vector<std::string>& program_and_arguments,

@@ -49,7 +49,7 @@ struct ExportedModel {
   File file;
   fs::path folder;
   std::string path;
-  std::vector<std::string> warnings;
+  std::vector<tools::Warning> warnings;
 };
 
 class Export : public ::testing::TestWithParam<std::string> {
@@ -87,7 +87,8 @@ double worst_distance(const Reference& source, const std::vector<bool>& used, co
 
 TEST_P(Export, PosesAsItsSource) {
   const ExportedModel exported(GetParam(), true);
-  for (const std::string& warning : exported.warnings) EXPECT_NE(warning.find("--images embed"), std::string::npos);
+  for (const tools::Warning& warning : exported.warnings)
+    EXPECT_NE(warning.text.find("--images embed"), std::string::npos);
   const Reference source(GetParam()), back(exported.path);
   ASSERT_EQ(source.rest().positions.size(), back.rest().positions.size());
   const std::vector<bool> used = used_vertices(exported.file);

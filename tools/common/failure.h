@@ -8,7 +8,7 @@
 namespace marrow::tools {
 
 // The process's exit codes; the same for every sub-command.
-enum class Exit { done = 0, usage = 1, io = 2, invalid = 3, unsupported = 4, internal = 5 };
+enum class Exit { done = 0, usage = 1, io = 2, invalid = 3, unsupported = 4, internal = 5, interrupted = 130 };
 
 // Prints as `file: where: rule: advice`. `where` is a JSON pointer ("/accessors/3") or a byte offset ("@128");
 // empty parts are left out.

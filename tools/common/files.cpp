@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "common/failure.h"
@@ -74,20 +76,36 @@ AlignedBytes read_file(const std::string& path) {
 
 namespace {
 
+// Temporary files that are there. Whoever makes, renames or removes one holds the mutex.
+struct Unfinished {
+  std::mutex mutex;
+  std::set<std::string> paths;
+};
+Unfinished& unfinished() {
+  static auto* const all = new Unfinished;  // for threads that outlive main()
+  return *all;
+}
+
 // Opens the temporary file and locks it. Another process may have renamed it away before the lock was ours: then its
 // name belongs to no file or to a new one.
 int open_locked(const std::string& temporary, const std::string& path) {
   for (;;) {
+    std::unique_lock guard(unfinished().mutex);
     Descriptor file{::open(temporary.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666)};
     if (file.fd < 0) fail(path, "cannot write", errno);
     // File systems without locks exist; there, nothing but a race between two cooks is lost.
-    while (::flock(file.fd, LOCK_EX) != 0 && errno == EINTR) {
+    while (::flock(file.fd, LOCK_EX | LOCK_NB) != 0 && (errno == EINTR || errno == EWOULDBLOCK)) {
+      guard.unlock();  // another process may take its time
+      while (::flock(file.fd, LOCK_EX) != 0 && errno == EINTR) {
+      }
+      guard.lock();
     }
     struct stat ours {
     }, named{};
     if (::fstat(file.fd, &ours) != 0) fail(path, "cannot write", errno);
     if (!S_ISREG(ours.st_mode)) throw Failure(Exit::io, path, "", "cannot write", temporary + " is in the way");
     if (::lstat(temporary.c_str(), &named) != 0 || named.st_ino != ours.st_ino || named.st_dev != ours.st_dev) continue;
+    unfinished().paths.insert(temporary);
     return std::exchange(file.fd, -1);
   }
 }
@@ -142,15 +160,37 @@ StagedFile::~StagedFile() {
 }
 
 void StagedFile::commit() {
+  commit_all({this, 1});
+}
+
+void StagedFile::commit_all(std::span<StagedFile> files) {
+  {
+    const std::lock_guard guard(unfinished().mutex);
+    for (const StagedFile& file : files) file.rename();
+  }
+  for (StagedFile& file : files) file.finish();
+}
+
+void StagedFile::rename() const {
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
+  unfinished().paths.erase(temporary_);
+}
+
+void StagedFile::finish() {
   if (::close(std::exchange(fd_, -1)) != 0 && errno != EINTR) fail(path_, "cannot write", errno);
   flush_folder(std::filesystem::path(path_).parent_path());
 }
 
 void StagedFile::discard() {
   if (fd_ < 0) return;
-  ::unlink(temporary_.c_str());  // while the lock is ours
+  const std::lock_guard guard(unfinished().mutex);
+  if (unfinished().paths.erase(temporary_) > 0) ::unlink(temporary_.c_str());  // while the lock is ours
   ::close(std::exchange(fd_, -1));
+}
+
+void abandon_unfinished_files() {
+  unfinished().mutex.lock();
+  for (const std::string& path : unfinished().paths) ::unlink(path.c_str());
 }
 
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {

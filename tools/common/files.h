@@ -44,12 +44,20 @@ class StagedFile {
   ~StagedFile();  // without commit(): `path` stays as it was
   // Throws Failure (io).
   void commit();
+  // All of them, and an interrupt comes before the first or after the last.
+  static void commit_all(std::span<StagedFile> files);
 
  private:
+  void rename() const;  // under the lock of unfinished files
+  void finish();
   void discard();
   std::string path_, temporary_;
   int fd_ = -1;
 };
+
+// Removes the temporary files of this process. No file is begun and none takes its place from here on: who would, waits
+// for ever. For the end of a process that is interrupted.
+void abandon_unfinished_files();
 
 // Both steps at once.
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes);

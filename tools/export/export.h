@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "common/warnings.h"
 #include "marrow/file.h"
 
 namespace marrow::tools {
 
 struct Exported {
   std::string glb;
-  std::vector<std::string> warnings;  // one sentence each: what glTF could not take
+  std::vector<Warning> warnings;  // what glTF could not take, without rules
 };
 
 // The GLB container of everything that `file` holds; the same bytes for the same file. `name` is the file's, for

@@ -67,8 +67,8 @@ bool Looks::add_texture(const Texture& texture, Json& out) {
   const Image image = scene_.file.image(texture.image);
   if (image.bytes.empty() && *image.uri == '\0') {
     if (!warned_[texture.image])
-      scene_.warnings.push_back("image " + std::to_string(texture.image) + " \"" + image.name +
-                                "\" is known by name alone and left out; cook with --images embed");
+      scene_.warnings.push_back({"image " + std::to_string(texture.image) + " \"" + image.name + "\"", "",
+                                 "known by name alone and left out; cook with --images embed"});
     warned_[texture.image] = true;
     return false;
   }

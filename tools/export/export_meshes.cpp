@@ -99,8 +99,9 @@ class Meshes {
   void warn_of_deformers(std::uint32_t number, std::span<const Mesh> parts) {
     const auto left_out = [&](const auto& has, const char* what) {
       if (std::ranges::any_of(parts, [&](const Mesh& part) { return has(part.geometry); }))
-        scene_.warnings.push_back("mesh " + std::to_string(number) + " \"" + parts[0].name + "\": glTF has no " + what +
-                                  " is left out, so it is deformed by linear blend skinning");
+        scene_.warnings.push_back(
+            {"mesh " + std::to_string(number) + " \"" + parts[0].name + "\"", "",
+             std::string("glTF has no ") + what + " is left out, so it is deformed by linear blend skinning"});
     };
     left_out([](const Geometry& g) { return g.as_residual != nullptr; }, "animation space; its residual");
     left_out([](const Geometry& g) { return g.mwe_residual != nullptr; }, "multi-weight enveloping; it");

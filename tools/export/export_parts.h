@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/warnings.h"
 #include "glb/glb.h"
 #include "marrow/file.h"
 
@@ -24,7 +25,7 @@ struct ExportScene {
   std::vector<std::vector<std::size_t>> joint_nodes;  // node of each joint, for each skeleton
   std::vector<std::size_t> roots;                     // of the scene
   std::vector<MorphedNode> morphed;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 
   // Adds a node below another, or to the scene's roots without one, and returns its number.
   static constexpr std::size_t kScene = SIZE_MAX;

@@ -18,6 +18,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
+#include "common/progress.h"
 
 namespace marrow::tools {
 namespace {
@@ -157,13 +158,17 @@ void run_gpu_bench(const GpuBenchArguments& arguments) {
   const GpuTarget target(gl);
   std::unique_ptr<Subject> subject;
   const GpuCase* of = nullptr;
+  std::optional<Progress> progress(std::in_place);
+  std::size_t done = 0;
   for (GpuRow& row : rows) {
+    progress->show(done++, rows.size(), row.name);
     if (row.of != of) subject = std::make_unique<Subject>(*row.of, models);
     of = row.of;
     const std::unique_ptr<GpuWork> work = make_gpu_work(gl, target, row, subject->get());
     target.bind();
     measure(gl, timer, *work, row);
   }
+  progress.reset();
   if (arguments.json) {
     fmt::print("{}\n", report(gl.driver(), rows).dump(2));
   } else {

@@ -14,6 +14,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
+#include "common/progress.h"
 
 namespace marrow::tools {
 namespace {
@@ -112,7 +113,13 @@ void run_compare(const CompareArguments& a) {
     throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
   Study study = a.sample.empty() ? study_file(a.in, a.holdout, options) : study_cylinder();
   drop_unusable_poses(cook::make_truth(study.source, options), study);
-  const DeformerComparison comparison = compare_deformers(study, options);
+  const DeformerComparison comparison = [&] {
+    Progress progress;
+    progress.show(0, 0, study.name);
+    return compare_deformers(study, options, [&](std::size_t done, std::size_t count) {
+      progress.show(done, count, "learning and judging");
+    });
+  }();
   if (a.json) {
     fmt::print("{}\n", report(a, comparison).dump(2));
   } else {

@@ -253,12 +253,15 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
 
 }  // namespace
 
-DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options) {
+DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options,
+                                     const deform::Progress& progress) {
   const Shape shape(study.source.mesh);
   const deform::Deformer truth = cook::make_truth(study.source, options);
   DeformerComparison out;
   out.diagonal_m = deform::diagonal(study.source.mesh);
-  for (const Contestant& contestant : contestants(options)) {
+  const std::vector<Contestant> all = contestants(options);
+  deform::Steps steps(progress, all.size() * study.rounds.size());
+  for (const Contestant& contestant : all) {
     DeformerRow row;
     row.deformer = contestant.name;
     Totals totals;
@@ -266,6 +269,7 @@ DeformerComparison compare_deformers(const Study& study, const cook::LearnOption
       Trained trained = contestant.train(study, study.rounds[r], options);
       measure_round(shape, trained, truth, study.rounds[r], study.rounds.size(), totals, row);
       if (r == 0) out.trained_in_first_round.push_back(std::move(trained));
+      steps.one_more();
     }
     const auto vertices = static_cast<double>(shape.mesh.positions.size());
     if (totals.trained > 0)

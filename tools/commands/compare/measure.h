@@ -32,6 +32,8 @@ struct DeformerComparison {
   std::vector<Trained> trained_in_first_round;
 };
 
-DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options);
+// progress: of deformers and rounds.
+DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options,
+                                     const deform::Progress& progress = {});
 
 }  // namespace marrow::tools

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/printable.h"
+#include "common/warnings.h"
 
 namespace marrow::tools {
 namespace {
@@ -81,9 +82,12 @@ ordered_json report_of(const CookJob& job, const Outcome& outcome) {
 
 void print_warnings(const CookJob& job, const Outcome& outcome) {
   if (outcome.code != Exit::done) return;
+  std::vector<Warning> warnings;
   for (const auto& w : outcome.report.at("warnings"))
-    fmt::print(stderr, "{}: {}: warning: {}: {}\n", job.in, w.at("pointer").get<std::string>(),
-               w.at("rule").get<std::string>(), printable(w.at("text").get<std::string>()));
+    warnings.push_back(
+        {w.at("pointer").get<std::string>(), w.at("rule").get<std::string>(), w.at("text").get<std::string>()});
+  for (const std::string& line : warning_lines(job.in, warnings, "; --report lists all"))
+    fmt::print(stderr, "{}\n", line);
 }
 
 void print_summary(const CookJob& job, const Outcome& outcome) {

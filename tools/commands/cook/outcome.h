@@ -31,7 +31,7 @@ nlohmann::ordered_json report_of(const CookJob& job, const Outcome& outcome);
 void print_summary(const CookJob& job, const Outcome& outcome);
 void print_table(const std::vector<CookJob>& jobs, const std::vector<Outcome>& outcomes, double seconds);
 
-// Warnings about one input; on stderr.
+// Warnings about one input, a line a rule; on stderr.
 void print_warnings(const CookJob& job, const Outcome& outcome);
 
 }  // namespace marrow::tools

@@ -27,6 +27,7 @@
 #include "common/load_mrw.h"
 #include "common/parallel.h"
 #include "common/printable.h"
+#include "common/progress.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
 #include "cook/prepare/match_skeletons.h"
@@ -74,27 +75,6 @@ class MemoryGate {
   std::uint64_t used_ = 0;
   const std::uint64_t most_ = static_cast<std::uint64_t>(std::max(1L, ::sysconf(_SC_PHYS_PAGES))) *
                               static_cast<std::uint64_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))) / 2;
-};
-
-// One line on a terminal, written over and over.
-class Progress {
- public:
-  Progress() : shown_(::isatty(STDERR_FILENO) == 1) {}
-  ~Progress() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  void show(std::size_t number, std::size_t count, const std::string& what) {
-    if (!shown_) return;
-    const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "\r\033[K[{}/{}] {}", number, count, what);
-    std::fflush(stderr);
-  }
-
- private:
-  std::mutex mutex_;
-  bool shown_;
 };
 
 // What is to be done with one input, all of it known before the first is read.
@@ -289,7 +269,9 @@ int cook_one(const CookArguments& a) {
   Cook cook(a);
   const Cook::Cooked cooked = [&] {
     Progress progress;
+    progress.show(0, 0, fs::path(a.inputs[0]).filename().string());
     order.options.learn.progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "fitting"); };
+    order.options.clip_progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "clips"); };
     return cook.cook(order);
   }();
   const Outcome& outcome = cooked.outcome;
@@ -299,7 +281,7 @@ int cook_one(const CookArguments& a) {
   if (!a.depfile.empty()) staged.emplace_back(a.depfile, bytes_of(cook.dependencies(order, outcome)));
   if (!a.report.empty()) staged.emplace_back(a.report, bytes_of(report));
   if (!cook.is_there(a.out, cooked.file)) staged.emplace_back(a.out, cooked.file);
-  for (StagedFile& file : staged) file.commit();
+  StagedFile::commit_all(staged);
   cook.end();
   if (a.json) {
     fmt::print("{}", report);
@@ -359,10 +341,11 @@ int cook_batch(const CookArguments& a) {
   std::vector<Outcome> outcomes(jobs.size());
   {
     Progress progress;
-    std::atomic<std::size_t> begun{0};
+    std::atomic<std::size_t> done{0};
     for_each_in_parallel(jobs.size(), [&](std::size_t i) {
-      progress.show(++begun, jobs.size(), fs::path(jobs[i].in).filename().string());
+      progress.show(done, jobs.size(), fs::path(jobs[i].in).filename().string());
       outcomes[i] = cook_into_folder(cook, orders[i]);
+      ++done;
     });
   }
   cook.end();

@@ -14,6 +14,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
+#include "common/progress.h"
 #include "common/quantity.h"
 #include "cook/cook.h"
 #include "sample/embedded.h"
@@ -52,9 +53,13 @@ std::uint64_t source_bytes(const nlohmann::ordered_json& report) {
 
 // One input: cooks it, draws its sheet, measures it. `stem` names the outputs.
 Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input, const std::string& stem) {
+  Progress progress;
   cook::CookOptions options;
   options.learn.animation_space = cook::AnimationSpace::fit;
   options.learn.half_joints = 1;
+  progress.show(0, 0, stem);
+  options.learn.progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "fitting"); };
+  options.clip_progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "clips"); };
   const cook::CookResult cooked = cook::cook_file(input, options);
   const std::string mrw = (std::filesystem::path(arguments.directory) / (stem + ".mrw")).string();
   write_file_atomically(mrw, cooked.file);
@@ -63,10 +68,12 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
   const File& file = loaded.file;
   const std::optional<std::uint32_t> clip =
       arguments.clip.empty() ? liveliest_clip(file) : find_clip(mrw, file, arguments.clip);
+  progress.show(0, 0, "drawing");
   const Textures textures(gl, input, file, places_beside(input));
   const Sheet sheet = make_sheet(gl, file, textures, clip, stem);
   const std::string png = (std::filesystem::path(arguments.directory) / (stem + ".png")).string();
   write_png(png, sheet.image);
+  progress.show(0, 0, "measuring");
   const Timings timings = measure(file, clip);
   std::uint64_t joints = 0, vertices = 0;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;

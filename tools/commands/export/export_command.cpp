@@ -5,6 +5,7 @@
 #include "common/files.h"
 #include "common/formats.h"
 #include "common/load_mrw.h"
+#include "common/warnings.h"
 #include "export/export.h"
 
 namespace marrow::tools {
@@ -19,7 +20,7 @@ void add_export(CLI::App& app, int&) {
     expect_writable(out);
     const LoadedFile loaded = load_mrw(in);
     const Exported exported = export_file(loaded.file, in);
-    for (const std::string& warning : exported.warnings) fmt::print(stderr, "{}: warning: {}\n", in, warning);
+    for (const std::string& line : warning_lines(in, exported.warnings)) fmt::print(stderr, "{}\n", line);
     write_file_atomically(out, exported.glb);
   });
 }

@@ -9,6 +9,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
+#include "common/progress.h"
 #include "common/quantity.h"
 #include "image/apng.h"
 
@@ -109,7 +110,9 @@ void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
   if (names && !names->folder.empty()) create_folders(names->folder);
   sitting.agree_on_heat(movie.instants);
   Apng apng(static_cast<std::uint32_t>(frames));
+  std::optional<Progress> progress(std::in_place);
   for (std::size_t i = 0; i < frames; ++i) {
+    progress->show(i, frames, "drawing");
     const Image frame = sitting.shoot(movie.instants[i]);
     if (names) {
       write_png(names->name(i), frame);
@@ -117,6 +120,7 @@ void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
       apng.add(frame, ticks(movie, i));
     }
   }
+  progress.reset();
   if (!names) write_file_atomically(arguments.output, apng.finish());
   std::fputs(fmt::format("{}: {}x{}, {} frames, {} s, {}\n", arguments.output, sitting.width(), sitting.height(),
                          frames, plain_number(movie.duration_s), sitting.gl().driver())

@@ -92,9 +92,11 @@ std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vecto
     of.promise = make_promise(skeletons[skeleton], of.rig, largest, options);
     hang_all(skeleton, carried, of);
   }
+  deform::Steps steps(options.clip_progress, clips.size());
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
     const Rigged& of = rigged.at(clips[i].skeleton);
     compress_clip(clips[i], skeletons[clips[i].skeleton], of.rig, of.promise, of.hung);
+    steps.one_more();
   });
   return clips;
 }

@@ -116,6 +116,7 @@ struct CookOptions {
   Images images = Images::reference;
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
   WeightOptions weights;
+  deform::Progress clip_progress;  // of clips that are compressed
 };
 
 }  // namespace marrow::cook

@@ -1,10 +1,10 @@
-// Collects the warnings of one reading and keeps a broken file from flooding the terminal with them.
+// Collects the warnings of one reading and keeps a broken file from filling a report with them.
 #include "cook/gltf/document/findings.h"
 
 namespace marrow::cook::gltf {
 namespace {
 
-constexpr std::size_t kListedPerRule = 8;
+constexpr std::size_t kListedPerRule = 1000;
 
 }  // namespace
 
