@@ -163,9 +163,8 @@ TEST(CookAs, ShowsItsProgressOnATerminalOnly) {
   EXPECT_EQ(shown.code, 0);
   EXPECT_EQ(shown.out, piped.out);
   EXPECT_NE(shown.err.find("[1/"), std::string::npos) << shown.err;
-  const std::size_t last = shown.err.rfind("fitting"), cleared = shown.err.rfind("\r\033[K");
-  ASSERT_NE(last, std::string::npos);
-  EXPECT_EQ(cleared, last + 7) << "the line is wiped at the end";
+  EXPECT_NE(shown.err.find("fitting"), std::string::npos) << shown.err;
+  EXPECT_TRUE(shown.err.ends_with("\r\033[K")) << "the line is wiped at the end";
 }
 
 TEST(CookAs, RefusesWhatMakesNoSense) {

@@ -135,7 +135,7 @@ TEST_F(Names, FilesOfOtherPrograms) {
     expect_failure({"cook", at(c.name), "-o", at("x.mrw")}, kUnsupported,
                    {c.rule, "export glTF (.glb) from the program"});
   }
-  expect_failure({"info", at("x.fbx")}, kUnsupported, {"Autodesk FBX", "and cook that"});
+  expect_failure({"info", at("x.fbx")}, kUnsupported, {"Autodesk FBX", "tools/fbx_to_glb.sh, and cook that"});
   // A name is no reason to refuse what is glTF inside.
   write_text(at("x.vrm"), read_text(newt()));
   EXPECT_EQ(run_marrow({"cook", at("x.vrm"), "-o", at("x.mrw"), "--clip-codec", "raw"}).code, 0);

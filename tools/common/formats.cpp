@@ -70,8 +70,9 @@ const Format* foreign_format(const std::string& path) {
 [[noreturn]] void refuse_foreign(const std::string& path, const Format* format, const std::string& then) {
   const std::string extension = std::filesystem::path(path).extension().string();
   const std::string name = format == nullptr ? "the format " + extension + " is unknown" : format->name;
+  const std::string by_blender = has_extension(path, ".fbx") ? ", or turn it into that by tools/fbx_to_glb.sh" : "";
   throw Failure(Exit::unsupported, path, "", name + (format == nullptr ? "" : ", which is not read"),
-                "export glTF (.glb) from the program that made it" + then);
+                "export glTF (.glb) from the program that made it" + by_blender + then);
 }
 
 }  // namespace

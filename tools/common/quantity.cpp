@@ -14,8 +14,10 @@ constexpr int kMostDecimals = 9;
 
 std::string plain_number(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return fmt::format("{:g}", std::fabs(value));
-  const int before = static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
-  std::string out = fmt::format("{:.{}f}", value, std::clamp(digits - before, 0, kMostDecimals));
+  // Scientific notation knows where the first digit stands, and log10() differs between libraries.
+  const std::string scientific = fmt::format("{:.{}e}", value, digits - 1);
+  const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+  std::string out = fmt::format("{:.{}f}", value, std::clamp(digits - 1 - exponent, 0, kMostDecimals));
   if (out.find('.') != std::string::npos) {
     out.erase(out.find_last_not_of('0') + 1);
     if (out.back() == '.') out.pop_back();
