@@ -57,6 +57,11 @@ compare_bytes() {
   [ $? -eq 3 ] && echo "SKIPPED: cooked bytes of some compilers or processors" >&2
 }
 
+check_fbx() {
+  tools/check_fbx.sh build/release/tools/marrow && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: FBX, by Blender" >&2
+}
+
 fuzz() {
   tools/fuzz.sh 30 && return 0
   [ $? -eq 3 ] && echo "SKIPPED: libFuzzer" >&2
@@ -95,6 +100,7 @@ case "${1:-}" in
     timed "validate the sample" validate_sample
     for preset in release asan tsan scalar aarch64; do test_preset $preset; done
     timed "same bytes everywhere" compare_bytes
+    timed "FBX, by Blender" check_fbx
     timed "libFuzzer, 30 s a target" fuzz
     ;;
   *)
