@@ -5,7 +5,8 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_meshopt_test.cpp unit/cook/gltf_morphs_test.cpp
-  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
+  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp
+  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
 target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
@@ -58,7 +59,7 @@ marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.
   cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
   cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
-  cli/names_test.cpp cli/progress_test.cpp cli/split_test.cpp cli/view_test.cpp)
+  cli/names_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)

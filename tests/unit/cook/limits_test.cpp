@@ -6,70 +6,13 @@
 
 #include "export/export.h"
 #include "marrow/limits.h"
+#include "support/json_schema.h"
 #include "support/places.h"
 #include "unit/cook/gltf_document.h"
 #include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {
 namespace {
-
-// As much of JSON Schema as docs/limits.schema.json uses; a keyword that it does not know is an error.
-class Schema {
- public:
-  explicit Schema(Json root) : root_(std::move(root)) {}
-  bool accepts(const Json& value) const { return fits(root_, value); }
-
- private:
-  bool fits(const Json& schema, const Json& value) const {
-    for (const auto& [keyword, rule] : schema.items())
-      if (!fits(schema, keyword, rule, value)) return false;
-    return true;
-  }
-  bool fits(const Json& schema, const std::string& keyword, const Json& rule, const Json& value) const {
-    const auto count = [&] {
-      std::size_t n = 0;
-      for (const Json& one : rule) n += fits(one, value);
-      return n;
-    };
-    if (keyword == "$ref") return fits(root_.at(Json::json_pointer(rule.get<std::string>().substr(1))), value);
-    if (keyword == "oneOf") return count() == 1;
-    if (keyword == "anyOf") return count() > 0;
-    if (keyword == "not") return !fits(rule, value);
-    if (keyword == "type")
-      return rule == "object" ? value.is_object() : rule == "array" ? value.is_array() : value.is_number();
-    if (keyword == "enum") return std::find(rule.begin(), rule.end(), value) != rule.end();
-    if (keyword == "minimum") return !value.is_number() || value >= rule;
-    if (keyword == "maximum") return !value.is_number() || value <= rule;
-    if (keyword == "exclusiveMinimum") return !value.is_number() || value > rule;
-    if (keyword == "minItems") return !value.is_array() || value.size() >= rule;
-    if (keyword == "maxItems") return !value.is_array() || value.size() <= rule;
-    if (keyword == "items")
-      return !value.is_array() || std::all_of(value.begin(), value.end(), [&](const Json& v) { return fits(rule, v); });
-    if (keyword == "required")
-      return !value.is_object() || std::all_of(rule.begin(), rule.end(), [&](const Json& name) {
-        return value.contains(name.get<std::string>());
-      });
-    if (keyword == "dependentRequired")
-      return std::all_of(rule.items().begin(), rule.items().end(), [&](const auto& one) {
-        return !value.contains(one.key()) || fits(schema, "required", one.value(), value);
-      });
-    if (keyword == "properties" || keyword == "additionalProperties") return members_fit(schema, keyword, rule, value);
-    const bool silent = keyword == "$schema" || keyword == "title" || keyword == "description" || keyword == "$defs";
-    EXPECT_TRUE(silent) << keyword;
-    return true;
-  }
-  bool members_fit(const Json& schema, const std::string& keyword, const Json& rule, const Json& value) const {
-    if (!value.is_object()) return true;
-    for (const auto& [name, member] : value.items()) {
-      const bool known = schema["properties"].contains(name);
-      if (keyword == "properties" && known && !fits(rule[name], member)) return false;
-      if (keyword == "additionalProperties" && !known && rule == false) return false;
-    }
-    return true;
-  }
-
-  Json root_;
-};
 
 Json schema_file() {
   return Json::parse(std::ifstream(test::in_source("docs/limits.schema.json")));
@@ -138,7 +81,7 @@ const Example kExamples[] = {
 };
 
 TEST(CookLimits, SchemaAndCookerAgree) {
-  const Schema schema(schema_file());
+  const test::Schema schema(schema_file());
   int accepted = 0, refused = 0;
   for (const Example& example : kExamples) {
     const Json limits = Json::parse(example.limits);

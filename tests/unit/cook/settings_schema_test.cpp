@@ -1,0 +1,105 @@
+// docs/settings.schema.json, by which editors know marrow.toml: it has the options, and accepts what the reader
+// accepts.
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include "common/failure.h"
+#include "options/settings.h"
+#include "support/json_schema.h"
+#include "support/places.h"
+
+namespace marrow::cook {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson schema_of(const Option& option) {
+  OrderedJson out = {{"description", option.help}};
+  if (option.kind == OptionKind::list) {
+    out["$ref"] = "#/$defs/strings";
+  } else if (!option.choices.empty()) {
+    out["enum"] = option.choices;
+  } else {
+    out["type"] = option.kind == OptionKind::flag ? "boolean" : "string";
+  }
+  return out;
+}
+
+// What the file should be.
+OrderedJson expected() {
+  OrderedJson options;
+  for (const Option& option : option_table()) options[option.name] = schema_of(option);
+  OrderedJson rule = options;
+  rule["match"] = {{"description", "Names of inputs relative to this file's folder; * stands for any characters."},
+                   {"$ref", "#/$defs/strings"}};
+  OrderedJson root = options;
+  root["file"] = {
+      {"description", "Options of some inputs. Of rules that fit, the last that gives an option counts."},
+      {"type", "array"},
+      {"items", {{"type", "object"}, {"properties", rule}, {"required", {"match"}}, {"additionalProperties", false}}}};
+  const OrderedJson string = {{"type", "string"}};
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"title", "marrow.toml: options of `marrow cook`"},
+          {"type", "object"},
+          {"properties", root},
+          {"additionalProperties", false},
+          {"$defs", {{"strings", {{"anyOf", {string, {{"type", "array"}, {"items", string}}}}}}}}};
+}
+
+std::string schema_text() {
+  std::ifstream stream(test::in_source("docs/settings.schema.json"));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+bool reads(const std::string& text) {
+  try {
+    parse_settings("/project/marrow.toml", text);
+    return true;
+  } catch (const tools::Failure&) {
+    return false;
+  }
+}
+
+nlohmann::json json_of(const std::string& text) {
+  std::ostringstream json;
+  json << toml::json_formatter{toml::parse(text)};
+  return nlohmann::json::parse(json.str());
+}
+
+TEST(SettingsSchema, HasTheOptions) {
+  const std::string text = expected().dump(2) + "\n";
+  // After a change to the options: this is what the file should be.
+  if (schema_text() != text) std::ofstream("settings.schema.json") << text;
+  EXPECT_TRUE(schema_text() == text) << "copy settings.schema.json from the working directory to docs/";
+}
+
+TEST(SettingsSchema, AcceptsWhatIsReadAndRefusesWhatIsNot) {
+  const test::Schema schema(nlohmann::json::parse(schema_text()));
+  const char* const good[] = {"",
+                              "clip-error = \"0.1mm\"",
+                              "clip-error = [\"0.1mm\", \"hand*=1mm\"]",
+                              "keep-vertex-order = true",
+                              "mesh-codec = \"meshopt\"",
+                              "[[file]]\nmatch = \"a*\"\nkeep-vertex-order = false",
+                              "[[file]]\nmatch = [\"a\", \"b\"]\nlod = \"0.5\""};
+  for (const char* const text : good) {
+    EXPECT_TRUE(reads(text)) << text;
+    EXPECT_TRUE(schema.accepts(json_of(text))) << text;
+  }
+  const char* const bad[] = {"clip-eror = \"0.1mm\"", "clip-error = 1",        "clip-error = [1]",    "mwe = \"true\"",
+                             "mesh-codec = \"zip\"",  "[[file]]\nmwe = false", "[[file]]\nmatch = 3", "file = \"a\"",
+                             "match = \"a\"",         "lod = [\"0.5\"]"};
+  for (const char* const text : bad) {
+    EXPECT_FALSE(reads(text)) << text;
+    EXPECT_FALSE(schema.accepts(json_of(text))) << text;
+  }
+}
+
+}  // namespace
+}  // namespace marrow::cook
