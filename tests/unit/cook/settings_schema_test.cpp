@@ -5,7 +5,6 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <toml++/toml.h>
 
 #include "common/failure.h"
 #include "options/settings.h"
@@ -66,12 +65,6 @@ bool reads(const std::string& text) {
   }
 }
 
-nlohmann::json json_of(const std::string& text) {
-  std::ostringstream json;
-  json << toml::json_formatter{toml::parse(text)};
-  return nlohmann::json::parse(json.str());
-}
-
 TEST(SettingsSchema, HasTheOptions) {
   const std::string text = expected().dump(2) + "\n";
   // After a change to the options: this is what the file should be.
@@ -81,23 +74,33 @@ TEST(SettingsSchema, HasTheOptions) {
 
 TEST(SettingsSchema, AcceptsWhatIsReadAndRefusesWhatIsNot) {
   const test::Schema schema(nlohmann::json::parse(schema_text()));
-  const char* const good[] = {"",
-                              "clip-error = \"0.1mm\"",
-                              "clip-error = [\"0.1mm\", \"hand*=1mm\"]",
-                              "keep-vertex-order = true",
-                              "mesh-codec = \"meshopt\"",
-                              "[[file]]\nmatch = \"a*\"\nkeep-vertex-order = false",
-                              "[[file]]\nmatch = [\"a\", \"b\"]\nlod = \"0.5\""};
-  for (const char* const text : good) {
-    EXPECT_TRUE(reads(text)) << text;
-    EXPECT_TRUE(schema.accepts(json_of(text))) << text;
+  // The same as TOML and as JSON.
+  const struct {
+    const char *toml, *json;
+  } good[] = {{"", "{}"},
+              {"clip-error = '0.1mm'", R"({"clip-error": "0.1mm"})"},
+              {"clip-error = ['0.1mm', 'hand*=1mm']", R"({"clip-error": ["0.1mm", "hand*=1mm"]})"},
+              {"keep-vertex-order = true", R"({"keep-vertex-order": true})"},
+              {"mesh-codec = 'meshopt'", R"({"mesh-codec": "meshopt"})"},
+              {"[[file]]\nmatch = 'a*'\nclip-codec = 'raw'", R"({"file": [{"match": "a*", "clip-codec": "raw"}]})"},
+              {"[[file]]\nmatch = ['a', 'b']\nlod = '0.5'", R"({"file": [{"match": ["a", "b"], "lod": "0.5"}]})"}},
+    bad[] = {{"clip-eror = '0.1mm'", R"({"clip-eror": "0.1mm"})"},
+             {"clip-error = 1", R"({"clip-error": 1})"},
+             {"clip-error = [1]", R"({"clip-error": [1]})"},
+             {"mwe = 'true'", R"({"mwe": "true"})"},
+             {"mesh-codec = 'zip'", R"({"mesh-codec": "zip"})"},
+             {"[[file]]\nclip-codec = 'raw'", R"({"file": [{"clip-codec": "raw"}]})"},
+             {"[[file]]\nmatch = 3", R"({"file": [{"match": 3}]})"},
+             {"file = 'a'", R"({"file": "a"})"},
+             {"match = 'a'", R"({"match": "a"})"},
+             {"lod = ['0.5']", R"({"lod": ["0.5"]})"}};
+  for (const auto& text : good) {
+    EXPECT_TRUE(reads(text.toml)) << text.toml;
+    EXPECT_TRUE(schema.accepts(nlohmann::json::parse(text.json))) << text.json;
   }
-  const char* const bad[] = {"clip-eror = \"0.1mm\"", "clip-error = 1",        "clip-error = [1]",    "mwe = \"true\"",
-                             "mesh-codec = \"zip\"",  "[[file]]\nmwe = false", "[[file]]\nmatch = 3", "file = \"a\"",
-                             "match = \"a\"",         "lod = [\"0.5\"]"};
-  for (const char* const text : bad) {
-    EXPECT_FALSE(reads(text)) << text;
-    EXPECT_FALSE(schema.accepts(json_of(text))) << text;
+  for (const auto& text : bad) {
+    EXPECT_FALSE(reads(text.toml)) << text.toml;
+    EXPECT_FALSE(schema.accepts(nlohmann::json::parse(text.json))) << text.json;
   }
 }
 
