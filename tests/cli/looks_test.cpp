@@ -111,5 +111,20 @@ TEST_F(Looks, KeepIsRepeatable) {
   EXPECT_NE(text.find("node 1 \"locator\": fixed in the scene\n"), std::string::npos) << text;
 }
 
+// Counted without decoding.
+TEST(LooksLeftBehind, PaddingAloneIsNoBytes) {
+  const TemporaryFolder folder;
+  write_text(folder / "t.gltf", R"({"asset":{"version":"2.0"},"images":[{"uri":"data:image/png;base64,=="}],
+    "textures":[{"source":0}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+    "scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"material":0,"attributes":{"POSITION":0}}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+    "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  const Ran ran = run_marrow({"cook", folder / "t.gltf", "-o", folder / "t.mrw"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("1 image stays in the source: 0 bytes;"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace marrow::test

@@ -77,7 +77,8 @@ class ImageImporter {
     if (image.contains("bufferView")) return document_.buffers.views[image.at("bufferView").get<std::size_t>()].length;
     const std::string uri = image.value("uri", std::string());
     const std::size_t characters = uri.size() - std::min(uri.size(), uri.find(',') + 1);
-    return characters / 4 * 3 - (uri.ends_with("==") ? 2u : uri.ends_with('=') ? 1u : 0u);
+    const std::size_t bytes = characters / 4 * 3, padding = uri.ends_with("==") ? 2 : uri.ends_with('=') ? 1 : 0;
+    return bytes - std::min(bytes, padding);
   }
 
   std::vector<std::byte> view_bytes(std::size_t index, const std::string& where) {
