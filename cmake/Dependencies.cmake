@@ -1,4 +1,4 @@
-# What the tools are built on: the system's packages where they are found (Debian's names in tools/packages.txt),
+# What the tools are built on: the system's packages where they are found (Debian's names in tools/packages/build.txt),
 # the projects' own repositories elsewhere. The runtime depends on none of them.
 include(FetchContent)
 FetchContent_Declare(nlohmann_json GIT_REPOSITORY https://github.com/nlohmann/json.git GIT_TAG v3.11.2

@@ -27,8 +27,8 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
-marrow_test(marrow_workflow_tests workflow unit/common/nearest_test.cpp unit/common/progress_test.cpp
-  unit/common/warnings_test.cpp unit/cook/elementary_test.cpp unit/cook/quantity_test.cpp unit/cook/workflow_test.cpp)
+marrow_test(marrow_workflow_tests workflow unit/text/nearest_test.cpp unit/terminal/progress_test.cpp
+  unit/terminal/warnings_test.cpp unit/cook/elementary_test.cpp unit/cook/quantity_test.cpp unit/cook/workflow_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook_command marrow_sample)
 if(MARROW_SANITIZE)
   set_tests_properties(workflow PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*")
@@ -89,7 +89,7 @@ if(NOT MARROW_SANITIZE)
 endif()
 # Nothing that a cooked file's bytes come through calls functions whose last bits differ between C libraries.
 set(cookers marrow_common marrow_cook marrow_cook_command marrow_deform marrow_draco marrow_gltf marrow_meshopt marrow_options
-  marrow_runtime marrow_unpack)
+  marrow_runtime marrow_terminal marrow_text marrow_unpack)
 list(TRANSFORM cookers REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_test(NAME cook.own_functions COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DLIBRARIES=${cookers}"
   -DOTHER=$<TARGET_FILE:marrow_export> -P ${CMAKE_CURRENT_SOURCE_DIR}/cli/own_functions.cmake)

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 marrow=$1
-tools/install.sh tools/packages-fbx.txt || echo "check_fbx: some packages cannot be installed" >&2
+tools/install.sh tools/packages/fbx.txt || echo "check_fbx: some packages cannot be installed" >&2
 blender=${BLENDER:-blender}
 command -v "$blender" >/dev/null || { echo "check_fbx: Blender is not installed" >&2; exit 3; }
 work=$(mktemp -d)

@@ -4,7 +4,7 @@
 # usage: tools/coverage.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-tools/install.sh tools/packages.txt tools/packages-test.txt tools/packages-coverage.txt
+tools/install.sh tools/packages/build.txt tools/packages/test.txt tools/packages/coverage.txt
 cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 --coverage" -DMARROW_GLES=OFF >/dev/null
 cmake --build build/coverage --target marrow_hostile marrow_cook_tests >/dev/null
 find build/coverage -name '*.gcda' -delete

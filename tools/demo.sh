@@ -5,7 +5,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-"$here/tools/install.sh" "$here/tools/packages.txt"
+"$here/tools/install.sh" "$here/tools/packages/build.txt"
 cmake -S "$here" -B "$here/build/demo" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMARROW_TESTS=OFF \
   -DMARROW_ALL_COMMANDS=OFF -DMARROW_VIEW=OFF -DMARROW_TOOLS_FLAGS=-O1 >/dev/null
 cmake --build "$here/build/demo" --target marrow >/dev/null || cmake --build "$here/build/demo" --target marrow

@@ -43,7 +43,7 @@ line() {  # TARGET, of what it did
     "build/fuzz/$1.log"
 }
 
-tools/install.sh tools/packages.txt tools/packages-fuzz.txt || echo "fuzz: some packages cannot be installed" >&2
+tools/install.sh tools/packages/build.txt tools/packages/fuzz.txt || echo "fuzz: some packages cannot be installed" >&2
 command -v clang++ >/dev/null || { echo "fuzz: clang++ is not installed" >&2; exit 3; }
 programs=()
 for target in "$@"; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fetches Debian's packages for AArch64 with all that they need, for programs under qemu-user, and to link those with.
-# usage: tools/get_arm64.sh FOLDER LIST      as tools/packages-arm64-gl.txt
+# usage: tools/get_arm64.sh FOLDER LIST      as tools/packages/arm64-gl.txt
 # They are unpacked to the folder and not installed: beside the system's own they would have to be of the very same
 # version. A second run finds them there and does nothing. Exits with 3 where apt or the network is missing.
 set -u

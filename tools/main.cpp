@@ -11,9 +11,9 @@
 #include "commands/command.h"
 #include "common/call_errors.h"
 #include "common/failure.h"
-#include "common/interrupt.h"
-#include "common/nearest.h"
-#include "common/printable.h"
+#include "terminal/interrupt.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

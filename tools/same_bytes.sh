@@ -14,7 +14,7 @@ arm64="$here/build/same/arm64-packages"
 assets=${MARROW_ASSETS:-$here/../shared/assets}
 out="$here/build/same/out"
 
-tools/install.sh tools/packages.txt tools/packages-same.txt || echo "same_bytes: some packages cannot be installed" >&2
+tools/install.sh tools/packages/build.txt tools/packages/same.txt || echo "same_bytes: some packages cannot be installed" >&2
 
 # What the cooker needs and no more. Other arguments go to cmake.
 build() {  # NAME FLAGS ...
@@ -41,7 +41,7 @@ make_variant() {
     aarch64)
       if ! command -v aarch64-linux-gnu-g++ >/dev/null || ! command -v qemu-aarch64 >/dev/null; then
         missing="no compiler or emulator for it"
-      elif ! tools/get_arm64.sh "$arm64" tools/packages-arm64-cook.txt; then
+      elif ! tools/get_arm64.sh "$arm64" tools/packages/arm64-cook.txt; then
         missing="no packages for it"
       else
         build aarch64 "-O3 -DNDEBUG" --toolchain cmake/aarch64.cmake -DCMAKE_SYSROOT="$arm64"

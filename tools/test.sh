@@ -49,7 +49,7 @@ validate_sample() {
 }
 get_arm64_gl() {
   export MARROW_ARM64_GL="${MARROW_ARM64_GL:-$here/build/arm64-gl}"
-  tools/get_arm64.sh "$MARROW_ARM64_GL" tools/packages-arm64-gl.txt || echo "SKIPPED: OpenGL ES on AArch64" >&2
+  tools/get_arm64.sh "$MARROW_ARM64_GL" tools/packages/arm64-gl.txt || echo "SKIPPED: OpenGL ES on AArch64" >&2
 }
 
 compare_bytes() {
@@ -91,7 +91,7 @@ test_once() {
   timed "run hostile, sanitized" run asan -L hostile
 }
 
-timed packages tools/install.sh tools/packages.txt tools/packages-test.txt
+timed packages tools/install.sh tools/packages/build.txt tools/packages/test.txt
 case "${1:-}" in
   "") test_once ;;
   all)

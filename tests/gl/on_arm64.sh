@@ -4,7 +4,7 @@
 folder=${MARROW_ARM64_GL:-$1}
 shift
 if [ ! -e "$folder/lib/ld-linux-aarch64.so.1" ]; then
-  echo "SKIPPED: no OpenGL ES for AArch64 in $folder; get it by: tools/get_arm64.sh $folder tools/packages-arm64-gl.txt" >&2
+  echo "SKIPPED: no OpenGL ES for AArch64 in $folder; get it by: tools/get_arm64.sh $folder tools/packages/arm64-gl.txt" >&2
   exit 77
 fi
 exec qemu-aarch64 -L "$folder" "$@"

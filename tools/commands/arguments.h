@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/choices.h"
 #include "pose/choose.h"
+#include "text/choices.h"
 
 namespace marrow::tools {
 
@@ -18,7 +18,7 @@ void add_deformer(CLI::App* command, Deformer& to);
 // For CLI::Option::check.
 CLI::Validator finite(const std::string& unit);
 
-// An option that takes one of the names of `table` (common/choices.h) and sets `to`, whose value is the default. What
+// An option that takes one of the names of `table` (text/choices.h) and sets `to`, whose value is the default. What
 // the table views must outlive the command.
 template <class Table, class Value>
 CLI::Option* add_one_of(CLI::App* command, const std::string& name, const Table& table, Value& to,

@@ -5,10 +5,10 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
-#include "common/nearest.h"
-#include "common/printable.h"
 #include "common/unpack_mrw.h"
 #include "marrow/unpack.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 

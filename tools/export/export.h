@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/warnings.h"
 #include "marrow/file.h"
+#include "terminal/warnings.h"
 
 namespace marrow::tools {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "common/warnings.h"
 #include "glb/glb.h"
 #include "marrow/file.h"
+#include "terminal/warnings.h"
 
 namespace marrow::tools {
 

@@ -5,16 +5,16 @@
 #include <iterator>
 #include <span>
 
-#include "common/choices.h"
 #include "options/options.h"
 #include "options/read_value.h"
+#include "text/choices.h"
 
 namespace marrow::cook {
 
 using tools::Named;
 using tools::value_of;
 
-// The names in one of common/choices.h's tables, as Option::choices has them.
+// The names in one of text/choices.h's tables, as Option::choices has them.
 template <const auto& table>
 inline constexpr auto names_in = [] {
   std::array<const char*, std::size(table)> out{};

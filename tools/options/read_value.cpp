@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/printable.h"
+#include "text/printable.h"
 
 namespace marrow::cook {
 

@@ -7,9 +7,9 @@
 
 #include "common/failure.h"
 #include "common/files.h"
-#include "common/nearest.h"
-#include "common/pattern.h"
-#include "common/printable.h"
+#include "text/nearest.h"
+#include "text/pattern.h"
+#include "text/printable.h"
 
 namespace marrow::cook {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "common/aligned_bytes.h"
-#include "common/choices.h"
 #include "marrow/marrow.h"
+#include "text/choices.h"
 
 namespace marrow::tools {
 

@@ -7,7 +7,7 @@
 
 #include "common/distinct.h"
 #include "common/failure.h"
-#include "common/nearest.h"
+#include "text/nearest.h"
 
 namespace marrow::tools {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/choices.h"
 #include "marrow/marrow.h"
+#include "text/choices.h"
 
 namespace marrow::tools {
 

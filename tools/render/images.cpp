@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "common/failure.h"
-#include "common/printable.h"
 #include "cook/gltf/document/regular_file.h"
 #include "cook/gltf/document/uri.h"
 #include "cook/gltf/read.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

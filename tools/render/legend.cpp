@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "common/quantity.h"
 #include "image/caption.h"
 #include "render/heat.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

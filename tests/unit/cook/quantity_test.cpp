@@ -1,5 +1,5 @@
 // Numbers as people read them.
-#include "common/quantity.h"
+#include "text/quantity.h"
 
 #include <limits>
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "common/quantity.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

@@ -14,7 +14,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
-#include "common/progress.h"
+#include "terminal/progress.h"
 
 namespace marrow::tools {
 namespace {

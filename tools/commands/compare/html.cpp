@@ -10,7 +10,7 @@
 #include "commands/compare/charts.h"
 #include "commands/compare/page_text.h"
 #include "commands/compare/verdict.h"
-#include "common/quantity.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "common/aligned_bytes.h"
-#include "common/quantity.h"
 #include "cook/cook.h"
 #include "cook/scene/matrices.h"
 #include "deform/surface.h"
@@ -16,6 +15,7 @@
 #include "render/heat.h"
 #include "render/legend.h"
 #include "render/performance.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

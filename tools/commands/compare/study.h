@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "common/choices.h"
 #include "cook/learn/learn.h"
 #include "cook/skin/deform_source.h"
+#include "text/choices.h"
 
 namespace marrow::tools {
 

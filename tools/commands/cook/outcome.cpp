@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "common/printable.h"
-#include "common/warnings.h"
+#include "terminal/warnings.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

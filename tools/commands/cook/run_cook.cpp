@@ -26,13 +26,13 @@
 #include "common/hash.h"
 #include "common/load_mrw.h"
 #include "common/parallel.h"
-#include "common/printable.h"
-#include "common/progress.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/prepare/paint_weights.h"
 #include "options/settings.h"
+#include "terminal/progress.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

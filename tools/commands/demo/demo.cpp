@@ -14,10 +14,10 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
-#include "common/progress.h"
-#include "common/quantity.h"
 #include "cook/cook.h"
 #include "sample/embedded.h"
+#include "terminal/progress.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

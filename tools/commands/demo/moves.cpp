@@ -15,13 +15,13 @@
 #include "commands/demo/layout.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
-#include "common/quantity.h"
 #include "cook/cook.h"
 #include "marrow/glm.h"
 #include "marrow/marrow.h"
 #include "render/figure.h"
 #include "render/mark.h"
 #include "render/performance.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "commands/demo/layout.h"
-#include "common/quantity.h"
 #include "render/figure.h"
 #include "render/heat.h"
 #include "render/legend.h"
 #include "render/performance.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

@@ -5,8 +5,8 @@
 #include "common/files.h"
 #include "common/formats.h"
 #include "common/load_mrw.h"
-#include "common/warnings.h"
 #include "export/export.h"
+#include "terminal/warnings.h"
 
 namespace marrow::tools {
 

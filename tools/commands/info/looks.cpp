@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "common/words.h"
+#include "text/words.h"
 
 namespace marrow::tools {
 namespace {

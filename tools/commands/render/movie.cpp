@@ -9,9 +9,9 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
-#include "common/progress.h"
-#include "common/quantity.h"
 #include "image/apng.h"
+#include "terminal/progress.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/printable.h"
-#include "common/quantity.h"
 #include "render/heat.h"
 #include "render/legend.h"
 #include "render/mark.h"
+#include "text/printable.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {

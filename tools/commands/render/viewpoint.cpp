@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "common/failure.h"
-#include "common/printable.h"
 #include "options/read_value.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "common/choices.h"
 #include "marrow/file.h"
 #include "render/camera.h"
+#include "text/choices.h"
 
 namespace marrow::tools {
 

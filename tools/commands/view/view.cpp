@@ -16,7 +16,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
-#include "common/nearest.h"
+#include "text/nearest.h"
 
 namespace marrow::tools {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "common/failure.h"
-#include "common/nearest.h"
-#include "common/pattern.h"
 #include "cook/scene/views.h"
 #include "marrow/sample.h"
+#include "text/nearest.h"
+#include "text/pattern.h"
 
 namespace marrow::cook {
 namespace {

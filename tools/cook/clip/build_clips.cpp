@@ -4,14 +4,14 @@
 #include <map>
 
 #include "common/failure.h"
-#include "common/nearest.h"
 #include "common/parallel.h"
-#include "common/pattern.h"
 #include "cook/clip/additive_references.h"
 #include "cook/clip/build_channels.h"
 #include "cook/clip/build_tracks.h"
 #include "cook/clip/compress/compress_clip.h"
 #include "cook/clip/split_clips.h"
+#include "text/nearest.h"
+#include "text/pattern.h"
 
 namespace marrow::cook {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "common/quantity.h"
+#include "text/quantity.h"
 
 namespace marrow::cook {
 namespace {

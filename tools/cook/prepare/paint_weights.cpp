@@ -12,9 +12,9 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/hash.h"
-#include "common/nearest.h"
-#include "common/printable.h"
 #include "cook/prepare/bind_bones.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace marrow::cook {
 namespace {

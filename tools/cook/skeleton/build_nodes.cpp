@@ -1,7 +1,7 @@
 #include "cook/skeleton/build_nodes.h"
 
-#include "common/pattern.h"
 #include "cook/scene/matrices.h"
+#include "text/pattern.h"
 
 namespace marrow::cook {
 namespace {

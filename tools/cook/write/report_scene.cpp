@@ -1,7 +1,7 @@
 #include "cook/write/report_scene.h"
 
 #include "common/section_names.h"
-#include "common/words.h"
+#include "text/words.h"
 
 namespace marrow::cook {
 namespace {

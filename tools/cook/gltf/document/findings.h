@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "common/failure.h"
-#include "common/printable.h"
 #include "cook/scene/raw.h"
+#include "text/printable.h"
 
 namespace marrow::cook::gltf {
 

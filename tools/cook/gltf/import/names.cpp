@@ -4,8 +4,8 @@
 #include <cctype>
 #include <string_view>
 
-#include "common/printable.h"
 #include "cook/gltf/import/import.h"
+#include "text/printable.h"
 
 namespace marrow::cook::gltf {
 namespace {

@@ -1,4 +1,4 @@
-#include "common/quantity.h"
+#include "text/quantity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What is meant by a name that does not exist.
-#include "common/nearest.h"
+#include "text/nearest.h"
 
 #include <string>
 #include <vector>

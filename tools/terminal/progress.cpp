@@ -1,4 +1,4 @@
-#include "common/progress.h"
+#include "terminal/progress.h"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "common/printable.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

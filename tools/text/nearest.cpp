@@ -1,11 +1,11 @@
-#include "common/nearest.h"
+#include "text/nearest.h"
 
 #include <algorithm>
 #include <cctype>
 #include <numeric>
 #include <set>
 
-#include "common/printable.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

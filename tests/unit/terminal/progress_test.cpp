@@ -1,5 +1,5 @@
 // How much time is left.
-#include "common/progress.h"
+#include "terminal/progress.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Text of an untrusted scene, on its way to a terminal or a file name.
-#include "common/printable.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {

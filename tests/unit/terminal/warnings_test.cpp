@@ -1,5 +1,5 @@
 // Warnings as a terminal shows them.
-#include "common/warnings.h"
+#include "terminal/warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "common/warnings.h"
+#include "terminal/warnings.h"
 
 #include <map>
 
-#include "common/printable.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 
