@@ -51,7 +51,7 @@ target_include_directories(marrow_reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVATE draco::draco)
 marrow_warnings(marrow_reference)
 
-marrow_test(marrow_road_tests road road/road_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
+marrow_test(marrow_road_tests road road/road_test.cpp road/bounds_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
   road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 

@@ -102,6 +102,7 @@ class Checker {
   bool node(const File::Section& s);
   bool property(const Property& p);
   bool limits(const File::Section& s);
+  bool bounds(const File::Section& s);
 
   const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
 

@@ -1,5 +1,6 @@
 #include "marrow/file.h"
 
+#include <bit>
 #include <cstring>
 
 #include "asset/format.h"
@@ -239,6 +240,45 @@ Node File::node(std::uint32_t index) const {
   n.joint_from_node = &header.joint_from_node;
   n.properties = {at<Property>(base, layout(header).properties), header.property_count};
   return n;
+}
+
+namespace {
+
+Bounds decoded(const format::BoundsCodes& codes) {
+  const float step = std::bit_cast<float>(static_cast<std::uint32_t>(codes.exponent + 127) << 23);
+  Bounds out;
+  for (int c = 0; c < 3; ++c) {
+    out.box_min[c] = static_cast<float>(codes.box_min[c]) * step;
+    out.box_max[c] = static_cast<float>(codes.box_max[c]) * step;
+  }
+  out.radius_m = static_cast<float>(codes.radius) * step;
+  return out;
+}
+
+}  // namespace
+
+Bounds File::bounds(std::uint32_t clip, std::uint32_t mesh) const {
+  if (clip >= clip_count() || mesh >= mesh_count()) return {};
+  const auto skeleton_of_mesh = [&](std::uint32_t m) {
+    return at<format::MeshHeader>(section(format::kMeshes, m), 0)->skeleton;
+  };
+  const auto skeleton_of_clip = [&](std::uint32_t c) {
+    return at<format::ClipHeader>(section(format::kClips, c), 0)->skeleton;
+  };
+  const std::uint32_t skeleton = skeleton_of_mesh(mesh);
+  if (skeleton_of_clip(clip) != skeleton) return {};
+  for (std::uint32_t i = 0; i < counts_[format::kBounds]; ++i) {
+    const std::byte* const base = section(format::kBounds, i);
+    const auto& header = *at<format::BoundsHeader>(base, 0);
+    if (header.skeleton != skeleton) continue;
+    std::uint32_t row = 0, column = 0;
+    for (std::uint32_t c = 0; c < clip; ++c) row += skeleton_of_clip(c) == skeleton;
+    for (std::uint32_t m = 0; m < mesh; ++m) column += skeleton_of_mesh(m) == skeleton;
+    if (row >= header.clip_count || column >= header.mesh_count) return {};
+    const auto* codes = at<format::BoundsCodes>(base, format::layout(header).codes);
+    return decoded(codes[std::uint64_t{row} * header.mesh_count + column]);
+  }
+  return {};
 }
 
 std::uint32_t File::find_clip(const char* name) const {

@@ -40,15 +40,16 @@ enum Kind : std::uint32_t {
   kNodes,
   kNames,
   kLimits,
+  kBounds,
   kKindCount
 };
 // The order in which they stand in a file.
-inline constexpr Kind kOrder[kKindCount] = {kSkeletons, kReferences, kClips, kGeometries, kMeshes,
-                                            kMaterials, kImages,     kNodes, kLimits,     kNames};
+inline constexpr Kind kOrder[kKindCount] = {kSkeletons, kReferences, kClips,  kGeometries, kMeshes, kMaterials,
+                                            kImages,    kNodes,      kLimits, kBounds,     kNames};
 inline constexpr std::uint32_t kTypes[kKindCount] = {
     four_characters("SKEL"), four_characters("SREF"), four_characters("CLIP"), four_characters("GEOM"),
     four_characters("MESH"), four_characters("MATL"), four_characters("IMAG"), four_characters("NODE"),
-    four_characters("NAME"), four_characters("LIMI")};
+    four_characters("NAME"), four_characters("LIMI"), four_characters("BNDS")};
 
 struct Header {
   std::uint32_t magic;
@@ -236,6 +237,24 @@ struct LimitHeader {
 };
 static_assert(sizeof(LimitHeader) == 8);
 
+// Of one skeleton; behind it BoundsCodes, clip by clip, in each mesh by mesh, of those of the skeleton.
+struct BoundsHeader {
+  std::uint32_t skeleton;
+  std::uint32_t clip_count;  // ≥ 1
+  std::uint32_t mesh_count;  // ≥ 1
+};
+static_assert(sizeof(BoundsHeader) == 12);
+
+// What a mesh reaches in a clip: integers times 2^exponent. The sphere is about the box's centre.
+struct BoundsCodes {
+  std::int8_t exponent;  // kLeastBoundsExponent … kMostBoundsExponent
+  std::int8_t box_min[3];
+  std::int8_t box_max[3];
+  std::uint8_t radius;
+};
+static_assert(sizeof(BoundsCodes) == 8);
+inline constexpr int kLeastBoundsExponent = -100, kMostBoundsExponent = 100;
+
 inline constexpr std::uint64_t align4(std::uint64_t n) {
   return (n + 3) & ~std::uint64_t{3};
 }
@@ -391,6 +410,13 @@ struct MaterialLayout {
 };
 constexpr MaterialLayout layout(const MaterialHeader& h) {
   return {sizeof h, sizeof h + std::uint64_t{h.texture_count} * sizeof(Texture)};
+}
+
+struct BoundsLayout {
+  std::uint64_t codes, bytes;
+};
+constexpr BoundsLayout layout(const BoundsHeader& h) {
+  return {sizeof h, sizeof h + std::uint64_t{h.clip_count} * h.mesh_count * sizeof(BoundsCodes)};
 }
 
 struct ImageLayout {

@@ -144,11 +144,11 @@ TEST(Bench, WithoutModelsTheSampleStandsInAndItIsSaid) {
   const Rows rows = bench("[!is]*", "1");
   const int joints = joints_of_the_sample();
   for (const char* name : {"blend/2", "blend/4", "blend/2_masked", "blend/4_masked", "blend/2_additive1",
-                           "local_to_model", "palette", "frame", "character"}) {
+                           "local_to_model", "palette", "bounds", "frame", "character"}) {
     ASSERT_TRUE(rows.contains(name)) << name;
     EXPECT_EQ(rows.at(name).items, joints) << name;
   }
-  EXPECT_EQ(rows.size(), 9u);
+  EXPECT_EQ(rows.size(), 10u);
   EXPECT_NE(run_marrow({"bench", "--only", "palette", "--iterations", "1"}).err.find("no pab.glb in"),
             std::string::npos);
 

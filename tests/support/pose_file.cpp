@@ -229,6 +229,23 @@ std::uint64_t hash_levels(std::uint64_t state, const File& file, std::uint32_t i
   return state;
 }
 
+// What the file says that a mesh reaches, and what its rest pose does.
+std::uint64_t hash_bounds(std::uint64_t state, const File& file, std::uint32_t index) {
+  const Mesh mesh = file.mesh(index);
+  AlignedBlock block(reach_bytes(mesh));
+  Reach reach;
+  require(make_reach(mesh, {block.data(), block.size()}, reach) == Status::ok);
+  const std::vector<Affine> palette(mesh.palette_size(), Affine{{{1, 0, 0, 1}, {0, 1, 0, 0}, {0, 0, 1, 2}}});
+  Bounds bounds;
+  require(palette_bounds(reach, palette, {}, bounds) == Status::ok);
+  state = hash(state, &bounds, sizeof bounds);
+  for (std::uint32_t c = 0; c <= file.clip_count(); ++c) {
+    bounds = file.bounds(c, index);
+    state = hash(state, &bounds, sizeof bounds);
+  }
+  return state;
+}
+
 // The rest pose, as far as its limits let it be.
 std::uint64_t hash_limits(std::uint64_t state, const Skeleton& skeleton) {
   std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
@@ -302,6 +319,7 @@ std::uint64_t exercise(const File& file) {
     state = hash_text(hash_text(state, mesh.name), mesh.material);
     state = hash_family(hash_geometry(state, mesh.geometry), mesh);
     state = hash_levels(state, file, m);
+    state = hash_bounds(state, file, m);
     for (const MeshTarget& target : mesh.targets)
       state = hash_text(hash_text(state, file.text(target.name)), file.text(target.channel));
     for (std::uint32_t c = 0; c <= file.clip_count(); ++c) {

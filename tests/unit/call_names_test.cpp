@@ -152,6 +152,12 @@ TEST_F(CallNames, OfSkinning) {
   REFUSED(morph, {}, one_.morphed);
   REFUSED(morph_coordinates, one_.morphed, {});
   REFUSED(build_palette, one_.mesh, {}, {});
+  Reach reach;
+  Bounds bounds;
+  REFUSED(make_reach, one_.mesh, {}, reach);
+  reach.targets = {nullptr, 1};
+  const float not_finite = INFINITY;
+  REFUSED(palette_bounds, reach, {}, {&not_finite, 1}, bounds);
   REFUSED(as_coordinates, one_.geometry, {});
   REFUSED(as_tangents, {AsPart{}}, {});
   REFUSED(psd_distances, one_.geometry, {}, {});

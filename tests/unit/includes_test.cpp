@@ -54,7 +54,7 @@ const std::map<std::string, std::string> kHeaders = {
     {"marrow/morph.h", "skin"},    {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
     {"marrow/draco.h", "draco"},   {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "springs"},
     {"marrow/feet.h", "ik"},       {"marrow/ik_solve.h", "ik"},         {"marrow/call_error.h", "core"},
-    {"marrow/block.h", "core"},    {"marrow/character.h", "character"}};
+    {"marrow/bounds.h", "skin"},   {"marrow/block.h", "core"},          {"marrow/character.h", "character"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);

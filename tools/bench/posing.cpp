@@ -120,6 +120,26 @@ class BuildPalette : public Workload {
   FullPalette palette_;
 };
 
+// Of a palette whose every entry holds a box; what the boxes are costs nothing.
+class PaletteBounds : public Workload {
+ public:
+  explicit PaletteBounds(const ClipOfModel& source)
+      : joints_(source.skeleton.joint_count, {{0.1f, 0.2f, 0.3f}, {0.1f, 0.1f, 0.1f}}),
+        palette_(noise_palette(source.skeleton.joint_count)) {}
+  std::uint32_t items() const override { return static_cast<std::uint32_t>(joints_.size()); }
+  std::uint64_t hash_output(std::uint64_t state) const override { return hash_of(std::vector<Bounds>{bounds_}, state); }
+  void run(std::uint64_t iterations) override {
+    Reach reach;
+    reach.joints = joints_;
+    for (std::uint64_t i = 0; i < iterations; ++i) check(palette_bounds(reach, palette_, {}, bounds_));
+  }
+
+ private:
+  std::vector<JointReach> joints_;
+  std::vector<Affine> palette_;
+  Bounds bounds_;
+};
+
 // A character's frame: two clips, each into a pose of its own that it keeps, half of each, to a palette.
 class Frame : public Workload {
  public:
@@ -210,12 +230,13 @@ RowGroup pose_rows(const Models& models) {
   }
   add_row("local_to_model", [clip](Models& from) { return std::make_unique<LocalToModel>(clip(from, 0)); });
   add_row("palette", [clip](Models& from) { return std::make_unique<BuildPalette>(clip(from, 0)); });
+  add_row("bounds", [clip](Models& from) { return std::make_unique<PaletteBounds>(clip(from, 0)); });
   add_row("frame", [clip](Models& from) { return std::make_unique<Frame>(clip(from, 0), clip(from, 1)); });
   group.rows.back().clips.emplace_back(stage.clips[1]);
   add_row("character",
           [stage](Models& from) { return std::make_unique<CharacterFrame>(from.get(*stage.model), stage); });
   group.rows.back().clips.emplace_back(stage.clips[1]);
-  group.names = fmt::format("blend/{}\nlocal_to_model\npalette\nframe\ncharacter\n", choice(blends));
+  group.names = fmt::format("blend/{}\nlocal_to_model\npalette\nbounds\nframe\ncharacter\n", choice(blends));
   return group;
 }
 

@@ -1,12 +1,6 @@
 #include "pose/evaluate.h"
 
-#include "common/failure.h"
-
 namespace marrow::tools {
-
-void check(Status status) {
-  if (status != Status::ok) throw Failure(Exit::internal, "marrow", "", to_string(status), "please report this");
-}
 
 std::vector<std::vector<float>> tangents_of(const File& file, std::uint32_t level) {
   std::vector<Mesh> meshes;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/aligned_bytes.h"
+#include "common/check_status.h"
 #include "marrow/marrow.h"
 #include "text/choices.h"
 
@@ -101,8 +102,5 @@ class Character {
   Change change_;
   std::vector<std::vector<float>> tangents_;  // a mesh; empty: normals go through the blend
 };
-
-// Throws Failure (internal) unless ok.
-void check(Status status);
 
 }  // namespace marrow::tools

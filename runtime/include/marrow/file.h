@@ -319,6 +319,16 @@ struct MeshLod {
 };
 static_assert(sizeof(MeshLod) == 8);
 
+// A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
+struct Bounds {
+  float box_min[3] = {0, 0, 0};
+  float box_max[3] = {0, 0, 0};
+  float radius_m = -1;  // below 0: empty, or not known
+
+  bool is_empty() const { return radius_m < 0; }
+  float centre(int axis) const { return box_min[axis] + (box_max[axis] - box_min[axis]) * 0.5f; }
+};
+
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 struct Mesh {
   const char* name = "";
@@ -363,6 +373,11 @@ class File {
   Material material(std::uint32_t index) const;
   Image image(std::uint32_t index) const;
   Node node(std::uint32_t index) const;
+  // About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
+  // deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
+  // Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
+  // pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
+  Bounds bounds(std::uint32_t clip, std::uint32_t mesh) const;
 
   // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
   std::uint32_t find_skeleton(const char* name) const;
@@ -403,8 +418,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_ = {};
-  std::uint32_t first_[10] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[10] = {};
+  std::uint32_t first_[11] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[11] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

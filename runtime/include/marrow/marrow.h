@@ -21,6 +21,7 @@
 #include "marrow/springs.h"         //    after 3         hair, tails and capes swing
 #include "marrow/morph.h"           //    before 5        weights → bind vertices moved
 #include "marrow/palette.h"         // 4. palette         joints → skinning matrices
+#include "marrow/bounds.h"          //    beside 4        palette → a box and a sphere
 #include "marrow/skin.h"            // 5. skin            rigid, SSD, animation space
 #include "marrow/character.h"       // 2. to 4.           all of a file: animations by name, every skeleton and mesh
 // clang-format on

@@ -9,6 +9,7 @@
 
 #include "commands/info/looks.h"
 #include "common/section_names.h"
+#include "cook/write/report_scene.h"
 #include "marrow/clip_pack.h"
 #include "pose/evaluate.h"
 
@@ -36,7 +37,7 @@ ordered_json describe_totals(const LoadedFile& loaded) {
   const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH"));
   const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
                                 bytes_of(sections_of(loaded, "LIMI")),
-                    clips = bytes_of(sections_of(loaded, "CLIP"));
+                    clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS"));
   return {{"geometry", geometry},
           {"skeletons", skeletons},
           {"clips", clips},
@@ -182,7 +183,8 @@ ordered_json describe_clips(const LoadedFile& loaded) {
                    {"bytes", sections[i].bytes},
                    {"additive", c.additive},
                    {"reference", c.reference != nullptr ? "own" : "rest"},
-                   {"channels", channels}});
+                   {"channels", channels},
+                   {"bounds", cook::report_bounds(file, i)}});
   }
   return out;
 }

@@ -8,6 +8,7 @@
 
 #include "commands/info/describe.h"
 #include "commands/info/looks.h"
+#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {
@@ -24,6 +25,21 @@ std::string text(const ordered_json& value) {
 
 std::string size_of(const ordered_json& value) {
   return fmt::format("{} B", value.get<std::size_t>());
+}
+
+// How large all that the clip's meshes reach is, together: ", reaches 0.8 × 1.9 × 1.2".
+std::string reach_of(const ordered_json& clip) {
+  if (clip["bounds"].empty()) return "";
+  double size[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    double least = clip["bounds"][0]["box_min"][c], most = clip["bounds"][0]["box_max"][c];
+    for (const ordered_json& b : clip["bounds"]) {
+      least = std::min(least, b["box_min"][c].get<double>());
+      most = std::max(most, b["box_max"][c].get<double>());
+    }
+    size[c] = most - least;
+  }
+  return fmt::format(", reaches {} × {} × {}", plain_number(size[0]), plain_number(size[1]), plain_number(size[2]));
 }
 
 // Branches in the order in which they are added; a branch's leaves are added behind it.
@@ -131,9 +147,9 @@ class Tree {
       const int frames = c["frames"].get<int>();
       leaf(last, fmt::format("clip {} \"{}\"", i, text(c["name"])), size_of(c["bytes"]),
            source_bytes("clip_bytes", c["name"]),
-           fmt::format("{:.3f} s, {}{} tracks, {}{}", c["duration_s"].get<double>(),
+           fmt::format("{:.3f} s, {}{} tracks, {}{}{}", c["duration_s"].get<double>(),
                        frames > 0 ? fmt::format("{} frames, ", frames) : "", c["tracks"].get<int>(), text(c["codec"]),
-                       kind, of_skeleton(c)));
+                       kind, reach_of(c), of_skeleton(c)));
       for (const auto& channel : c["channels"])
         lines_.push_back({fmt::format("│  {}  channel \"{}\"", last ? " " : "│", text(channel)), "", "", ""});
     }

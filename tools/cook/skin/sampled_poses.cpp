@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "common/check_status.h"
 #include "common/elementary.h"
-#include "common/failure.h"
 #include "cook/scene/views.h"
 #include "deform/slerp.h"
 #include "marrow/local_to_model.h"
@@ -13,11 +13,6 @@
 
 namespace marrow::cook {
 namespace {
-
-void check(Status status) {
-  if (status != Status::ok)
-    throw tools::Failure(tools::Exit::internal, "", "", to_string(status), "please report this");
-}
 
 glm::dquat rotation_of(const SoaTransform& t, std::size_t lane) {
   return {static_cast<double>(t.rotation[3][lane]), static_cast<double>(t.rotation[0][lane]),
@@ -76,7 +71,7 @@ std::vector<SampledPose> clip_poses(const BuiltScene& scene, std::uint32_t skele
       SampledPose pose{std::vector<SoaTransform>(of.soa_size()), i,
                        static_cast<float>(static_cast<double>(clip.duration_s) * static_cast<double>(k) /
                                           static_cast<double>(count - 1))};
-      check(sample(of, clip, pose.time_s, pose.local));
+      tools::check(sample(of, clip, pose.time_s, pose.local));
       out.push_back(std::move(pose));
     }
   }
@@ -103,7 +98,7 @@ std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const st
 
 std::vector<Affine> model_pose(const BuiltSkeleton& skeleton, const std::vector<SoaTransform>& local) {
   std::vector<Affine> out(skeleton.parents.size());
-  check(local_to_model(view(skeleton), local, out));
+  tools::check(local_to_model(view(skeleton), local, out));
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "cook/write/report_scene.h"
 
+#include "common/check_status.h"
 #include "common/section_names.h"
 #include "text/words.h"
 
@@ -94,6 +95,8 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
 }
 
 ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
+  File file;
+  tools::check(load({written.plain.data(), written.plain.size()}, file));
   ordered_json out = ordered_json::array();
   for (std::size_t i = 0; i < built.clips.size(); ++i) {
     const BuiltClip& clip = built.clips[i];
@@ -114,7 +117,8 @@ ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
                    {"max_error_m", clip.error.error_m},
                    {"max_error_joint", skeleton.joint_names[clip.error.joint]},
                    {"max_error_time_s", clip.error.time_s},
-                   {"max_vertex_error_m", clip.error.vertex_error_m}});
+                   {"max_vertex_error_m", clip.error.vertex_error_m},
+                   {"bounds", report_bounds(file, static_cast<std::uint32_t>(i))}});
   }
   return out;
 }
@@ -144,6 +148,16 @@ void report_nodes(const BuiltScene& built, ordered_json& report) {
 }
 
 }  // namespace
+
+ordered_json report_bounds(const File& file, std::uint32_t clip) {
+  ordered_json out = ordered_json::array();
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
+    const Bounds b = file.bounds(clip, m);
+    if (!b.is_empty())
+      out.push_back({{"mesh", m}, {"box_min", b.box_min}, {"box_max", b.box_max}, {"radius_m", b.radius_m}});
+  }
+  return out;
+}
 
 ordered_json report_scene(const SourceFile& source, const BuiltScene& built, const WrittenFile& written,
                           const std::vector<RawWarning>& warnings) {

@@ -10,6 +10,7 @@
 #include "cook/scene/built.h"
 #include "cook/scene/raw.h"
 #include "cook/write/write_scene.h"
+#include "marrow/file.h"
 
 namespace marrow::cook {
 
@@ -21,10 +22,14 @@ struct SourceFile {
 
 // {source {file, bytes}, output {bytes, sections [{type, bytes}]}, clip_pack, skeletons [{name, joints}], meshes
 // [{name, vertices, triangles, influences, codec, bytes, max_position_error_m}], clips [{name, skeleton, duration_s,
-// raw_bytes, bytes, additive, channels [name], max_error_m, max_vertex_error_m}], materials [{name, alpha, textures
+// raw_bytes, bytes, additive, channels [name], max_error_m, max_vertex_error_m, bounds}], materials [{name, alpha,
+// textures
 // [{role, image}]}], images [{name, uri, format, bytes}], nodes [{name, skeleton, joint, properties}], keep [{glob,
 // nodes [name]}], warnings [{pointer, rule, text}]}; docs/architecture.md says what each means.
 nlohmann::ordered_json report_scene(const SourceFile& source, const BuiltScene& built, const WrittenFile& written,
                                     const std::vector<RawWarning>& warnings);
+
+// Of a clip: [{mesh, box_min, box_max, radius_m}] of every mesh that it moves.
+nlohmann::ordered_json report_bounds(const File& file, std::uint32_t clip);
 
 }  // namespace marrow::cook

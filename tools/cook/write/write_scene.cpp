@@ -10,6 +10,7 @@
 #include "common/unpack_mrw.h"
 #include "cook/geometry/record.h"
 #include "cook/write/compact.h"
+#include "cook/write/measure_bounds.h"
 
 namespace marrow::cook {
 namespace {
@@ -194,6 +195,13 @@ Section write_limits(const BuiltSkeleton& s, std::uint32_t skeleton) {
   return out;
 }
 
+Section write_bounds(const MeasuredBounds& b) {
+  Section out;
+  out.add(b.header);
+  out.add_all(b.codes);
+  return out;
+}
+
 // A section on its way: what the runtime sees, and what a packed file has instead.
 struct Entry {
   format::Kind kind;
@@ -269,12 +277,18 @@ void check(const tools::AlignedBytes& file, const std::string& source) {
 }
 
 // A packed file must unpack to the plain one.
-void check_packed(const std::vector<std::byte>& packed, const std::vector<Entry>& entries, const std::string& source) {
-  const tools::AlignedBytes file = tools::unpacked(packed, source);
-  const std::vector<std::byte> plain = write_plain(entries, source);
-  if (file.size() != plain.size() || std::memcmp(file.data(), plain.data(), plain.size()) != 0)
+void check_packed(const WrittenFile& written, const std::string& source) {
+  const tools::AlignedBytes file = tools::unpacked(written.bytes, source);
+  if (file.size() != written.plain.size() || std::memcmp(file.data(), written.plain.data(), file.size()) != 0)
     throw tools::Failure(tools::Exit::internal, source, "", "packed-file", "the file does not unpack to itself");
-  check(file, source);
+}
+
+// What the file without them shows, as sections of its own.
+std::vector<Section> bounds_sections(const std::vector<Entry>& entries, const std::string& source) {
+  std::vector<Section> out;
+  for (const MeasuredBounds& b : measure_bounds(tools::AlignedBytes(write_plain(entries, source))))
+    out.push_back(write_bounds(b));
+  return out;
 }
 
 }  // namespace
@@ -323,12 +337,16 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   pool.add_all(names.pool());
   pool.compact = compact_names(names.pool());
   add(format::kNames, std::move(pool));
+  const std::vector<Section> bounds = bounds_sections(entries, source);
+  for (const Section& b : bounds)
+    entries.insert(entries.end() - 1, {format::kBounds, b.codec, b.bytes(), b.codec, b.bytes()});
 
   out.bytes = is_packed ? write_packed(entries, scratch_bytes, source) : write_plain(entries, source);
   for (const Entry& e : entries)
     out.sections.push_back({format::kTypes[e.kind], static_cast<std::uint32_t>(e.record.size())});
-  is_packed ? check_packed(out.bytes, entries, source)
-            : check(tools::AlignedBytes{std::span<const std::byte>(out.bytes)}, source);
+  out.plain = tools::AlignedBytes(is_packed ? write_plain(entries, source) : out.bytes);
+  check(out.plain, source);
+  if (is_packed) check_packed(out, source);
   return out;
 }
 

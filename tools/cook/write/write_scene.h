@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "common/aligned_bytes.h"
 #include "cook/scene/built.h"
 
 namespace marrow::cook {
 
 struct WrittenFile {
   std::vector<std::byte> bytes;
+  tools::AlignedBytes plain;  // as load() takes it, not packed
   // Bytes of each clip's, geometry's and mesh's section, in their order.
   std::vector<std::size_t> clip_bytes, geometry_bytes, mesh_bytes;
   struct Part {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/aligned_bytes.h"
-#include "common/failure.h"
+#include "common/check_status.h"
 #include "cook/scene/matrices.h"
 #include "marrow/morph.h"
 #include "marrow/palette.h"
@@ -15,11 +15,6 @@
 
 namespace marrow::cook {
 namespace {
-
-void check(Status status) {
-  if (status != Status::ok)
-    throw tools::Failure(tools::Exit::internal, "", "", to_string(status), "please report this");
-}
 
 // One influence of a vertex: what its palette entry's matrix is multiplied by.
 struct Influence {
@@ -151,11 +146,11 @@ std::size_t skin_size(const Geometry& g) {
 std::vector<float> farthest_skin(const Geometry& g) {
   tools::AlignedBytes memory(morphed_bytes(g));
   MorphedGeometry morphed;
-  check(make_morphed(g, {memory.data(), memory.size()}, morphed));
+  tools::check(make_morphed(g, {memory.data(), memory.size()}, morphed));
   std::vector<float> out(g.skin, g.skin + skin_size(g)), weights(g.targets.size, 0.0f);
   for (float& weight : weights) {
     weight = 1;
-    check(morph(weights, morphed));
+    tools::check(morph(weights, morphed));
     weight = 0;
     const float* block = g.skin;
     for (const Run& run : g.runs)
@@ -174,7 +169,7 @@ HungMesh hung_mesh(const Mesh& mesh, const Promise& promise) {
   HungMesh out{mesh, {}, {}, most_of(mesh, promise)};
   if (mesh.geometry.as_residual == nullptr) return out;
   out.coordinates.resize(as_coordinate_count(mesh.geometry));
-  check(as_coordinates(mesh.geometry, out.coordinates));
+  tools::check(as_coordinates(mesh.geometry, out.coordinates));
   return out;
 }
 
@@ -236,14 +231,14 @@ void VertexErrors::skin(const HungMesh& hung, const std::vector<World>& pose, in
   joints_.clear();
   for (const World& w : pose) joints_.push_back(to_affine(w));
   palette_.resize(hung.mesh.palette_size());
-  check(build_palette(hung.mesh, joints_, palette_));
+  tools::check(build_palette(hung.mesh, joints_, palette_));
   const SkinOutput to{{out.data(), std::size_t{3} * hung.mesh.geometry.slot_count}};
-  if (deformer == kSsd) return check(skin_ssd(hung.mesh, palette_, to));
-  if (deformer == kAs) return check(skin_as(hung.mesh, hung.coordinates, palette_, to));
-  if (deformer == kMwe) return check(skin_mwe(hung.mesh, palette_, to));
+  if (deformer == kSsd) return tools::check(skin_ssd(hung.mesh, palette_, to));
+  if (deformer == kAs) return tools::check(skin_as(hung.mesh, hung.coordinates, palette_, to));
+  if (deformer == kMwe) return tools::check(skin_mwe(hung.mesh, palette_, to));
   distances_.resize(psd_distance_count(hung.mesh.geometry));
-  check(psd_distances(hung.mesh.geometry, palette_, distances_));
-  check(skin_psd(hung.mesh, distances_, palette_, to));
+  tools::check(psd_distances(hung.mesh.geometry, palette_, distances_));
+  tools::check(skin_psd(hung.mesh, distances_, palette_, to));
 }
 
 void VertexErrors::add(const std::vector<World>& source, const std::vector<World>& other, VertexError& worst) {
