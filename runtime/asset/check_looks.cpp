@@ -7,7 +7,7 @@ using format::layout;
 
 bool Checker::texture(const Texture& t, std::uint32_t& roles) {
   if (t.image >= counts_[format::kImages]) return fail(&t, "no such image");
-  if (t.role > TextureRole::emissive) return fail(&t.role, "unknown role of a texture");
+  if (t.role > TextureRole::specular_glossiness) return fail(&t.role, "unknown role of a texture");
   if (t.wrap_u > Wrap::mirrored_repeat || t.wrap_v > Wrap::mirrored_repeat) return fail(&t.wrap_u, "unknown wrap mode");
   if (t.mag > MagFilter::linear || t.min > MinFilter::linear_mipmap_linear) return fail(&t.mag, "unknown filter");
   if (t.reserved != 0) return fail(&t.reserved, "reserved must be 0");
@@ -20,10 +20,16 @@ bool Checker::texture(const Texture& t, std::uint32_t& roles) {
 bool Checker::material(const File::Section& s) {
   const auto* h = header<format::MaterialHeader>(s);
   if (h == nullptr) return false;
-  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (h->flags > format::kAllMaterialFlags) return fail(&h->flags, "unknown flags of a material");
   if (h->alpha > AlphaMode::blend) return fail(&h->alpha, "unknown alpha mode");
   if (!name(h->name) || !finite(&h->alpha_cutoff, 4)) return false;
   if (!(h->alpha_cutoff >= 0)) return fail(&h->alpha_cutoff, "a cutoff is not negative");
+  if ((h->flags & format::kEmits) != 0) {
+    const auto* emissive = at<float>(s, layout(*h).emissive);
+    if (!finite(emissive, 12)) return false;
+    for (int c = 0; c < 3; ++c)
+      if (!(emissive[c] >= 0)) return fail(emissive + c, "light that is emitted is not negative");
+  }
   std::uint32_t roles = 0;
   for (const Texture& t : Span<const Texture>{at<Texture>(s, layout(*h).textures), h->texture_count})
     if (!texture(t, roles)) return false;
@@ -33,10 +39,21 @@ bool Checker::material(const File::Section& s) {
 bool Checker::image(const File::Section& s) {
   const auto* h = header<format::ImageHeader>(s);
   if (h == nullptr) return false;
-  if ((h->reserved[0] | h->reserved[1] | h->reserved[2]) != 0) return fail(h->reserved, "reserved must be 0");
-  if (h->format > ImageFormat::jpeg) return fail(&h->format, "unknown format of an image");
+  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
+  if (h->format > ImageFormat::dds) return fail(&h->format, "unknown format of an image");
   if (h->byte_count > 0 && h->format == ImageFormat::unknown) return fail(&h->format, "bytes of an unknown format");
-  return name(h->name) && text(h->uri);
+  return fallback(*h) && name(h->name) && text(h->uri);
+}
+
+// An image that every decoder knows, so that it needs none itself. It may stand behind this one, unchecked as yet.
+bool Checker::fallback(const format::ImageHeader& h) {
+  if (h.fallback == 0) return true;
+  if (h.format <= ImageFormat::jpeg) return fail(&h.fallback, "a fallback of a PNG or JPEG image");
+  if (h.fallback > counts_[format::kImages]) return fail(&h.fallback, "no such image");
+  const File::Section& s = nth(format::kImages, h.fallback - 1u);
+  if (s.bytes < sizeof h || at<format::ImageHeader>(s, 0)->format > ImageFormat::jpeg)
+    return fail(&h.fallback, "a fallback that is no PNG or JPEG image");
+  return true;
 }
 
 bool Checker::property(const Property& p) {

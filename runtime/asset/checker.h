@@ -99,6 +99,7 @@ class Checker {
   bool material(const File::Section& s);
   bool texture(const Texture& t, std::uint32_t& roles);
   bool image(const File::Section& s);
+  bool fallback(const format::ImageHeader& h);
   bool node(const File::Section& s);
   bool property(const Property& p);
   bool limits(const File::Section& s);

@@ -213,7 +213,10 @@ Material File::material(std::uint32_t index) const {
   m.name = text(header.name);
   m.alpha = header.alpha;
   m.alpha_cutoff = header.alpha_cutoff;
-  m.textures = {at<Texture>(base, layout(header).textures), header.texture_count};
+  const format::MaterialLayout l = layout(header);
+  m.unlit = (header.flags & format::kUnlit) != 0;
+  if ((header.flags & format::kEmits) != 0) std::memcpy(m.emissive, base + l.emissive, sizeof m.emissive);
+  m.textures = {at<Texture>(base, l.textures), header.texture_count};
   return m;
 }
 
@@ -226,6 +229,7 @@ Image File::image(std::uint32_t index) const {
   i.uri = text(header.uri);
   i.format = header.format;
   i.bytes = {base + layout(header).data, header.byte_count};
+  if (header.fallback != 0) i.fallback = header.fallback - 1u;
   return i;
 }
 

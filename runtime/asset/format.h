@@ -203,12 +203,15 @@ struct MeshHeader {
 };
 static_assert(sizeof(MeshHeader) == 48);
 
+// kEmits: behind the textures stand three f32, linear RGB.
+enum MaterialFlags : std::uint16_t { kUnlit = 1, kEmits = 2, kAllMaterialFlags = 3 };
+
 struct MaterialHeader {
   std::uint32_t name;
   float alpha_cutoff;
   AlphaMode alpha;
   std::uint8_t texture_count;
-  std::uint16_t reserved;  // 0
+  std::uint16_t flags;
 };
 static_assert(sizeof(MaterialHeader) == 12);
 
@@ -217,7 +220,8 @@ struct ImageHeader {
   std::uint32_t uri;
   std::uint32_t byte_count;  // 0: by reference
   ImageFormat format;
-  std::uint8_t reserved[3];  // 0
+  std::uint8_t reserved;   // 0
+  std::uint16_t fallback;  // 0: none; else 1 + which IMAG section
 };
 static_assert(sizeof(ImageHeader) == 16);
 
@@ -406,10 +410,11 @@ constexpr MeshLayout layout(const MeshHeader& h) {
 }
 
 struct MaterialLayout {
-  std::uint64_t textures, bytes;
+  std::uint64_t textures, emissive, bytes;
 };
 constexpr MaterialLayout layout(const MaterialHeader& h) {
-  return {sizeof h, sizeof h + std::uint64_t{h.texture_count} * sizeof(Texture)};
+  const std::uint64_t emissive = sizeof h + std::uint64_t{h.texture_count} * sizeof(Texture);
+  return {sizeof h, emissive, emissive + ((h.flags & kEmits) != 0 ? 3 * sizeof(float) : 0)};
 }
 
 struct BoundsLayout {

@@ -1,6 +1,7 @@
 #include "cli/cookings.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "support/places.h"
 
@@ -53,6 +54,20 @@ std::vector<std::string> cook_command(const Cooking& cooking, const std::string&
   all.insert(all.end(), {program(), "cook", cooking.source, "-o", output});
   all.insert(all.end(), cooking.options.begin(), cooking.options.end());
   return all;
+}
+
+std::string shining_gltf(const TemporaryFolder& folder) {
+  nlohmann::json scene = nlohmann::json::parse(read_text(in_golden("looks.gltf")));
+  nlohmann::json& plain = scene["materials"][2];
+  plain["emissiveFactor"] = {1, 0.5, 0};
+  plain["extensions"] = {{"KHR_materials_unlit", nlohmann::json::object()},
+                         {"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}};
+  scene["images"].push_back({{"name", "small"}, {"uri", "small.webp"}});
+  scene["textures"][0]["extensions"] = {{"EXT_texture_webp", {{"source", 2}}}};
+  for (const char* const used : {"KHR_materials_unlit", "KHR_materials_emissive_strength", "EXT_texture_webp"})
+    scene["extensionsUsed"].push_back(used);
+  write_text(folder / "shining.gltf", scene.dump());
+  return folder / "shining.gltf";
 }
 
 }  // namespace marrow::test

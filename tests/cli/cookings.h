@@ -20,4 +20,8 @@ std::vector<Cooking> cookings(const TemporaryFolder& folder);
 std::vector<std::string> cook_command(const Cooking& cooking, const std::string& output,
                                       const std::vector<std::string>& settings = {});
 
+// Writes looks.gltf whose plain panel emits 6, 3, 0 and is unlit, and whose first texture is a WebP, by reference, with
+// the picture that it has there as a fallback. Returns its path.
+std::string shining_gltf(const TemporaryFolder& folder);
+
 }  // namespace marrow::test

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/cookings.h"
 #include "cli/process.h"
 #include "support/places.h"
 
@@ -48,6 +49,33 @@ TEST_F(Looks, ReferenceIsTheDefaultAndReadsNoPicture) {
   ASSERT_EQ(r["materials"].size(), 2u);
   EXPECT_EQ(r["materials"][0]["textures"][1]["role"], "normal");
   EXPECT_EQ(r["meshes"][2]["material"], "plain");
+}
+
+// By reference; the fallback lies inside the source, so that only a source beside the cooked file shows it.
+TEST_F(Looks, WhatIsNotDecodedHasAFallbackAndGoesBackToGltf) {
+  const std::string source = shining_gltf(folder_), mrw = folder_ / "shining.mrw", glb = folder_ / "back.glb";
+  ASSERT_EQ(run_marrow({"cook", source, "-o", mrw}).code, 0);
+  const nlohmann::json r = nlohmann::json::parse(run_marrow({"info", mrw, "--json"}).out);
+  EXPECT_EQ(r["images"][1]["format"], "webp") << r["images"].dump();
+  EXPECT_EQ(r["images"][1]["fallback"], 0);
+  const std::string text = run_marrow({"info", mrw}).out;
+  EXPECT_NE(text.find("unlit, emits 6 3 0"), std::string::npos) << text;
+  EXPECT_NE(text.find(", fallback image 0\n"), std::string::npos) << text;
+
+  ASSERT_EQ(run_marrow({"export", mrw, "-o", glb}).code, 0);
+  ASSERT_EQ(run_marrow({"cook", glb, "-o", folder_ / "again.mrw"}).code, 0);
+  const nlohmann::json again = nlohmann::json::parse(run_marrow({"info", folder_ / "again.mrw", "--json"}).out);
+  EXPECT_EQ(again["materials"].back()["emissive"], nlohmann::json({6, 3, 0}));
+  EXPECT_EQ(again["materials"].back()["unlit"], true);
+  EXPECT_EQ(again["images"][0]["format"], "webp") << "its fallback was known by name alone";
+#ifdef MARROW_HAS_GLES
+  const Ran drawn = run_marrow({"render", mrw, "-o", folder_ / "shining.png", "--size", "64x64"});
+  EXPECT_EQ(drawn.code, 0);
+  EXPECT_EQ(drawn.err.find("small"), std::string::npos) << "the fallback is shown: " << drawn.err;
+  fs::remove(source);
+  const Ran bare = run_marrow({"render", mrw, "-o", folder_ / "bare.png", "--size", "64x64"});
+  EXPECT_NE(bare.err.find("image 0 \"corners\": drawn without"), std::string::npos) << bare.err;
+#endif
 }
 
 TEST_F(Looks, EmbedCarriesThePictures) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/cookings.h"
 #include "cli/process.h"
 #include "support/json_schema.h"
 #include "support/places.h"
@@ -33,6 +34,7 @@ std::vector<json> reports() {
   cook({tiny, "-o", one, "--as", "fit", "--mwe", "--psd", "2", "--lod", "0.5", "--keep", "*", "--additive", "*"});
   cook({tiny, "-o", one, "--subdivide", "1", "--clip-codec", "raw"});
   cook({in_golden("looks.gltf"), "-o", one, "--images", "embed"});
+  cook({shining_gltf(folder), "-o", one});
   cook({in_golden("face.gltf"), "-o", one});
   cook({newt_glb(), "-o", one, "--palette", "24"});
   cook({tiny, "-o", one, "--clips-only"});

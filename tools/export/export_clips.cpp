@@ -180,7 +180,7 @@ class ClipExport {
       add_channel(
           {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/extras/" + escaped}}}}}},
           {t, t + channel.key_count}, {v, v + channel.key_count * each}, kScalar, channel.interpolation);
-      scene_.glb.json["extensionsUsed"] = Json::array({"KHR_animation_pointer"});
+      scene_.glb.use_extension("KHR_animation_pointer");
     }
   }
 

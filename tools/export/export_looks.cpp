@@ -1,5 +1,6 @@
 #include "export/export_looks.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "export/affine_parts.h"
@@ -8,6 +9,9 @@ namespace marrow::tools {
 namespace {
 
 constexpr const char* kAlphaModes[] = {"OPAQUE", "MASK", "BLEND"};
+// By ImageFormat. A texture of what glTF 2.0 does not know itself names it in an extension.
+constexpr const char* kMimeTypes[] = {"", "image/png", "image/jpeg", "image/webp", "image/ktx2", "image/vnd-ms.dds"};
+constexpr const char* kImageExtensions[] = {"", "", "", "EXT_texture_webp", "KHR_texture_basisu", "MSFT_texture_dds"};
 constexpr int kWraps[] = {10497, 33071, 33648};
 constexpr int kMagFilters[] = {0, 9728, 9729};
 constexpr int kMinFilters[] = {0, 9728, 9729, 9984, 9985, 9986, 9987};
@@ -63,28 +67,41 @@ std::size_t Looks::once(const char* list, const Json& element) {
   return at->second;
 }
 
+std::optional<std::size_t> Looks::add_image(std::uint32_t index) {
+  const Image image = scene_.file.image(index);
+  if (image.bytes.empty() && *image.uri == '\0') {
+    if (!warned_[index])
+      scene_.warnings.push_back({"image " + std::to_string(index) + " \"" + image.name + "\"", "",
+                                 "known by name alone and left out; cook with --images embed"});
+    warned_[index] = true;
+    return std::nullopt;
+  }
+  const auto found = images_.find(index);
+  if (found != images_.end()) return found->second;
+  Json json = Json::object();
+  if (*image.name != '\0') json["name"] = image.name;
+  if (image.bytes.empty()) {
+    json["uri"] = image.uri;
+  } else {
+    json["bufferView"] = scene_.glb.add_view(image.bytes.data, image.bytes.size, Target::none);
+    json["mimeType"] = kMimeTypes[static_cast<std::size_t>(image.format)];
+  }
+  return images_.emplace(index, scene_.glb.add("images", json)).first->second;
+}
+
 bool Looks::add_texture(const Texture& texture, Json& out) {
   const Image image = scene_.file.image(texture.image);
-  if (image.bytes.empty() && *image.uri == '\0') {
-    if (!warned_[texture.image])
-      scene_.warnings.push_back({"image " + std::to_string(texture.image) + " \"" + image.name + "\"", "",
-                                 "known by name alone and left out; cook with --images embed"});
-    warned_[texture.image] = true;
-    return false;
+  const std::optional<std::size_t> source = add_image(texture.image);
+  if (!source) return false;
+  Json json = Json::object();
+  if (const char* const extension = kImageExtensions[static_cast<std::size_t>(image.format)]; *extension != '\0') {
+    scene_.glb.use_extension(extension);
+    json["extensions"][extension] = {{"source", *source}};
+    if (image.fallback != kNoImage)
+      if (const std::optional<std::size_t> fallback = add_image(image.fallback)) json["source"] = *fallback;
+  } else {
+    json["source"] = *source;
   }
-  auto found = images_.find(texture.image);
-  if (found == images_.end()) {
-    Json json = Json::object();
-    if (*image.name != '\0') json["name"] = image.name;
-    if (image.bytes.empty()) {
-      json["uri"] = image.uri;
-    } else {
-      json["bufferView"] = scene_.glb.add_view(image.bytes.data, image.bytes.size, Target::none);
-      json["mimeType"] = image.format == ImageFormat::png ? "image/png" : "image/jpeg";
-    }
-    found = images_.emplace(texture.image, scene_.glb.add("images", json)).first;
-  }
-  Json json = {{"source", found->second}};
   const Json sampler = sampler_of(texture);
   if (!sampler.empty()) json["sampler"] = once("samplers", sampler);
   out = {{"index", once("textures", json)}};
@@ -96,6 +113,7 @@ void Looks::add_to(Json& material, const Mesh& mesh) {
   const Material m = scene_.file.material(mesh.material_index);
   if (m.alpha != AlphaMode::opaque) material["alphaMode"] = kAlphaModes[static_cast<std::size_t>(m.alpha)];
   if (m.alpha == AlphaMode::mask) material["alphaCutoff"] = number(m.alpha_cutoff);
+  add_light(material, m);
   for (const Texture& texture : m.textures) {
     Json reference;
     if (mesh.geometry.uvs == nullptr || !add_texture(texture, reference)) continue;
@@ -109,9 +127,30 @@ void Looks::add_to(Json& material, const Mesh& mesh) {
     if (texture.role == TextureRole::occlusion) material["occlusionTexture"] = reference;
     if (texture.role == TextureRole::emissive) {
       material["emissiveTexture"] = reference;
-      material["emissiveFactor"] = {1, 1, 1};
+    }
+    if (texture.role == TextureRole::specular_glossiness) {
+      scene_.glb.use_extension("KHR_materials_pbrSpecularGlossiness");
+      Json& specular = material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+      specular["specularGlossinessTexture"] = reference;
+      if (pbr.contains("baseColorTexture")) specular["diffuseTexture"] = pbr["baseColorTexture"];
+      if (pbr.contains("baseColorFactor")) specular["diffuseFactor"] = pbr["baseColorFactor"];
     }
   }
+}
+
+// A factor is at most 1; a strength makes up for it.
+void Looks::add_light(Json& material, const Material& m) {
+  if (m.unlit) {
+    scene_.glb.use_extension("KHR_materials_unlit");
+    material["extensions"]["KHR_materials_unlit"] = Json::object();
+  }
+  const float brightest = std::max({m.emissive[0], m.emissive[1], m.emissive[2]});
+  if (!(brightest > 0)) return;
+  const float strength = std::max(brightest, 1.0f);
+  for (const float c : m.emissive) material["emissiveFactor"].push_back(number(c / strength));
+  if (strength <= 1) return;
+  scene_.glb.use_extension("KHR_materials_emissive_strength");
+  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", number(strength)}};
 }
 
 void export_nodes(ExportScene& scene) {

@@ -15,10 +15,13 @@ class Looks {
  private:
   std::size_t once(const char* list, const Json& element);
   bool add_texture(const Texture& texture, Json& out);
+  // Its index in the document; none if it is known by its name alone.
+  std::optional<std::size_t> add_image(std::uint32_t index);
+  void add_light(Json& material, const Material& m);
   ExportScene& scene_;
   std::map<std::string, std::size_t> known_;
-  std::map<std::uint16_t, std::size_t> images_;
-  std::map<std::uint16_t, bool> warned_;
+  std::map<std::uint32_t, std::size_t> images_;
+  std::map<std::uint32_t, bool> warned_;
 };
 
 // Kept nodes below their joints; of one that is a joint itself the properties go to the joint's node.

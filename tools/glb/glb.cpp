@@ -48,6 +48,11 @@ Glb::Glb(const char* generator) {
   json["asset"] = {{"version", "2.0"}, {"generator", generator}};
 }
 
+void Glb::use_extension(const char* name) {
+  Json& used = json["extensionsUsed"];
+  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
 std::size_t Glb::add(const char* list, Json element) {
   Json& elements = json[list];
   elements.push_back(std::move(element));

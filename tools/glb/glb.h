@@ -30,6 +30,9 @@ class Glb {
   // Appends to a list of the document, making it if it is not there yet, and returns the new element's number.
   std::size_t add(const char* list, Json element);
 
+  // Lists an extension as used, once.
+  void use_extension(const char* name);
+
   // An accessor with a buffer view of its own, on a boundary of four bytes. values: of `component`, type.parts an
   // element, one or several a T; elements of vertices must fill four bytes.
   template <class T>

@@ -8,7 +8,7 @@ constexpr Named<Images> kImages[] = {
 
 constexpr Option kSceneOptions[] = {
     {"images", OptionKind::text, "TEXT",
-     "reference: materials name their images as the source does; embed: the PNG or JPEG files as they are; none: "
+     "reference: materials name their images as the source does; embed: the picture files as they are; none: "
      "neither",
      names_in<kImages>, [](CookOptions& o, const Value& v) { o.images = *value_of(kImages, v.text); }},
     {"keep",

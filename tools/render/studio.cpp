@@ -257,7 +257,7 @@ void Studio::draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 
   set_surface(with.id, drawable, alpha_range);
   gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
                        glm::value_ptr(shot.camera.clip_from_scene));
-  gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), shot.shading);
+  gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), drawable.look.unlit ? 0.0f : shot.shading);
   cull(drawable);
   draw(drawable, with);
 }

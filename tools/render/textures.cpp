@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "common/failure.h"
+#include "text/words.h"
 
 namespace marrow::tools {
 namespace {
@@ -36,10 +37,16 @@ const Texture* base_colour(const Material& material) {
   return nullptr;
 }
 
+// What is not decoded here has another that shows the same, or is tried itself, which says why it cannot be shown.
+std::uint32_t shown_image(const File& file, std::uint32_t image) {
+  const std::uint32_t fallback = file.image(image).fallback;
+  return fallback != kNoImage ? fallback : image;
+}
+
 }  // namespace
 
 Textures::Textures(const Gl& gl, const std::string& path, const File& file, const ImagePlaces& places)
-    : gl_(gl), path_(path) {
+    : gl_(gl), path_(path), file_(file) {
   ImageFinder finder(path, file, places);
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
     const Mesh mesh = file.mesh(i);
@@ -48,9 +55,10 @@ Textures::Textures(const Gl& gl, const std::string& path, const File& file, cons
     const Material material = file.material(mesh.material_index);
     look.alpha = material.alpha;
     look.alpha_cutoff = material.alpha_cutoff;
+    look.unlit = material.unlit;
     const Texture* const base = base_colour(material);
     if (base == nullptr || mesh.geometry.uvs == nullptr) continue;
-    look.texture = texture(base->image, finder);
+    look.texture = texture(shown_image(file, base->image), finder);
     if (look.texture != 0) look.sampler = sampler(*base);
   }
   gl.check("uploading textures");
@@ -58,6 +66,11 @@ Textures::Textures(const Gl& gl, const std::string& path, const File& file, cons
 
 // Throws Failure, whose rule and advice say why the image cannot be shown.
 Pixels Textures::pixels(std::uint32_t index, ImageFinder& finder) const {
+  const ImageFormat format = file_.image(index).format;
+  if (format > ImageFormat::jpeg)
+    throw Failure(Exit::unsupported, path_, finder.name_of(index),
+                  std::string("its format, ") + word(format) + ", is not decoded here",
+                  "give its texture a PNG or JPEG as well");
   Pixels out = decode_image(finder.bytes(index), path_, finder.name_of(index));
   GLint largest = 0;
   gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);

@@ -19,12 +19,14 @@ struct Look {
   GLuint sampler = 0;
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
+  bool unlit = false;
 };
 
 class Textures {
  public:
-  // Decodes and uploads what the meshes of `file`, loaded from `path`, are coloured by. An image that cannot be shown
-  // is named on stderr, with why, and its meshes are drawn without. `gl` outlives it.
+  // Decodes and uploads what the meshes of `file`, loaded from `path`, are coloured by. Of WebP, KTX2 and DDS the
+  // fallback is shown. An image that cannot be shown is named on stderr, with why, and its meshes are drawn without.
+  // `gl` outlives it.
   Textures(const Gl& gl, const std::string& path, const File& file, const ImagePlaces& places);
 
   const Look& look(std::uint32_t mesh) const { return looks_[mesh]; }
@@ -36,6 +38,7 @@ class Textures {
 
   const Gl& gl_;
   std::string path_;
+  File file_;
   std::map<std::uint32_t, GlTexture> textures_;  // by image; name 0 where there is none
   std::map<std::uint32_t, GlSampler> samplers_;  // by their modes
   std::vector<Look> looks_;                      // by mesh

@@ -13,12 +13,13 @@ inline const char* word(AlphaMode mode) {
 }
 
 inline const char* word(TextureRole role) {
-  constexpr const char* kWords[] = {"base colour", "metallic-roughness", "normal", "occlusion", "emissive"};
+  constexpr const char* kWords[] = {"base colour", "metallic-roughness", "normal",
+                                    "occlusion",   "emissive",           "specular-glossiness"};
   return kWords[static_cast<std::size_t>(role)];
 }
 
 inline const char* word(ImageFormat format) {
-  constexpr const char* kWords[] = {"unknown", "png", "jpeg"};
+  constexpr const char* kWords[] = {"unknown", "png", "jpeg", "webp", "ktx2", "dds"};
   return kWords[static_cast<std::size_t>(format)];
 }
 

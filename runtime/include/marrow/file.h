@@ -240,7 +240,14 @@ static_assert(sizeof(MeshTarget) == 12);
 // What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
 inline constexpr std::uint32_t kNoMaterial = 0xFFFFFFFF;
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-enum class TextureRole : std::uint8_t { base_colour, metallic_roughness, normal, occlusion, emissive };
+enum class TextureRole : std::uint8_t {
+  base_colour,
+  metallic_roughness,
+  normal,
+  occlusion,
+  emissive,
+  specular_glossiness  // KHR_materials_pbrSpecularGlossiness; its diffuse colour and texture are the base colour
+};
 enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
 enum class MagFilter : std::uint8_t { any, nearest, linear };  // any: the source leaves it to the game
 enum class MinFilter : std::uint8_t {
@@ -253,8 +260,8 @@ enum class MinFilter : std::uint8_t {
   linear_mipmap_linear,
 };
 
-// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour and emissive images are sRGB, others
-// linear; (0, 0) of the UVs is the image's upper left corner.
+// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
+// are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
 struct Texture {
   std::uint16_t image = 0;                      // which image of the file
   TextureRole role = TextureRole::base_colour;  // none twice in a material
@@ -268,17 +275,21 @@ static_assert(sizeof(Texture) == 8);
 struct Material {
   const char* name = "";
   AlphaMode alpha = AlphaMode::opaque;
-  float alpha_cutoff = 0.5f;  // mask: what is less opaque is not drawn
+  float alpha_cutoff = 0.5f;      // mask: what is less opaque is not drawn
+  bool unlit = false;             // KHR_materials_unlit: the base colour is what is seen
+  float emissive[3] = {0, 0, 0};  // linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
   Span<const Texture> textures = {};
 };
 
-// A picture by reference, or as the source's own PNG or JPEG bytes. They are not checked: whoever decodes them must.
-enum class ImageFormat : std::uint8_t { unknown, png, jpeg };
+// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+inline constexpr std::uint32_t kNoImage = 0xFFFFFFFF;
+enum class ImageFormat : std::uint8_t { unknown, png, jpeg, webp, ktx2, dds };
 struct Image {
   const char* name = "";
   const char* uri = "";  // relative to the source file and percent-encoded, as it stood there; empty if it had none
   ImageFormat format = ImageFormat::unknown;
-  Span<const std::byte> bytes = {};  // empty: by reference
+  Span<const std::byte> bytes = {};   // empty: by reference
+  std::uint32_t fallback = kNoImage;  // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
 };
 
 // A number, a truth or a text that an artist gave a node.

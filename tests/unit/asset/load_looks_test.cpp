@@ -54,9 +54,10 @@ TEST_F(LoadLooks, Materials) {
   refuse(base + 8, std::uint8_t{3}, "an unknown alpha mode");
   refuse(base + 9, std::uint8_t{1}, "a texture fewer than there are bytes");
   refuse(base + 9, std::uint8_t{255}, "textures beyond the section");
-  refuse(base + 10, std::uint16_t{1}, "reserved");
+  refuse(base + 10, std::uint16_t{4}, "an unknown flag");
+  refuse(base + 10, std::uint16_t{2}, "light without its numbers");
   refuse(base + 12, std::uint16_t{2}, "an image that is not there");
-  refuse(base + 14, std::uint8_t{5}, "an unknown role");
+  refuse(base + 14, std::uint8_t{6}, "an unknown role");
   refuse(base + 15, std::uint8_t{3}, "an unknown wrap mode");
   refuse(base + 16, std::uint8_t{3}, "an unknown wrap mode");
   refuse(base + 17, std::uint8_t{3}, "an unknown magnification filter");
@@ -64,7 +65,7 @@ TEST_F(LoadLooks, Materials) {
   refuse(base + 19, std::uint8_t{1}, "reserved");
   refuse(base + 22, std::uint8_t{0}, "two base colours");
   accept(base + 22, 4);  // any other role
-  EXPECT_EQ(refused_, 17);
+  EXPECT_EQ(refused_, 18);
 }
 
 TEST_F(LoadLooks, Images) {
@@ -74,10 +75,15 @@ TEST_F(LoadLooks, Images) {
   refuse(base + 8, std::uint32_t{75}, "a byte fewer than there are");
   refuse(base + 8, std::uint32_t{0xFFFFFFFF}, "bytes beyond the section");
   refuse(base + 12, std::uint8_t{0}, "bytes of no format");
-  refuse(base + 12, std::uint8_t{3}, "an unknown format");
+  refuse(base + 12, std::uint8_t{6}, "an unknown format");
+  refuse(base + 14, std::uint16_t{1}, "a fallback of a PNG");
+  // The format and the fallback together: itself, a WebP; one that is not there.
+  EXPECT_STREQ(test::load_with(block_, base + 12, std::uint32_t{0x00010003}).error.rule,
+               "a fallback that is no PNG or JPEG image");
+  EXPECT_STREQ(test::load_with(block_, base + 12, std::uint32_t{0x00090004}).error.rule, "no such image");
   refuse(base + 13, std::uint8_t{1}, "reserved");
   accept(base + 16, 0);  // bytes are whoever decodes them's to check
-  EXPECT_EQ(refused_, 7);
+  EXPECT_EQ(refused_, 8);
 }
 
 TEST_F(LoadLooks, Nodes) {

@@ -107,10 +107,10 @@ TEST(GltfLooks, WhatIsWrongIsMended) {
   EXPECT_EQ(scene.materials[0].textures[0].min, MinFilter::nearest_mipmap_linear);
 
   b = painted();
-  b.root["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
-  const RawScene webp = read(b);
-  EXPECT_TRUE(warns(webp, "texture-without-image", "/materials/0/pbrMetallicRoughness/baseColorTexture"));
-  EXPECT_TRUE(webp.materials[0].textures.empty());
+  b.root["textures"] = {{{"extensions", {{"EXT_texture_avif", {{"source", 0}}}}}}};
+  const RawScene avif = read(b);
+  EXPECT_TRUE(warns(avif, "texture-without-image", "/materials/0/pbrMetallicRoughness/baseColorTexture"));
+  EXPECT_TRUE(avif.materials[0].textures.empty());
 }
 
 TEST(GltfLooks, BrokenReferencesAreRefused) {
@@ -225,14 +225,150 @@ TEST(GltfLooks, EmbeddedBytesAreTheSourcesOwnAndOnce) {
 
 TEST(GltfLooks, WhatIsNoPictureIsNotEmbedded) {
   Builder b = painted();
-  b.root["images"] = {{{"uri", data_uri("image/webp", "RIFF....WEBP")}, {"name", "w"}}};
-  const Cooked webp(read_embedded(b), with(Images::embed));
-  EXPECT_TRUE(webp.warns("image-format"));
-  EXPECT_TRUE(webp.file.image(0).bytes.empty());
+  b.root["images"] = {{{"uri", data_uri("image/gif", "GIF89a......")}, {"name", "w"}}};
+  const Cooked gif(read_embedded(b), with(Images::embed));
+  EXPECT_TRUE(gif.warns("image-format"));
+  EXPECT_TRUE(gif.file.image(0).bytes.empty());
   b.root["images"] = {{{"uri", data_uri("image/png", kJpeg)}, {"mimeType", "image/png"}}};
   const Cooked liar(read_embedded(b), with(Images::embed));
   EXPECT_TRUE(liar.warns("image-mime-type"));
   EXPECT_EQ(liar.file.image(0).format, ImageFormat::jpeg);
+}
+
+const std::string kWebp("RIFF\x08\0\0\0WEBPVP8 ", 16), kKtx("\xABKTX 20\xBB\r\n\x1A\nrest", 16), kDds("DDS rest", 8);
+
+// The base colour is a picture of one extension, with a PNG for those that do not know it.
+Builder with_alternative(const char* extension, const std::string& mime, const std::string& bytes) {
+  Builder b = painted();
+  b.root["images"] = {{{"name", "small"}, {"uri", data_uri(mime, bytes)}},
+                      {{"name", "plain"}, {"uri", data_uri("image/png", kPng)}}};
+  b.root["textures"] = {{{"source", 1}, {"extensions", {{extension, {{"source", 0}}}}}}};
+  b.root["extensionsUsed"] = {extension};
+  return b;
+}
+
+TEST(GltfLooks, PicturesForGpusKeepTheirBytesAndAFallback) {
+  const struct {
+    const char *extension, *mime;
+    std::string bytes;
+    ImageFormat format;
+  } kinds[] = {{"EXT_texture_webp", "image/webp", kWebp, ImageFormat::webp},
+               {"KHR_texture_basisu", "image/ktx2", kKtx, ImageFormat::ktx2},
+               {"MSFT_texture_dds", "image/vnd-ms.dds", kDds, ImageFormat::dds}};
+  for (const auto& kind : kinds) {
+    Builder b = with_alternative(kind.extension, kind.mime, kind.bytes);
+    const Cooked cooked(read_embedded(b), with(Images::embed));
+    EXPECT_EQ(cooked.result.report["warnings"].size(), 1U) << cooked.result.report["warnings"].dump();  // extra UVs
+    ASSERT_EQ(cooked.file.image_count(), 2U) << kind.extension;
+    const Image image = cooked.file.image(cooked.file.material(0).textures[0].image);
+    EXPECT_EQ(image.format, kind.format);
+    EXPECT_EQ(text_of(image.bytes), kind.bytes);
+    ASSERT_NE(image.fallback, kNoImage);
+    const Image plain = cooked.file.image(image.fallback);
+    EXPECT_EQ(plain.format, ImageFormat::png);
+    EXPECT_EQ(text_of(plain.bytes), kPng);
+    EXPECT_EQ(plain.fallback, kNoImage);
+
+    // A file that demands it, without another picture, and by reference.
+    b.root["textures"][0].erase("source");
+    b.root["extensionsRequired"] = {kind.extension};
+    const Cooked alone(read(b));
+    ASSERT_EQ(alone.file.image_count(), 1U);
+    EXPECT_EQ(alone.file.image(0).format, kind.format) << "known by the extension";
+    EXPECT_EQ(alone.file.image(0).fallback, kNoImage);
+    EXPECT_TRUE(alone.file.image(0).bytes.empty());
+  }
+}
+
+TEST(GltfLooks, OfSeveralPicturesTheBestForAGpuIsCarried) {
+  Builder b = with_alternative("EXT_texture_webp", "image/webp", kWebp);
+  b.root["images"].push_back({{"name", "gpu"}, {"uri", data_uri("image/ktx2", kKtx)}});
+  b.root["textures"][0]["extensions"]["KHR_texture_basisu"] = {{"source", 2}};
+  b.root["extensionsUsed"].push_back("KHR_texture_basisu");
+  const Cooked cooked(read_embedded(b), with(Images::embed));
+  EXPECT_TRUE(cooked.warns("texture-alternative"));
+  EXPECT_EQ(cooked.file.image_count(), 2U);
+  EXPECT_EQ(cooked.file.image(cooked.file.material(0).textures[0].image).format, ImageFormat::ktx2);
+}
+
+// Two pictures that stand in for each other, and one for itself.
+TEST(GltfLooks, FallbacksThatAreNoneAreLeftOut) {
+  Builder b = with_alternative("EXT_texture_webp", "image/webp", kWebp);
+  b.root["images"][1] = {{"name", "plain"}, {"uri", data_uri("image/webp", kWebp + "2")}};
+  b.root["textures"].push_back({{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}});
+  b.root["materials"][0]["normalTexture"] = {{"index", 1}};
+  const Cooked crossed(read_embedded(b), with(Images::embed));
+  EXPECT_TRUE(crossed.warns("image-fallback"));
+  for (std::uint32_t i = 0; i < crossed.file.image_count(); ++i)
+    EXPECT_EQ(crossed.file.image(i).fallback, kNoImage) << i;
+  b = with_alternative("EXT_texture_webp", "image/webp", kWebp);
+  b.root["textures"][0]["source"] = 0;
+  EXPECT_EQ(Cooked(read_embedded(b), with(Images::embed)).file.image(0).fallback, kNoImage);
+}
+
+TEST(GltfLooks, BrokenAlternativesAreRefused) {
+  const std::string where = "/textures/0/extensions/KHR_texture_basisu";
+  for (const Json& source : {Json(2), Json(-1), Json("0"), Json(1e300)}) {
+    Builder b = with_alternative("KHR_texture_basisu", "image/ktx2", kKtx);
+    b.root["textures"][0]["extensions"]["KHR_texture_basisu"]["source"] = source;
+    expect_refused(b.text(), Exit::invalid, where + "/source", "");
+  }
+  Builder b = with_alternative("KHR_texture_basisu", "image/ktx2", kKtx);
+  b.root["textures"][0]["extensions"]["KHR_texture_basisu"] = Json::array();
+  expect_refused(b.text(), Exit::invalid, where, "");
+}
+
+TEST(GltfLooks, SpecularGlossinessGivesColourAndTextures) {
+  Builder b = painted();
+  b.root["textures"].push_back({{"source", 1}});
+  b.root["images"].push_back({{"uri", "shine.png"}});
+  const Json specular = {{"diffuseFactor", {.25, .5, .75, 1}},
+                         {"diffuseTexture", {{"index", 0}}},
+                         {"specularGlossinessTexture", {{"index", 1}}},
+                         {"glossinessFactor", .5}};
+  b.root["extensionsUsed"] = {"KHR_materials_pbrSpecularGlossiness"};
+  b.root["materials"][0] = {{"extensions", {{"KHR_materials_pbrSpecularGlossiness", specular}}}};
+  const RawScene scene = read(b);
+  const RawMaterial& material = scene.materials[0];
+  EXPECT_EQ(material.base_colour, glm::vec4(.25F, .5F, .75F, 1));
+  ASSERT_EQ(material.textures.size(), 2U);
+  EXPECT_EQ(material.textures[0].role, TextureRole::base_colour);
+  EXPECT_EQ(material.textures[1].role, TextureRole::specular_glossiness);
+  EXPECT_EQ(material.textures[1].image, 1);
+  EXPECT_FALSE(warns(scene, "extension-ignored"));
+  // What the metallic-roughness model says comes first.
+  b.root["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {1, 0, 0, 1}},
+                                                    {"metallicRoughnessTexture", {{"index", 1}}}};
+  const RawMaterial both = read(b).materials[0];
+  EXPECT_EQ(both.base_colour, glm::vec4(1, 0, 0, 1));
+  ASSERT_EQ(both.textures.size(), 2U);
+  EXPECT_EQ(both.textures[0].role, TextureRole::base_colour);
+  EXPECT_EQ(both.textures[1].role, TextureRole::metallic_roughness);
+  b.root["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseFactor"] = {1, 2};
+  expect_refused(b.text(), Exit::invalid, "/materials/0/extensions/KHR_materials_pbrSpecularGlossiness/diffuseFactor",
+                 "");
+}
+
+TEST(GltfLooks, LightAndNoLight) {
+  Builder b = painted();
+  b.root["materials"][0] = {
+      {"emissiveFactor", {1, .5, 0}},
+      {"extensions",
+       {{"KHR_materials_unlit", Json::object()}, {"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}};
+  b.root["extensionsUsed"] = {"KHR_materials_unlit", "KHR_materials_emissive_strength"};
+  const Cooked cooked(read(b));
+  EXPECT_FALSE(cooked.warns("extension-ignored"));
+  ASSERT_EQ(cooked.file.material_count(), 1U);
+  const Material material = cooked.file.material(0);
+  EXPECT_TRUE(material.unlit);
+  EXPECT_EQ(material.emissive[0], 8);
+  EXPECT_EQ(material.emissive[1], 4);
+  EXPECT_EQ(material.emissive[2], 0);
+  EXPECT_EQ(cooked.result.report["materials"][0]["emissive"], Json({8, 4, 0}));
+  b.root["materials"][0]["emissiveFactor"] = {-1, 0, 0};
+  const Cooked dark(read(b));
+  EXPECT_TRUE(dark.warns("emission-negative"));
+  EXPECT_EQ(dark.file.material(0).emissive[0], 0);
 }
 
 TEST(GltfLooks, NoneLeavesTheRestOfAMaterial) {

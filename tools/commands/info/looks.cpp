@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "text/quantity.h"
 #include "text/words.h"
 
 namespace marrow::tools {
@@ -21,6 +22,10 @@ ordered_json value_of(const File& file, const Property& p) {
   return p.number;
 }
 
+bool emits(const Material& m) {
+  return m.emissive[0] > 0 || m.emissive[1] > 0 || m.emissive[2] > 0;
+}
+
 }  // namespace
 
 void describe_looks(const File& file, ordered_json& r) {
@@ -31,6 +36,8 @@ void describe_looks(const File& file, ordered_json& r) {
     for (const Texture& t : m.textures) textures.push_back({{"role", word(t.role)}, {"image", t.image}});
     r["materials"].push_back({{"name", m.name}, {"alpha", word(m.alpha)}, {"textures", textures}});
     if (m.alpha == AlphaMode::mask) r["materials"].back()["alpha_cutoff"] = m.alpha_cutoff;
+    if (m.unlit) r["materials"].back()["unlit"] = true;
+    if (emits(m)) r["materials"].back()["emissive"] = m.emissive;
   }
   r["images"] = ordered_json::array();
   for (std::uint32_t i = 0; i < file.image_count(); ++i) {
@@ -39,6 +46,7 @@ void describe_looks(const File& file, ordered_json& r) {
                            {"uri", image.uri},
                            {"format", word(image.format)},
                            {"embedded_bytes", image.bytes.size}});
+    if (image.fallback != kNoImage) r["images"].back()["fallback"] = image.fallback;
   }
 }
 
@@ -64,13 +72,19 @@ void print_looks(const ordered_json& r) {
     fmt::print("material {} {}: {}", i, quoted(m["name"]), m["alpha"].get<std::string>());
     for (const auto& t : m["textures"])
       fmt::print(", {} image {}", t["role"].get<std::string>(), t["image"].get<int>());
+    if (m.contains("unlit")) fmt::print(", unlit");
+    if (m.contains("emissive"))
+      fmt::print(", emits {} {} {}", plain_number(m["emissive"][0]), plain_number(m["emissive"][1]),
+                 plain_number(m["emissive"][2]));
     fmt::print("\n");
   }
   for (std::size_t i = 0; i < r["images"].size(); ++i) {
     const auto& image = r["images"][i];
     const auto bytes = image["embedded_bytes"].get<std::size_t>();
-    fmt::print("image {} {}: {}, {}\n", i, quoted(image["name"]), image["format"].get<std::string>(),
+    fmt::print("image {} {}: {}, {}", i, quoted(image["name"]), image["format"].get<std::string>(),
                bytes > 0 ? std::to_string(bytes) + " bytes" : "by reference, " + quoted(image["uri"]));
+    if (image.contains("fallback")) fmt::print(", fallback image {}", image["fallback"].get<int>());
+    fmt::print("\n");
   }
 }
 

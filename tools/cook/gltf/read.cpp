@@ -115,8 +115,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
   import_extras(document, scene.nodes, budget, report);
   import_limits(document, scene.nodes, report);
   Materials materials = import_materials(document.looks, report);
-  scene.images =
-      import_images(document, materials.raw, folder, options.image_bytes, budget, scene.source_bytes, report);
+  scene.images = import_images(document, materials, folder, options.image_bytes, budget, scene.source_bytes, report);
   scene.meshes = import_meshes(document, materials, budget, report);
   scene.materials = std::move(materials.raw);
   scene.instances = import_instances(document, scene.nodes, scene.meshes, scene.skins, report);

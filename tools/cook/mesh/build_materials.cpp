@@ -13,7 +13,8 @@ bool same(const Texture& a, const Texture& b) {
 }
 
 bool same(const BuiltMaterial& a, const BuiltMaterial& b) {
-  return a.name == b.name && a.alpha == b.alpha && a.alpha_cutoff == b.alpha_cutoff &&
+  return a.name == b.name && a.alpha == b.alpha && a.alpha_cutoff == b.alpha_cutoff && a.unlit == b.unlit &&
+         a.emissive == b.emissive &&
          std::equal(a.textures.begin(), a.textures.end(), b.textures.begin(), b.textures.end(),
                     [](const Texture& x, const Texture& y) { return same(x, y); });
 }
@@ -32,12 +33,13 @@ class Shared {
   std::uint32_t section_of(int raw_index) {
     if (raw_index == kNone) return 0;
     const RawMaterial& raw = scene_.materials[static_cast<std::size_t>(raw_index)];
-    BuiltMaterial material{raw.name, raw.alpha, raw.alpha_cutoff, {}};
+    BuiltMaterial material{raw.name, raw.alpha, raw.alpha_cutoff, raw.unlit, raw.emissive, {}};
     if (images_ != Images::none) {
       material.textures = raw.textures;
       for (Texture& texture : material.textures) texture.image = static_cast<std::uint16_t>(image_of(texture.image));
     }
-    if (material.alpha == AlphaMode::opaque && material.textures.empty()) return 0;
+    const bool is_plain = material.alpha == AlphaMode::opaque && !material.unlit && material.emissive == glm::vec3(0);
+    if (is_plain && material.textures.empty()) return 0;
     std::vector<BuiltMaterial>& all = out_.materials;
     const auto twin = std::find_if(all.begin(), all.end(), [&](const auto& m) { return same(m, material); });
     const auto index = static_cast<std::uint32_t>(twin - all.begin());
@@ -47,14 +49,14 @@ class Shared {
 
  private:
   int image_of(std::size_t raw_index) {
-    int& known = image_of_[raw_index];
-    if (known != kNone) return known;
-    const RawImage& image = scene_.images[raw_index];
+    if (image_of_[raw_index] != kNone) return image_of_[raw_index];
+    RawImage image = scene_.images[raw_index];
+    if (image.fallback != kNone) image.fallback = image_of(static_cast<std::size_t>(image.fallback));
     std::vector<RawImage>& all = out_.images;
     const auto twin = std::find_if(all.begin(), all.end(), [&](const auto& i) { return same(i, image); });
-    known = static_cast<int>(twin - all.begin());
+    image_of_[raw_index] = static_cast<int>(twin - all.begin());
     if (twin == all.end()) all.push_back(image);
-    return known;
+    return image_of_[raw_index];
   }
 
   const RawScene& scene_;

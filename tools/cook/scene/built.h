@@ -145,6 +145,8 @@ struct BuiltMaterial {
   std::string name;
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
+  bool unlit = false;
+  glm::vec3 emissive{0};
   std::vector<Texture> textures;
 };
 
@@ -182,7 +184,7 @@ struct BuiltScene {
   std::vector<LearnReport> learnt;
   std::vector<BuiltMesh> meshes;         // node by node, primitive by primitive, part by part
   std::vector<BuiltMaterial> materials;  // those with more than MESH says; no two the same
-  std::vector<RawImage> images;          // no two the same
+  std::vector<RawImage> images;          // no two the same; fallbacks are among these
   std::vector<BuiltNode> nodes;          // in the source's order
   std::vector<Kept> kept;                // a GLOB
 };

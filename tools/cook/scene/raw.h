@@ -103,7 +103,9 @@ struct RawMaterial {
   glm::vec4 base_colour{1};  // baseColorFactor
   bool double_sided = false;
   AlphaMode alpha = AlphaMode::opaque;
-  float alpha_cutoff = 0.5f;      // of masks; else 0.5
+  float alpha_cutoff = 0.5f;  // of masks; else 0.5
+  bool unlit = false;
+  glm::vec3 emissive{0};          // factor times strength
   std::vector<Texture> textures;  // their images are indices into RawScene::images
 };
 
@@ -113,6 +115,7 @@ struct RawImage {
   ImageFormat format = ImageFormat::unknown;
   std::uint64_t inside_bytes = 0;  // of the source that are the image's; 0: it is a file of its own
   std::vector<std::byte> bytes;    // empty unless read_gltf() was asked for them
+  int fallback = kNone;            // index into RawScene::images: the same picture as PNG or JPEG
 };
 
 // A mesh drawn at a node. Listed in node order.

@@ -129,11 +129,15 @@ void report_looks(const BuiltScene& built, ordered_json& report) {
     ordered_json textures = ordered_json::array();
     for (const Texture& t : m.textures) textures.push_back({{"role", tools::word(t.role)}, {"image", t.image}});
     report["materials"].push_back({{"name", m.name}, {"alpha", tools::word(m.alpha)}, {"textures", textures}});
+    if (m.unlit) report["materials"].back()["unlit"] = true;
+    if (m.emissive != glm::vec3(0)) report["materials"].back()["emissive"] = {m.emissive.x, m.emissive.y, m.emissive.z};
   }
   report["images"] = ordered_json::array();
-  for (const RawImage& i : built.images)
+  for (const RawImage& i : built.images) {
     report["images"].push_back(
         {{"name", i.name}, {"uri", i.uri}, {"format", tools::word(i.format)}, {"bytes", i.bytes.size()}});
+    if (i.fallback != kNone) report["images"].back()["fallback"] = i.fallback;
+  }
 }
 
 void report_nodes(const BuiltScene& built, ordered_json& report) {

@@ -155,16 +155,21 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
 
 Section write_material(const BuiltMaterial& m, Names& names) {
   Section out;
+  const bool emits = m.emissive != glm::vec3(0);
+  std::uint16_t flags = 0;
+  if (m.unlit) flags |= format::kUnlit;
+  if (emits) flags |= format::kEmits;
   out.add(format::MaterialHeader{names.add(m.name), m.alpha_cutoff, m.alpha,
-                                 static_cast<std::uint8_t>(m.textures.size()), 0});
+                                 static_cast<std::uint8_t>(m.textures.size()), flags});
   out.add_all(m.textures);
+  if (emits) out.add(m.emissive);
   return out;
 }
 
 Section write_image(const RawImage& i, Names& names) {
   Section out;
-  out.add(format::ImageHeader{
-      names.add(i.name), names.add(i.uri), static_cast<std::uint32_t>(i.bytes.size()), i.format, {}});
+  out.add(format::ImageHeader{names.add(i.name), names.add(i.uri), static_cast<std::uint32_t>(i.bytes.size()), i.format,
+                              0, static_cast<std::uint16_t>(i.fallback + 1)});
   out.add_all(i.bytes);
   return out;
 }

@@ -13,20 +13,32 @@ namespace {
 
 constexpr std::uint64_t kMostImageBytes = kLargestFile;  // of all that are read from files
 
+struct FormatName {
+  ImageFormat format;
+  std::string_view mime_type, extension;
+};
+constexpr FormatName kFormats[] = {
+    {ImageFormat::png, "image/png", ".png"},    {ImageFormat::jpeg, "image/jpeg", ".jpg"},
+    {ImageFormat::jpeg, "image/jpeg", ".jpeg"}, {ImageFormat::webp, "image/webp", ".webp"},
+    {ImageFormat::ktx2, "image/ktx2", ".ktx2"}, {ImageFormat::dds, "image/vnd-ms.dds", ".dds"}};
+
 ImageFormat format_of_bytes(std::span<const std::byte> bytes) {
-  const auto begins_with = [&](std::initializer_list<int> signature) {
-    return bytes.size() >= signature.size() &&
-           std::equal(signature.begin(), signature.end(), bytes.begin(),
+  const auto has = [&](std::initializer_list<int> signature, std::size_t at = 0) {
+    return bytes.size() >= at + signature.size() &&
+           std::equal(signature.begin(), signature.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
                       [](int s, std::byte b) { return s == std::to_integer<int>(b); });
   };
-  if (begins_with({0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'})) return ImageFormat::png;
-  if (begins_with({0xFF, 0xD8, 0xFF})) return ImageFormat::jpeg;
+  if (has({0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'})) return ImageFormat::png;
+  if (has({0xFF, 0xD8, 0xFF})) return ImageFormat::jpeg;
+  if (has({'R', 'I', 'F', 'F'}) && has({'W', 'E', 'B', 'P'}, 8)) return ImageFormat::webp;
+  if (has({0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, '\r', '\n', 0x1A, '\n'})) return ImageFormat::ktx2;
+  if (has({'D', 'D', 'S', ' '})) return ImageFormat::dds;
   return ImageFormat::unknown;
 }
 
 ImageFormat format_of_mime_type(std::string_view mime) {
-  if (mime == "image/png") return ImageFormat::png;
-  if (mime == "image/jpeg") return ImageFormat::jpeg;
+  for (const FormatName& known : kFormats)
+    if (mime == known.mime_type) return known.format;
   return ImageFormat::unknown;
 }
 
@@ -34,8 +46,8 @@ ImageFormat format_of_uri(std::string_view uri) {
   std::string extension;
   if (const std::size_t dot = uri.rfind('.'); dot != std::string_view::npos)
     for (const char c : uri.substr(dot)) extension += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".png") return ImageFormat::png;
-  if (extension == ".jpg" || extension == ".jpeg") return ImageFormat::jpeg;
+  for (const FormatName& known : kFormats)
+    if (extension == known.extension) return known.format;
   return ImageFormat::unknown;
 }
 
@@ -107,7 +119,8 @@ class ImageImporter {
     if (raw.bytes.empty()) return;
     const ImageFormat format = format_of_bytes(raw.bytes);
     if (format == ImageFormat::unknown) {
-      report_.mend(where, "image-format", "neither PNG nor JPEG, so it cannot be embedded; referred to by name");
+      report_.mend(where, "image-format",
+                   "no PNG, JPEG, WebP, KTX2 or DDS, so it cannot be embedded; referred to by name");
       raw.bytes.clear();
       return;
     }
@@ -137,19 +150,31 @@ void check_image_uris(const Json& root, Report& report) {
   }
 }
 
-std::vector<RawImage> import_images(const Document& document, const std::vector<RawMaterial>& materials,
+std::vector<RawImage> import_images(const Document& document, const Materials& materials,
                                     const std::optional<std::string>& folder, bool with_bytes, Budget& budget,
                                     std::uint64_t& external_bytes, Report& report) {
   const auto list = document.looks.find("images");
   std::vector<RawImage> images(list == document.looks.end() ? 0 : list->size());
   std::vector<bool> known(images.size(), false);
   ImageImporter importer(document, folder, budget, external_bytes, report);
-  for (const RawMaterial& material : materials) {
-    for (const Texture& texture : material.textures) {
-      if (known[texture.image]) continue;
-      known[texture.image] = true;
-      images[texture.image] = importer.import(texture.image, with_bytes);
-    }
+  const auto import = [&](std::size_t index) {
+    if (!known[index]) images[index] = importer.import(index, with_bytes);
+    known[index] = true;
+  };
+  for (const RawMaterial& material : materials.raw)
+    for (const Texture& texture : material.textures) import(texture.image);
+  for (const auto& [index, alternative] : materials.alternatives) {
+    RawImage& image = images[index];
+    if (image.format == ImageFormat::unknown) image.format = image.bytes.empty() ? alternative.format : image.format;
+    if (alternative.fallback == kNone || image.format <= ImageFormat::jpeg) continue;
+    const auto fallback = static_cast<std::size_t>(alternative.fallback);
+    import(fallback);
+    // Every decoder must know it; so a fallback has none itself.
+    if (images[fallback].format <= ImageFormat::jpeg)
+      image.fallback = alternative.fallback;
+    else
+      report.warn(pointer("images", index), "image-fallback",
+                  "what should stand in for it is no PNG or JPEG; left out");
   }
   return images;
 }

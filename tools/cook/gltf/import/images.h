@@ -7,6 +7,7 @@
 
 #include "cook/gltf/document/json.h"
 #include "cook/gltf/import/import.h"
+#include "cook/gltf/import/materials.h"
 
 namespace marrow::cook::gltf {
 
@@ -14,9 +15,9 @@ namespace marrow::cook::gltf {
 void check_image_uris(const Json& root, Report& report);
 
 // The document's images, by its numbering; those that no material uses stay empty. with_bytes: also reads them, which
-// must be PNG or JPEG; nothing is decoded. `folder` as for load_buffers(). `external_bytes` grows by what is read from
-// files.
-std::vector<RawImage> import_images(const Document& document, const std::vector<RawMaterial>& materials,
+// must be of a known format; nothing is decoded. `folder` as for load_buffers(). `external_bytes` grows by what is read
+// from files.
+std::vector<RawImage> import_images(const Document& document, const Materials& materials,
                                     const std::optional<std::string>& folder, bool with_bytes, Budget& budget,
                                     std::uint64_t& external_bytes, Report& report);
 

@@ -11,6 +11,7 @@ namespace marrow::cook::gltf {
 namespace {
 
 constexpr std::size_t kMostImages = 0xFFFF;  // Texture::image has 16 bits
+constexpr double kBrightest = 1e9;           // emitted light
 
 // glTF 2.0, section 5.26: what a sampler's numbers mean.
 std::optional<Wrap> wrap_of(std::int64_t code) {
@@ -52,6 +53,8 @@ class Importer {
     raw.double_sided = material.value("doubleSided", false);
     import_colour(material, where, raw);
     import_alpha(material, where, raw);
+    import_emission(material, where, raw);
+    raw.unlit = below(material, "extensions").contains("KHR_materials_unlit");
     std::optional<UvMapping> uvs;
     bool differ = false;
     for_each_texture(material, [&](TextureRole role, const Json& info, const std::string& below) {
@@ -70,15 +73,19 @@ class Importer {
 
  private:
   void import_colour(const Json& material, const std::string& where, RawMaterial& raw) {
-    const auto pbr = material.find("pbrMetallicRoughness");
-    if (pbr == material.end() || !pbr->contains("baseColorFactor")) return;
-    const Json& factor = pbr->at("baseColorFactor");
-    for (int c = 0; c < 4; ++c) {
+    const Json& metallic = below(material, "pbrMetallicRoughness");
+    const Json& specular = below(below(material, "extensions"), "KHR_materials_pbrSpecularGlossiness");
+    // Of a material with both models the first says; defaults are white.
+    const bool in_metallic = metallic.contains("baseColorFactor") || metallic.contains("baseColorTexture");
+    const Json& factor = in_metallic ? below(metallic, "baseColorFactor") : below(specular, "diffuseFactor");
+    const std::string place = in_metallic
+                                  ? under(where, "pbrMetallicRoughness", "baseColorFactor")
+                                  : under(where, "extensions", "KHR_materials_pbrSpecularGlossiness", "diffuseFactor");
+    for (int c = 0; c < 4 && factor.is_array(); ++c) {
       const double value = factor[static_cast<std::size_t>(c)].get<double>();
       raw.base_colour[c] = static_cast<float>(std::clamp(value, 0.0, 1.0));
       if (value < 0 || value > 1) {
-        report_.mend(under(where, "pbrMetallicRoughness", "baseColorFactor", c), "colours-clamped",
-                     "outside of 0 to 1");
+        report_.mend(under(place, c), "colours-clamped", "outside of 0 to 1");
       }
     }
   }
@@ -97,16 +104,49 @@ class Importer {
     if (raw.alpha == AlphaMode::mask) raw.alpha_cutoff = static_cast<float>(std::max(cutoff, 0.0));
   }
 
+  void import_emission(const Json& material, const std::string& where, RawMaterial& raw) {
+    const Json& factor = below(material, "emissiveFactor");
+    const Json& strength = below(below(material, "extensions"), "KHR_materials_emissive_strength");
+    for (int c = 0; c < 3 && factor.is_array(); ++c) {
+      const double value = factor[static_cast<std::size_t>(c)].get<double>();
+      if (value < 0) report_.mend(under(where, "emissiveFactor", c), "emission-negative", "taken as 0");
+      const double light = std::max(value, 0.0) * strength.value("emissiveStrength", 1.0);
+      raw.emissive[c] = static_cast<float>(std::min(light, kBrightest));
+    }
+  }
+
+  // Which image a texture shows; kNone: none. What its extensions name is preferred to what itself does.
+  int image_of(const Json& texture, const std::string& where) {
+    static constexpr struct {
+      const char* extension;
+      ImageFormat format;
+    } kAlternatives[] = {{"KHR_texture_basisu", ImageFormat::ktx2},
+                         {"MSFT_texture_dds", ImageFormat::dds},
+                         {"EXT_texture_webp", ImageFormat::webp}};
+    const auto source_of = [](const Json& object) { return object.value("source", kNone); };
+    const int own = source_of(texture);
+    int best = kNone;
+    for (const auto& [extension, format] : kAlternatives) {
+      const int other = source_of(below(below(texture, "extensions"), extension));
+      if (other == kNone) continue;
+      if (best != kNone)
+        report_.warn(where, "texture-alternative", std::string("its image by ") + extension + " is left out");
+      if (best == kNone) result.alternatives[static_cast<std::size_t>(other)] = {format, own};
+      if (best == kNone) best = other;
+    }
+    return best != kNone ? best : own;
+  }
+
   void import_texture(TextureRole role, const Json& info, const std::string& where, RawMaterial& raw) {
     const auto index = info.at("index").get<std::size_t>();
     const Json& texture = looks_.at("textures")[index];
-    const auto source = texture.find("source");
-    if (source == texture.end()) {
-      report_.warn(where, "texture-without-image", "it has no PNG or JPEG image; left out");
+    const int image = image_of(texture, pointer("textures", index));
+    if (image == kNone) {
+      report_.warn(where, "texture-without-image", "it has no image that is known here; left out");
       return;
     }
-    const auto image = source->get<std::size_t>();
-    if (image >= kMostImages) report_.unsupported(where, "too many images", "split the scene; 65535 is the limit");
+    if (looks_.at("images").size() > kMostImages)
+      report_.unsupported(where, "too many images", "split the scene; 65535 is the limit");
     Texture out{};
     out.image = static_cast<std::uint16_t>(image);
     out.role = role;

@@ -11,23 +11,29 @@ namespace marrow::cook::gltf {
 namespace {
 
 // Read in full.
-constexpr std::array<std::string_view, 6> kRead = {
-    "KHR_mesh_quantization",   "KHR_draco_mesh_compression", "EXT_meshopt_compression",
-    "KHR_meshopt_compression", "KHR_texture_transform",      "KHR_animation_pointer"};  // what it leaves out it says
+constexpr std::array<std::string_view, 12> kRead = {"KHR_mesh_quantization",
+                                                    "KHR_draco_mesh_compression",
+                                                    "EXT_meshopt_compression",
+                                                    "KHR_meshopt_compression",
+                                                    "KHR_texture_transform",
+                                                    "KHR_animation_pointer",  // what it leaves out it says
+                                                    "KHR_texture_basisu",
+                                                    "EXT_texture_webp",
+                                                    "MSFT_texture_dds",
+                                                    "KHR_materials_unlit",
+                                                    "KHR_materials_emissive_strength",
+                                                    "KHR_materials_pbrSpecularGlossiness"};
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
-constexpr std::array<std::string_view, 25> kHarmless = {"KHR_materials_anisotropy",
+constexpr std::array<std::string_view, 20> kHarmless = {"KHR_materials_anisotropy",
                                                         "KHR_materials_clearcoat",
                                                         "KHR_materials_diffuse_transmission",
                                                         "KHR_materials_dispersion",
-                                                        "KHR_materials_emissive_strength",
                                                         "KHR_materials_ior",
                                                         "KHR_materials_iridescence",
-                                                        "KHR_materials_pbrSpecularGlossiness",
                                                         "KHR_materials_sheen",
                                                         "KHR_materials_specular",
                                                         "KHR_materials_transmission",
-                                                        "KHR_materials_unlit",
                                                         "KHR_materials_variants",
                                                         "KHR_materials_volume",
                                                         "KHR_lights_punctual",
@@ -38,9 +44,7 @@ constexpr std::array<std::string_view, 25> kHarmless = {"KHR_materials_anisotrop
                                                         "KHR_node_selectability",
                                                         "EXT_lights_image_based",
                                                         "FB_ngon_encoding",
-                                                        "EXT_texture_webp",
-                                                        "EXT_texture_avif",
-                                                        "MSFT_texture_dds"};
+                                                        "EXT_texture_avif"};
 
 struct Version {
   int major = 0;

@@ -10,6 +10,12 @@ glm::vec2 UvMapping::apply(glm::vec2 uv) const {
   return {static_cast<float>(c * u + s * v + offset[0]), static_cast<float>(c * v - s * u + offset[1])};
 }
 
+const Json& below(const Json& object, const char* name) {
+  static const Json kNothing = Json::object();
+  const auto member = object.find(name);
+  return member == object.end() ? kNothing : *member;
+}
+
 UvMapping read_uv_mapping(const Json& info) {
   UvMapping mapping;
   mapping.set = info.value("texCoord", std::size_t{0});

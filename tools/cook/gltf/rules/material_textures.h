@@ -28,21 +28,29 @@ struct UvMapping {
 // Of a textureInfo object.
 UvMapping read_uv_mapping(const Json& info);
 
+// An object of a material below `name`, or one without members. Extensions: below "extensions".
+const Json& below(const Json& object, const char* name);
+
 // Calls visit(role, textureInfo, its JSON pointer below the material's) for every texture of a material in the order of
-// TextureRole.
+// TextureRole. KHR_materials_pbrSpecularGlossiness fills in what the material's metallic-roughness does not say.
 template <class Visit>
 void for_each_texture(const Json& material, const Visit& visit) {
-  static const Json kNoPbr = Json::object();
-  const auto pbr = material.find("pbrMetallicRoughness");
   const auto look = [&](TextureRole role, const Json& object, const char* name, const std::string& where) {
-    if (const auto info = object.find(name); info != object.end()) visit(role, *info, under(where, name));
+    const auto info = object.find(name);
+    if (info != object.end()) visit(role, *info, under(where, name));
+    return info != object.end();
   };
-  const Json& metallic_roughness = pbr == material.end() ? kNoPbr : *pbr;
-  look(TextureRole::base_colour, metallic_roughness, "baseColorTexture", "/pbrMetallicRoughness");
-  look(TextureRole::metallic_roughness, metallic_roughness, "metallicRoughnessTexture", "/pbrMetallicRoughness");
+  const std::string in_metallic = "/pbrMetallicRoughness",
+                    in_specular = "/extensions/KHR_materials_pbrSpecularGlossiness";
+  const Json& metallic = below(material, "pbrMetallicRoughness");
+  const Json& specular = below(below(material, "extensions"), "KHR_materials_pbrSpecularGlossiness");
+  if (!look(TextureRole::base_colour, metallic, "baseColorTexture", in_metallic))
+    look(TextureRole::base_colour, specular, "diffuseTexture", in_specular);
+  const bool is_metallic = look(TextureRole::metallic_roughness, metallic, "metallicRoughnessTexture", in_metallic);
   look(TextureRole::normal, material, "normalTexture", "");
   look(TextureRole::occlusion, material, "occlusionTexture", "");
   look(TextureRole::emissive, material, "emissiveTexture", "");
+  if (!is_metallic) look(TextureRole::specular_glossiness, specular, "specularGlossinessTexture", in_specular);
 }
 
 }  // namespace marrow::cook::gltf

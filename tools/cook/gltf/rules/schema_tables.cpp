@@ -109,7 +109,14 @@ constexpr Schema kBufferViewSchema{kBufferView};
 
 constexpr Property kImage[] = {text("uri"), text("mimeType"), index_of("bufferView", "bufferViews")};
 constexpr Schema kImageSchema{kImage};
-constexpr Property kTexture[] = {index_of("sampler", "samplers"), index_of("source", "images")};
+constexpr Property kOtherImage[] = {index_of("source", "images")};
+constexpr Schema kOtherImageSchema{kOtherImage};
+constexpr Property kTextureExtensions[] = {object("KHR_texture_basisu", kOtherImageSchema),
+                                           object("MSFT_texture_dds", kOtherImageSchema),
+                                           object("EXT_texture_webp", kOtherImageSchema)};
+constexpr Schema kTextureExtensionsSchema{kTextureExtensions, true};
+constexpr Property kTexture[] = {index_of("sampler", "samplers"), index_of("source", "images"),
+                                 object("extensions", kTextureExtensionsSchema)};
 constexpr Schema kTextureSchema{kTexture};
 
 constexpr Property kSampler[] = {code("magFilter", false), code("minFilter", false), code("wrapS", false),
@@ -132,6 +139,16 @@ constexpr Property kPbr[] = {numbers("baseColorFactor", 4, 4),
                              {.name = "roughnessFactor", .kind = Kind::number},
                              object("metallicRoughnessTexture", kTextureInfoSchema)};
 constexpr Schema kPbrSchema{kPbr};
+constexpr Property kSpecularGlossiness[] = {numbers("diffuseFactor", 4, 4),
+                                            object("diffuseTexture", kTextureInfoSchema),
+                                            object("specularGlossinessTexture", kTextureInfoSchema)};
+constexpr Schema kSpecularGlossinessSchema{kSpecularGlossiness, true};  // and two factors
+constexpr Property kEmissiveStrength[] = {{.name = "emissiveStrength", .kind = Kind::number, .min = 0}};
+constexpr Schema kEmissiveStrengthSchema{kEmissiveStrength};
+constexpr Property kMaterialExtensions[] = {object("KHR_materials_pbrSpecularGlossiness", kSpecularGlossinessSchema),
+                                            object("KHR_materials_emissive_strength", kEmissiveStrengthSchema),
+                                            object("KHR_materials_unlit", kOpen)};
+constexpr Schema kMaterialExtensionsSchema{kMaterialExtensions, true};
 constexpr Property kMaterial[] = {object("pbrMetallicRoughness", kPbrSchema),
                                   object("normalTexture", kTextureInfoSchema),
                                   object("occlusionTexture", kTextureInfoSchema),
@@ -139,7 +156,8 @@ constexpr Property kMaterial[] = {object("pbrMetallicRoughness", kPbrSchema),
                                   numbers("emissiveFactor", 3, 3),
                                   text("alphaMode"),
                                   {.name = "alphaCutoff", .kind = Kind::number},
-                                  flag("doubleSided")};
+                                  flag("doubleSided"),
+                                  object("extensions", kMaterialExtensionsSchema)};
 constexpr Schema kMaterialSchema{kMaterial};
 
 constexpr Property kDraco[] = {index_of("bufferView", "bufferViews", true),
