@@ -13,8 +13,8 @@ Watch::Stamp Watch::stamp(const std::string& path) {
 }
 
 std::timespec Watch::now() {
-  // Files are stamped by a clock that ticks, and not later than it.
   std::timespec time = {};
+  // Some file systems stamp by this clock, which ticks: it is never ahead of the other.
   ::clock_gettime(CLOCK_REALTIME_COARSE, &time);
   return time;
 }
@@ -23,7 +23,8 @@ void Watch::set(std::vector<std::string> paths, std::timespec since) {
   paths_ = std::move(paths);
   known_.clear();
   using Time = std::pair<std::int64_t, std::int64_t>;
-  const std::timespec until = now();
+  std::timespec until = {};
+  ::clock_gettime(CLOCK_REALTIME, &until);
   for (const std::string& path : paths_) {
     const Stamp found = stamp(path);
     const Time time(found.seconds, found.nanoseconds);

@@ -17,7 +17,7 @@ class Watch {
   // still being written has not changed yet. A file that is gone has. Cost: a stat() a file.
   bool changed();
 
-  // Of the clock by which files are stamped.
+  // No later than the stamp of what is written after it.
   static std::timespec now();
 
  private:

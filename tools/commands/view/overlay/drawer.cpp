@@ -1,5 +1,6 @@
 #include "commands/view/overlay/drawer.h"
 
+#include <cmath>
 #include <utility>
 
 #include <glm/vec4.hpp>
@@ -7,7 +8,7 @@
 namespace marrow::tools {
 namespace {
 
-constexpr ImU32 kDark = IM_COL32(12, 16, 20, 190);
+constexpr ImU32 kDark = IM_COL32(12, 16, 20, 190), kBehindWords = IM_COL32(12, 16, 20, 130);
 
 ImVec2 in_window(const glm::vec4& clip, float left) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -63,8 +64,13 @@ void Drawer::square(glm::vec3 at, float radius, ImU32 colour) {
 void Drawer::words(glm::vec3 at, const std::string& text, ImU32 colour) {
   const std::optional<ImVec2> where = project(at);
   if (!where) return;
-  const ImVec2 corner(where->x + 7, where->y - 0.5f * ImGui::GetFontSize());
-  list_.AddText({corner.x + 1, corner.y + 1}, kDark, text.c_str());
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 corner(std::round(where->x + 8), std::round(where->y - 0.5f * size.y));
+  const ImVec4 box(corner.x - 2, corner.y - 1, corner.x + size.x + 2, corner.y + size.y + 1);
+  for (const ImVec4& other : taken_)
+    if (box.x < other.z && other.x < box.z && box.y < other.w && other.y < box.w) return;
+  taken_.push_back(box);
+  list_.AddRectFilled({box.x, box.y}, {box.z, box.w}, kBehindWords, 2);
   list_.AddText(corner, colour, text.c_str());
 }
 

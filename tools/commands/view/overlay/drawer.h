@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -27,13 +28,14 @@ class Drawer {
   void line(glm::vec3 from, glm::vec3 to, ImU32 colour, float width);
   void point(glm::vec3 at, float radius, ImU32 colour);
   void square(glm::vec3 at, float radius, ImU32 colour);
-  // To the right of the place.
+  // To the right of the place, unless that would be over other words: what is more important comes first.
   void words(glm::vec3 at, const std::string& text, ImU32 colour);
 
  private:
   Camera camera_;
   float left_;
   ImDrawList& list_;
+  std::vector<ImVec4> taken_;  // by words: left, top, right, bottom
 };
 
 inline glm::vec3 place_of(const Affine& joint) {

@@ -129,6 +129,14 @@ void draw_trail(Actor& actor, const Settings& s, Drawer& drawer) {
   for (const glm::vec3& place : curves->places) drawer.point(place, 1.6f, kTrail);
 }
 
+// The chosen joint's before all others.
+void draw_names(const Actor& actor, const Settings& s, Drawer& drawer) {
+  const std::vector<NamedJoint>& joints = actor.joints();
+  if (s.picked && !joints.empty()) drawer.words(place_of(actor, s.joint), joints[s.joint].name, kChosen);
+  for (std::size_t i = 0; i < joints.size() && s.overlays.names; ++i)
+    if (!s.picked || i != s.joint) drawer.words(place_of(actor, i), joints[i].name, kBone);
+}
+
 }  // namespace
 
 void draw_joints(Actor& actor, const Settings& s, Drawer& drawer) {
@@ -148,12 +156,9 @@ void draw_joints(Actor& actor, const Settings& s, Drawer& drawer) {
       draw_axes(actor.character().scene_from_joint(joints[i].skeleton)[joints[i].joint], chosen ? 2 * axis : axis,
                 drawer, chosen ? 2.5f : 1.4f);
     if (s.overlays.bones && !chosen) drawer.point(at, 2.2f, kBone);
-    if (s.overlays.names && !chosen) drawer.words(at, joints[i].name, kBone);
   }
-  if (marked && !joints.empty()) {
-    drawer.point(place_of(actor, s.joint), 5, kChosen);
-    if (s.picked) drawer.words(place_of(actor, s.joint), joints[s.joint].name, kChosen);
-  }
+  if (marked && !joints.empty()) drawer.point(place_of(actor, s.joint), 5, kChosen);
+  draw_names(actor, s, drawer);
   for (const std::string& goal : s.reach.goals) drawer.square(point_of(goal), 7, kGoal);
 }
 

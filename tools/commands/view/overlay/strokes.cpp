@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "commands/view/stage/timeline.h"
-#include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {
 
-constexpr glm::vec4 kGrid{0.02f, 0.03f, 0.04f, 0.28f}, kGridMiddle{0.02f, 0.03f, 0.04f, 0.7f};
+constexpr glm::vec4 kGrid{0.02f, 0.03f, 0.04f, 0.22f}, kGridTenth{0.02f, 0.03f, 0.04f, 0.7f};
 constexpr glm::vec4 kWire{0.01f, 0.02f, 0.03f, 0.75f}, kNormal{0.05f, 0.45f, 0.9f, 0.9f};
 // Before the moment and after it: the colours of animators' light tables.
 constexpr glm::vec3 kBefore{0.9f, 0.16f, 0.08f}, kAfter{0.05f, 0.45f, 0.12f};
-constexpr int kSquares = 10;  // each way from the middle
+constexpr float kGridReach = 2.2f;  // radii, each way from the figure
 
 glm::vec3 at(const std::vector<float>& values, std::size_t slot) {
   return {values[3 * slot], values[3 * slot + 1], values[3 * slot + 2]};
@@ -26,16 +26,21 @@ std::uint32_t index(const Geometry& g, std::size_t i) {
                             : static_cast<const std::uint32_t*>(g.indices)[i];
 }
 
+// Every tenth line from the origin is darker.
 void add_grid(const Shot& shot, Strokes& strokes) {
-  const float square = grid_square(shot.radius), half = kSquares * square;
-  const float x0 = square * std::round(shot.box.centre().x / square),
-              z0 = square * std::round(shot.box.centre().z / square);
-  const float y = shot.ground_height;
-  for (int i = -kSquares; i <= kSquares; ++i) {
-    const float x = x0 + static_cast<float>(i) * square, z = z0 + static_cast<float>(i) * square;
-    const auto colour = [&](float from_origin) { return std::abs(from_origin) < 0.5f * square ? kGridMiddle : kGrid; };
-    strokes.line({x, y, z0 - half}, {x, y, z0 + half}, colour(x));
-    strokes.line({x0 - half, y, z}, {x0 + half, y, z}, colour(z));
+  const float square = grid_square(shot.radius), y = shot.ground_height;
+  const auto nearest = [&](float at_m) { return static_cast<int>(std::lround(at_m / square)); };
+  const glm::vec3 centre = shot.box.centre();
+  if (std::abs(centre.x) > 1e6f * square || std::abs(centre.z) > 1e6f * square) return;
+  const int reach = static_cast<int>(std::ceil(kGridReach * shot.radius / square));
+  const int x0 = nearest(centre.x), z0 = nearest(centre.z);
+  const auto colour = [](int line) { return line % 10 == 0 ? kGridTenth : kGrid; };
+  const auto place = [&](int x, int z) {
+    return glm::vec3(static_cast<float>(x) * square, y, static_cast<float>(z) * square);
+  };
+  for (int i = -reach; i <= reach; ++i) {
+    strokes.line(place(x0 + i, z0 - reach), place(x0 + i, z0 + reach), colour(x0 + i));
+    strokes.line(place(x0 - reach, z0 + i), place(x0 + reach, z0 + i), colour(z0 + i));
   }
 }
 
@@ -66,7 +71,7 @@ void add_ghost(const Geometry& g, const PosedMesh& posed, glm::vec3 colour, floa
     if (!posed.normals.empty())
       facing = std::abs(glm::dot(glm::normalize(shot.camera.position - place), at(posed.normals, slot)));
     const float edge = 1 - std::min(facing, 1.0f);
-    return Strokes::Corner{place, {colour, strength * (0.08f + 0.6f * edge * edge)}};
+    return Strokes::Corner{place, {colour, strength * (0.03f + 0.55f * edge * edge)}};
   };
   for (std::size_t i = 0; i + 2 < g.index_count; i += 3)
     strokes.face(corner(index(g, i)), corner(index(g, i + 1)), corner(index(g, i + 2)));
@@ -94,7 +99,9 @@ float grid_square(float radius) {
 }
 
 std::string length_of_square(float radius) {
-  return length_text(static_cast<double>(grid_square(radius)));
+  const double metres = static_cast<double>(grid_square(radius));
+  if (metres > 0.9) return fmt::format("{:.6g} m", metres);
+  return metres > 0.009 ? fmt::format("{:.3g} cm", 100 * metres) : fmt::format("{:.3g} mm", 1000 * metres);
 }
 
 void add_strokes(Actor& actor, const Settings& s, const Shot& shot, Strokes& strokes) {

@@ -29,12 +29,11 @@ void frame_row(const Actor& actor, float scale, Settings& s) {
   ImGui::SameLine(0, gap);
   if (ImGui::Button(">", {button, 0})) go(stepped(s.playback.time_s, 1, duration_s, rate));
   label("a second", scale);
-  constexpr float kRates[] = {0, 24, 25, 30, 60};
+  constexpr float kRates[] = {0, 24, 25, 30, 50, 60};
   const auto name = [&](std::size_t i) {
     if (kRates[i] > 0) return fmt::format("{:.0f} frames", kRates[i]);
-    Settings own = s;
-    own.rate_hz = 0;
-    return fmt::format("{:.0f} frames, the clip's own", actor.rate_hz(own));
+    const float own = actor.own_rate_hz(s.clip);
+    return own > 0 ? fmt::format("{:.0f} frames, the clip's own", own) : std::string("30 frames");
   };
   auto chosen = static_cast<std::size_t>(std::ranges::find(kRates, s.rate_hz) - kRates);
   if (combo("##rate", std::size(kRates), name, chosen)) s.rate_hz = kRates[chosen];

@@ -10,7 +10,7 @@ void overlay_section(const Actor& actor, float scale, Settings& s) {
   if (!section("Overlays", true)) return;
   int column = 0;
   for (const auto& [name, flag] : kOverlays) {
-    if (column++ % 3 != 0) ImGui::SameLine(static_cast<float>((column - 1) % 3) * 98 * scale + 14 * scale);
+    if (column++ % 3 != 0) ImGui::SameLine(static_cast<float>((column - 1) % 3) * 90 * scale + 14 * scale);
     ImGui::Checkbox(name, &(s.overlays.*flag));
   }
   if (s.overlays.grid) quiet("a square of the grid: " + length_of_square(actor.performance().radius()));

@@ -85,7 +85,7 @@ void colour_section(const Actor& actor, float scale, Settings& s) {
                                                    {Colours::weights, "weights"},
                                                    {Colours::uv, "UV"}};
   for (const auto& [kind, name] : kinds) {
-    if (kind != Colours::surface) ImGui::SameLine();
+    if (kind != Colours::surface) ImGui::SameLine(0, 4 * scale);
     ImGui::BeginDisabled(kind == Colours::weights && actor.joints().empty());
     if (ImGui::RadioButton(name, s.colours == kind)) s.colours = kind;
     ImGui::EndDisabled();
@@ -216,7 +216,7 @@ void show_notes(const std::string& busy_with, const std::string& error, float le
   ImGui::SetNextWindowPos({left + margin, margin});
   ImGui::SetNextWindowSize({window.x - left - 2 * margin, 0});
   ImGui::PushStyleColor(ImGuiCol_WindowBg,
-                        error.empty() ? ImVec4(0.10f, 0.125f, 0.15f, 0.95f) : ImVec4(0.42f, 0.11f, 0.09f, 0.96f));
+                        error.empty() ? ImVec4(0.10f, 0.125f, 0.15f, 1) : ImVec4(0.42f, 0.11f, 0.09f, 1));
   ImGui::Begin("notes", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoSavedSettings);

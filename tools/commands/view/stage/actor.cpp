@@ -11,6 +11,7 @@ namespace marrow::tools {
 namespace {
 
 constexpr int kMostMoments = 1024;
+constexpr float kUsualRate_hz = 30;
 
 float milliseconds_of(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -101,12 +102,17 @@ void Actor::make(const Made& wanted) {
 
 float Actor::rate_hz(const Settings& settings) const {
   if (settings.rate_hz > 0) return settings.rate_hz;
+  const float own = own_rate_hz(settings.clip);
+  return own > 0 ? own : kUsualRate_hz;
+}
+
+float Actor::own_rate_hz(std::size_t play) const {
   for (std::uint32_t s = 0; s < file().skeleton_count(); ++s) {
-    const std::optional<Clip> clip = plays_[settings.clip].play.clip(s);
+    const std::optional<Clip> clip = plays_[play].play.clip(s);
     if (clip && clip->coded.frame_count > 0 && clip->coded.frames_per_s >= 1)
       return std::min(std::round(clip->coded.frames_per_s), 240.0f);
   }
-  return 30;
+  return 0;
 }
 
 JointTransform Actor::local(std::size_t joint) const {

@@ -57,6 +57,8 @@ class Actor {
   const Rig& rig() const { return rig_; }
   // Frames a second: what the settings say, else the clip's own, else 30.
   float rate_hz(const Settings& settings) const;
+  // Of a play whose keys stand at even steps; 0: it has none.
+  float own_rate_hz(std::size_t play) const;
   // The local transform of a joint of joints() in the last pose.
   JointTransform local(std::size_t joint) const;
   // The curves of the chosen joint over the chosen clip; null: nothing moves. Made when they are first asked for.
