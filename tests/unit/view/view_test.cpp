@@ -7,11 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include "commands/view/files/source.h"
 #include "commands/view/files/watch.h"
 #include "commands/view/overlay/strokes.h"
 #include "commands/view/stage/record.h"
 #include "commands/view/stage/rig.h"
 #include "commands/view/stage/timeline.h"
+#include "marrow/limits.h"
+#include "support/places.h"
 
 namespace marrow::tools {
 namespace {
@@ -47,6 +50,98 @@ TEST(Chain, GoesDownByFirstChildren) {
   EXPECT_EQ(chain_below(skeleton, 0), (std::vector<std::uint16_t>{0, 1, 3, 5}));
   EXPECT_EQ(chain_below(skeleton, 2), (std::vector<std::uint16_t>{2, 4}));
   EXPECT_EQ(chain_below(skeleton, 5), (std::vector<std::uint16_t>{5}));
+}
+
+TEST(Rig, HoldsWeightsOfTargetsByHand) {
+  const Source source = open_source(test::in_golden("face.gltf"), "");
+  EXPECT_TRUE(source.cooked_here);
+  Character character(source.loaded.file);
+  Rig rig(source.loaded.file);
+  Settings settings;
+  settings.weights = {{1, 0.4f}, {3, 2.0f}};
+  rig.prepare(settings, 0, 0, 0);
+  character.set_weigh([&](std::uint32_t mesh, Span<float> weights) { rig.weigh(mesh, weights); });
+  character.pose({}, 0);
+  // The others as the file has them.
+  EXPECT_EQ(std::vector<float>(character.weights(0).begin(), character.weights(0).end()),
+            (std::vector<float>{0.5f, 0.4f}));
+  EXPECT_EQ(std::vector<float>(character.weights(1).begin(), character.weights(1).end()),
+            (std::vector<float>{0.25f, 2.0f}));
+}
+
+// Poses `clip` at its end; what the rig leaves of it.
+std::vector<SoaTransform> ridden(const File& file, Rig& rig, const char* clip) {
+  Character character(file);
+  std::vector<SoaTransform> out;
+  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
+    rig.change(skeleton, local, scene_from_joint);
+    if (skeleton == 0) out.assign(local.begin(), local.end());
+  });
+  const Play play = play_together(file, file.find_clip(clip));
+  character.pose(play, play.duration_s);
+  return out;
+}
+
+TEST(Rig, KeepsLimitsWhereItIsAsked) {
+  const Source source = open_source(test::in_golden("limits.gltf"), "");
+  const Skeleton skeleton = source.loaded.file.skeleton(0);
+  ASSERT_GE(skeleton.limits.size, 3u);
+  Rig rig(source.loaded.file);
+  float most[2] = {0, 0};
+  for (const bool limited : {false, true}) {
+    Settings settings;
+    settings.limits = limited;
+    rig.prepare(settings, 0, 0, 0);
+    const std::vector<SoaTransform> local = ridden(source.loaded.file, rig, "bend");
+    for (const JointLimit& limit : skeleton.limits) {
+      JointTransform t;
+      ASSERT_EQ(get_joint(local, limit.joint, t), Status::ok);
+      most[limited] = std::max(most[limited], limit_excess(limit, t.rotation));
+    }
+  }
+  EXPECT_GT(most[false], 0.1f);
+  EXPECT_LT(most[true], 1e-4f);
+}
+
+// The arm lies along -x; its weight takes the wrist down.
+TEST(Rig, SpringsHangDownBelowAJoint) {
+  const Source source = open_source(test::in_golden("tiny.gltf"), "");
+  const File& file = source.loaded.file;
+  Character character(file);
+  Rig rig(file);
+  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
+    rig.change(skeleton, local, scene_from_joint);
+  });
+  Settings settings;
+  rig.prepare(settings, 0, 0, 0);
+  character.pose({}, 0);
+  const float before_m = character.scene_from_joint(0)[2].rows[1][3];
+  settings.springs = true;
+  settings.spring.frequency_hz = 0.5f;
+  for (int frame = 0; frame < 120; ++frame) {
+    rig.prepare(settings, 0, 0, 1.0f / 60);
+    character.pose({}, 0);
+  }
+  EXPECT_TRUE(rig.trouble().empty()) << rig.trouble();
+  EXPECT_LT(character.scene_from_joint(0)[2].rows[1][3], before_m - 0.5f);
+  // The last joint of a chain has no bone.
+  rig.prepare(settings, 0, 2, 1.0f / 60);
+  EXPECT_FALSE(rig.trouble().empty());
+}
+
+TEST(Curves, FollowAJointOverTheClip) {
+  const Source source = open_source(test::in_golden("limits.gltf"), "");
+  const File& file = source.loaded.file;
+  const JointCurves curves = record_joint(file, play_together(file, file.find_clip("bend")), 0, 1, 9);
+  ASSERT_EQ(curves.places.size(), 9u);
+  for (int axis = 0; axis < 3; ++axis) {
+    ASSERT_EQ(curves.rotation_deg[axis].size(), 9u);
+    for (std::size_t i = 1; i < 9; ++i)
+      EXPECT_LT(std::abs(curves.rotation_deg[axis][i] - curves.rotation_deg[axis][i - 1]), 180) << axis << ' ' << i;
+    for (const float scale : curves.scale[axis]) EXPECT_NEAR(scale, 1, 1e-5f);
+  }
+  // The knee's place below the hip stays what the source says.
+  for (const float y : curves.translation[1]) EXPECT_NEAR(y, -0.5f, 1e-4f);
 }
 
 TEST(Grid, HasSquaresOfPowersOfTen) {

@@ -9,6 +9,7 @@ void add_view(CLI::App& app, int&) {
   static ViewArguments a;  // as long as the options that point at it
   CLI::App* const command = app.add_subcommand("view", "Show a character in a window, with a panel for all of it");
   add_look(command, a, kPosedPaths);
+  command->get_option("file")->description("the cooked file, or glTF, which is cooked in memory");
   add_reach(command, a.reach);
   command->add_flag("--bones", a.bones, "draw the skeleton over it, as --show bones");
   std::vector<std::string> shown{"uv"};
@@ -19,6 +20,7 @@ void add_view(CLI::App& app, int&) {
                    "over the clip, a ground grid, wireframe, normals, a checker by UV")
       ->type_name("WHAT,...")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(shown));
   command->add_option("--ghosts", a.ghosts, "so many poses before and after, see-through")
       ->type_name("N")

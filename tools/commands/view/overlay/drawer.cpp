@@ -65,7 +65,8 @@ void Drawer::words(glm::vec3 at, const std::string& text, ImU32 colour) {
   const std::optional<ImVec2> where = project(at);
   if (!where) return;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 corner(std::round(where->x + 8), std::round(where->y - 0.5f * size.y));
+  const bool fits = where->x + 8 + size.x <= ImGui::GetIO().DisplaySize.x;
+  const ImVec2 corner(std::round(fits ? where->x + 8 : where->x - 8 - size.x), std::round(where->y - 0.5f * size.y));
   const ImVec4 box(corner.x - 2, corner.y - 1, corner.x + size.x + 2, corner.y + size.y + 1);
   for (const ImVec4& other : taken_)
     if (box.x < other.z && other.x < box.z && box.y < other.w && other.y < box.w) return;

@@ -28,7 +28,8 @@ class Drawer {
   void line(glm::vec3 from, glm::vec3 to, ImU32 colour, float width);
   void point(glm::vec3 at, float radius, ImU32 colour);
   void square(glm::vec3 at, float radius, ImU32 colour);
-  // To the right of the place, unless that would be over other words: what is more important comes first.
+  // To the right of the place, or, where the window ends, to the left; not at all if that would be over other words:
+  // what is more important comes first.
   void words(glm::vec3 at, const std::string& text, ImU32 colour);
 
  private:
