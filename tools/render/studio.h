@@ -15,7 +15,7 @@
 #include "marrow/gles3_skinner.h"
 #include "render/camera.h"
 #include "render/gl.h"
-#include "render/strokes.h"
+#include "render/overlay/strokes.h"
 #include "render/textures.h"
 
 namespace marrow::tools {

@@ -9,9 +9,9 @@
 
 #include "commands/view/files/source.h"
 #include "commands/view/files/watch.h"
-#include "commands/view/overlay/strokes.h"
-#include "commands/view/stage/record.h"
-#include "commands/view/stage/rig.h"
+#include "commands/view/overlay/among_figures.h"
+#include "commands/view/stage/recording.h"
+#include "commands/view/stage/rigging.h"
 #include "commands/view/stage/timeline.h"
 #include "marrow/limits.h"
 #include "support/places.h"

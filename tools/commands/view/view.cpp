@@ -11,8 +11,8 @@
 #include <backends/imgui_impl_glfw.h>
 
 #include "commands/view/files/opening.h"
+#include "commands/view/overlay/among_figures.h"
 #include "commands/view/overlay/picture.h"
-#include "commands/view/overlay/strokes.h"
 #include "commands/view/painter.h"
 #include "commands/view/panel/panel.h"
 #include "commands/view/stage/actor.h"

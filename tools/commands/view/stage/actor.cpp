@@ -109,7 +109,7 @@ float Actor::rate_hz(const Settings& settings) const {
 float Actor::own_rate_hz(std::size_t play) const {
   for (std::uint32_t s = 0; s < file().skeleton_count(); ++s) {
     const std::optional<Clip> clip = plays_[play].play.clip(s);
-    if (clip && clip->coded.frame_count > 0 && clip->coded.frames_per_s >= 1)
+    if (clip && clip->coded.frame_count > 0 && clip->coded.times_s == nullptr && clip->coded.frames_per_s >= 1)
       return std::min(std::round(clip->coded.frames_per_s), 240.0f);
   }
   return 0;

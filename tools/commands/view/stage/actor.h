@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "commands/view/files/source.h"
-#include "commands/view/stage/record.h"
-#include "commands/view/stage/rig.h"
+#include "commands/view/stage/recording.h"
+#include "commands/view/stage/rigging.h"
 #include "commands/view/stage/view_settings.h"
 #include "render/figure.h"
 #include "render/performance.h"

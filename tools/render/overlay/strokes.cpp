@@ -1,4 +1,4 @@
-#include "render/strokes.h"
+#include "render/overlay/strokes.h"
 
 #include <array>
 #include <cstddef>

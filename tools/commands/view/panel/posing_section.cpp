@@ -58,7 +58,7 @@ bool has_limits(const File& file) {
 }  // namespace
 
 void pose_section(const Actor& actor, float scale, Settings& s) {
-  if (!section("Limits, goals, springs", false)) return;
+  if (!section("Limits, goals, springs", s.limits || s.springs || !s.reach.goals.empty())) return;
   ImGui::BeginDisabled(!has_limits(actor.file()));
   ImGui::Checkbox(has_limits(actor.file()) ? "within the file's limits" : "the file has no limits", &s.limits);
   ImGui::EndDisabled();

@@ -5,7 +5,7 @@
 
 #include "commands/view/stage/actor.h"
 #include "commands/view/stage/view_settings.h"
-#include "render/strokes.h"
+#include "render/overlay/strokes.h"
 
 namespace marrow::tools {
 

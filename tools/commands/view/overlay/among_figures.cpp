@@ -1,4 +1,4 @@
-#include "commands/view/overlay/strokes.h"
+#include "commands/view/overlay/among_figures.h"
 
 #include <algorithm>
 #include <cmath>

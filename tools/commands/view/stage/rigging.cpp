@@ -1,4 +1,4 @@
-#include "commands/view/stage/rig.h"
+#include "commands/view/stage/rigging.h"
 
 #include <algorithm>
 

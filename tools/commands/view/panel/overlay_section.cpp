@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "commands/view/overlay/strokes.h"
+#include "commands/view/overlay/among_figures.h"
 #include "commands/view/panel/sections.h"
 #include "commands/view/panel/widgets.h"
 
