@@ -4,12 +4,12 @@
 #        tools/test.sh all          every preset, driver and model, as before a release: about an hour
 #        tools/test.sh PRESET ...   all tests of these presets: release asan tsan scalar aarch64 dev
 #        tools/test.sh PART ...     a warm loop: builds and runs these alone, by preset dev. A PART is runtime format misuse ik input
-#                                   cook workflow deform road bench cli gl; GTEST_FILTER=PATTERN picks tests of it
+#                                   cook workflow deform road bench cli view gl; GTEST_FILTER=PATTERN picks tests of it
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$here"
 presets=" release asan tsan scalar aarch64 dev "
-parts=" runtime format misuse ik input cook workflow deform road bench cli gl "
+parts=" runtime format misuse ik input cook workflow deform road bench cli view gl "
 usage() { sed -n '3,7s/^# \{0,1\}//p' "$0" >&2; exit 1; }
 
 # Runs a command and notes what it took, under a name.

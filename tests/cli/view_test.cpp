@@ -1,6 +1,9 @@
 // `marrow view` in a window of a screen that nobody sees.
 #ifdef MARROW_HAS_VIEW
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -56,8 +59,45 @@ class ViewTest : public ::testing::Test {
     return picture(folder_ / "w.png", kWindowWidth, kWindowHeight);
   }
 
+  // The same with a hand at the window, for so many frames.
+  std::vector<png_byte> by_hand(const std::string& acts, std::vector<std::string> options, int frames = 12) const {
+    std::vector<std::string> all = {
+        "xvfb-run", "-a",  "-s", "-screen 0 800x600x24", "env", "LD_PRELOAD=" + hand_shim(), "MARROW_HAND=" + acts,
+        program(),  "view"};
+    options.insert(options.end(),
+                   {"--size", "480x360", "--screenshot", folder_ / "h.png", "--frames", std::to_string(frames)});
+    all.insert(all.end(), options.begin(), options.end());
+    const Ran ran = run_program(all);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return picture(folder_ / "h.png", kWindowWidth, kWindowHeight);
+  }
+  std::vector<png_byte> shot_of(const std::string& file, std::vector<std::string> options) const {
+    options.insert(options.begin(), file);
+    return by_hand("", options, 3);
+  }
+
   TemporaryFolder folder_;
 };
+
+// The middle of the pixels of this colour beside the panel; none: nothing.
+std::optional<std::pair<double, double>> middle_of(const std::vector<png_byte>& shot, int red, int green, int blue) {
+  double x_sum = 0, y_sum = 0, count = 0;
+  for (int y = 0; y < kWindowHeight; ++y) {
+    for (int x = kPanelPixels; x < kWindowWidth; ++x) {
+      const png_byte* const p = &shot[static_cast<std::size_t>(3 * (y * kWindowWidth + x))];
+      if (p[0] != red || p[1] != green || p[2] != blue) continue;
+      x_sum += x;
+      y_sum += y;
+      count += 1;
+    }
+  }
+  if (count == 0) return std::nullopt;
+  return std::pair(x_sum / count, y_sum / count);
+}
+
+std::string coordinates(double x, double y) {
+  return std::to_string(std::lround(x)) + " " + std::to_string(std::lround(y));
+}
 
 // Share of the pixels in these columns that differ by more than a rounding.
 double difference(const std::vector<png_byte>& a, const std::vector<png_byte>& b, int first, int end) {
@@ -101,12 +141,25 @@ TEST_F(ViewTest, ShowsThePictureBesideThePanel) {
 TEST_F(ViewTest, OptionsAreWhereThePanelBegins) {
   const std::vector<std::string> at = {"--clip", "wave", "--time", "0.5"};
   const std::vector<png_byte> plain = shot(at);
-  for (const std::vector<std::string>& option :
-       {std::vector<std::string>{"--bones"}, {"--heatmap", "rigid:ssd"}, {"--weights", "elbow"}, {"--time", "1"}}) {
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--bones"},
+                                                 {"--heatmap", "rigid:ssd"},
+                                                 {"--weights", "elbow"},
+                                                 {"--time", "1"},
+                                                 {"--show", "names"},
+                                                 {"--show", "axes"},
+                                                 {"--show", "grid"},
+                                                 {"--show", "wireframe"},
+                                                 {"--show", "normals"},
+                                                 {"--show", "uv"},
+                                                 {"--ghosts", "2"},
+                                                 {"--joint", "elbow", "--show", "trail"},
+                                                 {"--ik", "wrist=-1,1.5,1"}}) {
     std::vector<std::string> options = at;
     if (option[0] == "--time") options.resize(2);
     options.insert(options.end(), option.begin(), option.end());
-    EXPECT_GT(difference(plain, shot(options), kPanelPixels, kWindowWidth), 0.002) << option[0];
+    // Lines are thin: thirty pixels.
+    EXPECT_GT(difference(plain, shot(options), kPanelPixels, kWindowWidth), 0.0005)
+        << option[0] << ' ' << option.back();
   }
   // On the processor and in the vertex shader, it looks alike.
   std::vector<std::string> cpu = at;
@@ -150,6 +203,102 @@ TEST_F(ViewTest, OutlivesAResetOfTheDriver) {
   const Ran always = spoilt("1");
   EXPECT_EQ(always.code, 5) << always.err;
   EXPECT_NE(always.err.find(message + "try again"), std::string::npos) << always.err;
+}
+
+TEST_F(ViewTest, CooksGltfFirst) {
+  const std::vector<std::string> at = {"--clip", "wave", "--time", "0.5"};
+  const std::vector<png_byte> cooked = shot(at), source = shot_of(tiny_gltf(), at);
+  EXPECT_LT(difference(cooked, source, kPanelPixels, kWindowWidth), 0.001);
+  EXPECT_GT(difference(cooked, source, 0, kPanelPixels), 0.001) << "the panel says that it was cooked";
+  // By the settings beside it.
+  std::filesystem::copy_file(tiny_gltf(), folder_ / "t.gltf");
+  write_text(folder_ / "marrow.toml", "no-such-option = true\n");
+  const Ran ran = run_marrow({"view", folder_ / "t.gltf"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("marrow.toml: 1:1: unknown setting \"no-such-option\""), std::string::npos) << ran.err;
+  write_text(folder_ / "marrow.toml", "clips-only = true\nskeleton = \"t.mrw\"\n");
+  EXPECT_NE(run_marrow({"view", folder_ / "t.gltf"}).err.find("it makes a clip pack"), std::string::npos);
+}
+
+// The colour of skin is another; clip, moment and camera stay.
+TEST_F(ViewTest, LoadsAgainWhatChangesOnTheDisk) {
+  const std::vector<std::string> at = {"--clip", "wave", "--time", "0.5"};
+  std::string text = read_text(tiny_gltf());
+  const std::size_t skin = text.find("0.75, 0.5, 0.25, 1]");
+  ASSERT_NE(skin, std::string::npos);
+  const std::string file = folder_ / "c.gltf", other = folder_ / "other.gltf", broken = folder_ / "broken.gltf";
+  write_text(file, text);
+  write_text(broken, text.substr(0, text.size() / 2));
+  text.replace(skin, 18, "0.1, 0.2, 0.9, 1");
+  write_text(other, text);
+  std::vector<std::string> options = at;
+  options.insert(options.begin(), file);
+  const std::vector<png_byte> before = shot_of(file, at), after = shot_of(other, at);
+  ASSERT_GT(difference(before, after, kPanelPixels, kWindowWidth), 0.01);
+  const auto is = [](const std::vector<png_byte>& a, const std::vector<png_byte>& b) {
+    return difference(a, b, kPanelPixels, kWindowWidth) < 0.001;
+  };
+  EXPECT_TRUE(is(by_hand("3 copy " + other + " " + file, options), after));
+  // An error is shown over the old picture, until the next good save.
+  write_text(file, read_text(tiny_gltf()));
+  const std::vector<png_byte> error = by_hand("3 copy " + broken + " " + file, options);
+  EXPECT_TRUE(middle_of(error, 107, 28, 23).has_value()) << "a red note";
+  EXPECT_FALSE(is(error, before));
+  write_text(file, read_text(tiny_gltf()));
+  EXPECT_TRUE(is(by_hand("3 copy " + broken + " " + file + "|8 copy " + other + " " + file, options, 16), after));
+}
+
+TEST_F(ViewTest, OpensWhatIsDroppedOnIt) {
+  ASSERT_EQ(run_marrow({"cook", in_golden("looks.gltf"), "-o", folder_ / "l.mrw"}).code, 0);
+  const std::vector<png_byte> fresh = shot_of(folder_ / "l.mrw", {"--time", "0"});
+  const std::vector<png_byte> dropped = by_hand("3 drop " + (folder_ / "l.mrw"), {mrw(), "--time", "0"});
+  EXPECT_LT(difference(fresh, dropped, kPanelPixels, kWindowWidth), 0.001);
+  // What cannot be opened leaves what is there.
+  const std::vector<png_byte> nothing = by_hand("3 drop " + (folder_ / "none.glb"), {mrw(), "--time", "0"});
+  EXPECT_TRUE(middle_of(nothing, 107, 28, 23).has_value());
+}
+
+TEST_F(ViewTest, AClickChoosesAJoint) {
+  const std::vector<std::string> at = {mrw(), "--clip", "wave", "--time", "0.5"};
+  std::vector<std::string> chosen = at;
+  chosen.insert(chosen.end(), {"--joint", "elbow"});
+  const std::vector<png_byte> wanted = by_hand("", chosen);
+  const auto middle = middle_of(wanted, 255, 176, 64);
+  ASSERT_TRUE(middle.has_value());
+  const std::string where = "3 at " + coordinates(middle->first, middle->second);
+  const std::vector<png_byte> clicked = by_hand(where + "|4 down|6 up", at);
+  EXPECT_LT(difference(wanted, clicked, kPanelPixels, kWindowWidth), 0.001);
+  // A click beside all of them chooses none.
+  const std::vector<png_byte> none = by_hand("3 at 470 10|4 down|6 up", chosen);
+  EXPECT_FALSE(middle_of(none, 255, 176, 64).has_value());
+}
+
+TEST_F(ViewTest, KeysStepByFrames) {
+  const std::vector<std::string> at = {mrw(), "--clip", "wave", "--time", "0.5"};
+  const auto is_at = [&](const std::string& acts, const char* time_s) {
+    const std::vector<png_byte> there = shot_of(mrw(), {"--clip", "wave", "--time", time_s});
+    return difference(by_hand(acts, at), there, kPanelPixels, kWindowWidth);
+  };
+  // A clip that is kept as it is has no rate of its own: 30 frames a second.
+  EXPECT_LT(is_at("3 key 262|5 key 262|7 key 262", "0.6"), 0.001);
+  EXPECT_LT(is_at("3 key 263", "0.4666667"), 0.001);
+  EXPECT_LT(is_at("3 key 268", "0"), 0.001);
+  EXPECT_GT(is_at("", "0"), 0.002);
+}
+
+TEST_F(ViewTest, AGoalIsDragged) {
+  const std::vector<std::string> at = {mrw(), "--time", "0", "--ik", "wrist=-1,1.5,1"};
+  const std::vector<png_byte> before = by_hand("", at);
+  const auto from = middle_of(before, 90, 220, 210);
+  ASSERT_TRUE(from.has_value());
+  const std::string acts = "3 at " + coordinates(from->first, from->second) + "|4 down|5 at " +
+                           coordinates(from->first + 15, from->second + 25) + "|7 up";
+  const std::vector<png_byte> after = by_hand(acts, at);
+  const auto to = middle_of(after, 90, 220, 210);
+  ASSERT_TRUE(to.has_value());
+  EXPECT_NEAR(to->first - from->first, 15, 1.5);
+  EXPECT_NEAR(to->second - from->second, 25, 1.5);
+  EXPECT_GT(difference(before, after, kPanelPixels, kWindowWidth), 0.01);
 }
 
 TEST_F(ViewTest, SaysWhatIsWrong) {

@@ -45,6 +45,10 @@ std::string reset_shim() {
   return MARROW_RESET_SHIM;
 }
 
+std::string hand_shim() {
+  return MARROW_HAND_SHIM;
+}
+
 std::string last_bit_shim() {
   return MARROW_LAST_BIT_SHIM;
 }

@@ -25,6 +25,8 @@ bool takes_part(const std::string& model);
 std::string program();
 // A library that makes contexts say that they were reset, in builds with `marrow view`; else empty.
 std::string reset_shim();
+// A library that is a hand at a window, likewise.
+std::string hand_shim();
 // A library that changes the last bits of what the C library's functions give, in builds without sanitizers.
 std::string last_bit_shim();
 // A library that makes the program's calls fail, in builds without sanitizers.

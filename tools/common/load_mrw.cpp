@@ -13,8 +13,12 @@
 namespace marrow::tools {
 
 LoadedFile load_mrw(const std::string& path) {
+  return load_mrw(path, read_file(path));
+}
+
+LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes) {
   LoadedFile loaded;
-  loaded.bytes = read_file(path);
+  loaded.bytes = std::move(file_bytes);
   if (loaded.bytes.size() == 0) throw Failure(Exit::invalid, path, "@0", "empty file", "cook the source again");
   const std::span<const std::byte> bytes(loaded.bytes.data(), loaded.bytes.size());
   expect_cooked(path, bytes);

@@ -74,6 +74,9 @@ class Character {
   // change them, both forms alike.
   using Change = std::function<void(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint)>;
   void set_change(Change change) { change_ = std::move(change); }
+  // Called likewise for each mesh that has morph targets; it may change their weights.
+  using Weigh = std::function<void(std::uint32_t mesh, Span<float> weights)>;
+  void set_weigh(Weigh weigh) { weigh_ = std::move(weigh); }
 
   void pose(const Play& play, float time_s);
   // A blend of at most kMostLayers.
@@ -100,6 +103,7 @@ class Character {
   std::vector<std::uint32_t> no_clips_, no_channels_;
   Animation rest_;
   Change change_;
+  Weigh weigh_;
   std::vector<std::vector<float>> tangents_;  // a mesh; empty: normals go through the blend
 };
 

@@ -40,10 +40,14 @@ std::optional<DeformerPair> parse_pair(const std::string& text) {
 
 LoadedFile load_level(const std::string& path, std::uint32_t level) {
   LoadedFile loaded = load_mrw(path);
+  expect_level(path, loaded.file, level);
+  return loaded;
+}
+
+void expect_level(const std::string& path, const File& file, std::uint32_t level) {
   std::size_t coarsest = 0;
-  for (std::uint32_t m = 0; m < loaded.file.mesh_count(); ++m)
-    coarsest = std::max(coarsest, loaded.file.mesh(m).lods.size);
-  if (level <= coarsest) return loaded;
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) coarsest = std::max(coarsest, file.mesh(m).lods.size);
+  if (level <= coarsest) return;
   throw Failure(Exit::usage, path, "", "no level of detail " + std::to_string(level),
                 coarsest == 0
                     ? "there is 1 level, 0, in full; more are cooked by marrow cook --lod"

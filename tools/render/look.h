@@ -33,6 +33,8 @@ std::optional<DeformerPair> parse_pair(const std::string& text);
 
 // The cooked file, which has this level of detail. Throws Failure: usage if it has not, and what load_mrw() throws.
 LoadedFile load_level(const std::string& path, std::uint32_t level);
+// Throws Failure (usage) if `file`, of this path, has not this level of detail.
+void expect_level(const std::string& path, const File& file, std::uint32_t level);
 
 // Deformer and path, or the distance between two deformers as colours.
 struct Manner {

@@ -292,7 +292,7 @@ Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
   return image;
 }
 
-void Studio::take(const Shot& shot, std::span<const Drawable> drawables) {
+void Studio::take(const Shot& shot, std::span<const Drawable> drawables, Strokes* strokes) {
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_TRUE);
   gl_.ClearDepthf(1.0f);
@@ -315,6 +315,7 @@ void Studio::take(const Shot& shot, std::span<const Drawable> drawables) {
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_backdrop(shot);
   draw_surfaces(shot, drawables);
+  if (strokes != nullptr) strokes->draw(shot.camera);
   for (GLuint unit = 0; unit <= kBaseTextureUnit; ++unit) {
     gl_.ActiveTexture(GL_TEXTURE0 + unit);
     gl_.BindTexture(GL_TEXTURE_2D, 0);

@@ -15,6 +15,7 @@
 #include "marrow/gles3_skinner.h"
 #include "render/camera.h"
 #include "render/gl.h"
+#include "render/overlay/strokes.h"
 #include "render/textures.h"
 
 namespace marrow::tools {
@@ -68,7 +69,8 @@ class Studio {
   Image shoot(const Shot& shot, std::span<const Drawable> drawables);
 
   // The same in two steps: the picture stays on the GPU until the next one is taken.
-  void take(const Shot& shot, std::span<const Drawable> drawables);
+  // strokes: drawn last, among the surfaces; null: none.
+  void take(const Shot& shot, std::span<const Drawable> drawables, Strokes* strokes = nullptr);
   // Draws it, stretched, into a rectangle of a frame buffer that does not encode sRGB: a window's. x, y: its lower left
   // corner.
   void show(GLuint framebuffer, int x, int y, int width, int height);

@@ -4,14 +4,19 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include <imgui.h>
 
 #include <backends/imgui_impl_glfw.h>
 
-#include "commands/view/actor.h"
+#include "commands/view/files/opening.h"
+#include "commands/view/overlay/among_figures.h"
+#include "commands/view/overlay/picture.h"
 #include "commands/view/painter.h"
-#include "commands/view/panel.h"
+#include "commands/view/panel/panel.h"
+#include "commands/view/stage/actor.h"
+#include "commands/view/stage/timeline.h"
 #include "commands/view/window.h"
 #include "common/failure.h"
 #include "common/files.h"
@@ -55,6 +60,23 @@ std::vector<std::string> joint_names(const Actor& actor) {
   return out;
 }
 
+// Throws Failure (usage) if there is none.
+std::size_t find_joint(const Actor& actor, const std::string& file, const std::string& name) {
+  const auto joint = std::ranges::find(actor.joints(), name, &NamedJoint::name);
+  if (joint == actor.joints().end())
+    throw Failure(Exit::usage, file, "", "no joint \"" + name + "\"", suggestion(name, joint_names(actor)));
+  return static_cast<std::size_t>(joint - actor.joints().begin());
+}
+
+void set_overlays(const ViewArguments& arguments, Settings& s) {
+  for (const std::string& name : arguments.show) {
+    if (name == "uv") s.colours = Colours::uv;
+    if (const auto flag = value_of(kOverlays, name)) s.overlays.*(*flag) = true;
+  }
+  s.overlays.bones |= arguments.bones;
+  s.overlays.ghosts = arguments.ghosts;
+}
+
 Settings first_settings(const ViewArguments& arguments, const std::optional<DeformerPair>& pair, const Actor& actor) {
   Settings s;
   s.clip = actor.chosen();
@@ -67,19 +89,49 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   s.path = arguments.path;
   s.normals = arguments.normals;
   s.lod = static_cast<int>(arguments.lod);
-  s.bones = arguments.bones;
+  s.reach = arguments.reach;
+  s.limits = arguments.limits;
+  s.springs = arguments.springs;
+  set_overlays(arguments, s);
   if (pair) {
     s.colours = Colours::distance;
     s.pair = *pair;
   }
-  if (arguments.weights.empty()) return s;
-  const auto joint = std::ranges::find(actor.joints(), arguments.weights, &NamedJoint::name);
-  if (joint == actor.joints().end())
-    throw Failure(Exit::usage, arguments.file, "", "no joint \"" + arguments.weights + "\"",
-                  suggestion(arguments.weights, joint_names(actor)));
-  s.colours = Colours::weights;
-  s.joint = static_cast<std::size_t>(joint - actor.joints().begin());
+  if (!arguments.weights.empty()) {
+    s.colours = Colours::weights;
+    s.joint = find_joint(actor, arguments.file, arguments.weights);
+  }
+  if (!arguments.joint.empty()) {
+    s.joint = find_joint(actor, arguments.file, arguments.joint);
+    s.picked = s.show_joint = true;
+  }
   return s;
+}
+
+// The same for another actor: clips and joints are known by their names, all else stays.
+void carry_over(const Actor& from, const Actor& to, Settings& s) {
+  const auto clip = [&](std::size_t which, std::size_t otherwise) {
+    const auto found = std::ranges::find(to.plays(), from.plays()[which].name, &NamedPlay::name);
+    return found == to.plays().end() ? otherwise : static_cast<std::size_t>(found - to.plays().begin());
+  };
+  s.clip = clip(s.clip, to.plays().size() > 1 ? 1 : 0);
+  s.second = clip(s.second, 0);
+  s.playback.time_s = std::clamp(s.playback.time_s, 0.0, static_cast<double>(to.plays()[s.clip].play.duration_s));
+  s.lod = std::min(s.lod, to.coarsest_lod());
+  const auto joint = from.joints().empty()
+                         ? to.joints().end()
+                         : std::ranges::find(to.joints(), from.joints()[s.joint].name, &NamedJoint::name);
+  const bool known = joint != to.joints().end();
+  s.joint = known ? static_cast<std::size_t>(joint - to.joints().begin()) : 0;
+  s.picked &= known;
+  s.springs &= known;
+  if (!known && s.colours == Colours::weights) s.colours = Colours::surface;
+}
+
+// The window's name says what is in it.
+std::string title_of(const Source& source) {
+  return "marrow: " + std::filesystem::path(source.path).filename().string() +
+         (source.cooked_here ? " (cooked in memory)" : "");
 }
 
 class View {
@@ -90,16 +142,18 @@ class View {
       : arguments_(arguments),
         size_(parse_size(arguments.size)),
         pair_(parse_pair(arguments.heatmap)),
-        loaded_(load_level(arguments.file, arguments.lod)),
-        chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
-        window_("marrow: " + std::filesystem::path(arguments.file).filename().string(), size_.first, size_.second,
-                arguments.screenshot.empty()),
+        opening_(arguments.images_from, arguments.choice.clips, !arguments.screenshot.empty()),
+        source_(opening_.open(arguments.file)),
+        chosen_(choose_first()),
+        window_(title_of(source_), size_.first, size_.second, arguments.screenshot.empty()),
         context_(window_),
         gl_(Window::load_proc),
         painter_(gl_),
         studio_(gl_, 1, 1),
-        actor_(gl_, studio_.programs(), arguments, std::move(loaded_), std::move(chosen_)),
-        settings_(settings ? *settings : first_settings(arguments, pair_, actor_)) {
+        strokes_(gl_),
+        actor_(
+            std::make_unique<Actor>(gl_, studio_.programs(), arguments.choice, std::move(source_), std::move(chosen_))),
+        settings_(settings ? *settings : first_settings(arguments, pair_, *actor_)) {
     // The processor draws a quarter of a million soft shadows in a second or so.
     if (!settings && arguments.screenshot.empty() && drawn_by_processor(gl_)) settings_.coarseness = 3;
   }
@@ -123,9 +177,17 @@ class View {
   }
   const Gl& gl() const { return gl_; }
   const Settings& settings() const { return settings_; }
+  // With the file that is on show now.
+  const ViewArguments& arguments() const { return arguments_; }
   int frames() const { return frames_; }
 
  private:
+  Chosen choose_first() {
+    expect_level(arguments_.file, source_.loaded.file, arguments_.lod);
+    const Reach goals(source_.loaded.file, arguments_.reach);  // throws what is wrong with them
+    return choose(arguments_.file, source_.loaded.file, arguments_.choice);
+  }
+
   // Since the last call.
   float passed_s() {
     const auto now = std::chrono::steady_clock::now();
@@ -136,52 +198,117 @@ class View {
     return std::min(seconds, kLongestStep);
   }
 
+  // What was dropped, and what has changed on the disk.
+  void look_for_files() {
+    const std::string dropped = window_.dropped();
+    if (!dropped.empty()) opening_.drop(dropped);
+    std::optional<Source> source = opening_.poll();
+    if (!source) return;
+    const bool same = source->path == arguments_.file;
+    Choice choice = same ? arguments_.choice : Choice();
+    if (choice.clips.empty()) choice.clip.clear();
+    try {
+      Chosen chosen = choose(source->path, source->loaded.file, choice);
+      auto next = std::make_unique<Actor>(gl_, studio_.programs(), choice, std::move(*source), std::move(chosen));
+      carry_over(*actor_, *next, settings_);
+      actor_ = std::move(next);
+    } catch (const ContextLost&) {
+      throw;
+    } catch (const Failure& why) {
+      return opening_.set_error(why.what());
+    }
+    if (!same) {
+      settings_.framed = false;
+      settings_.reach.goals.clear();
+      settings_.weights.clear();
+    }
+    arguments_.file = actor_->source().path;
+    arguments_.choice = choice;
+    window_.set_title(title_of(actor_->source()));
+  }
+
+  void use_keys() {
+    Settings& s = settings_;
+    if (window_.pressed(kKeySpace)) s.playing = !s.playing;
+    const float duration_s = actor_->plays()[s.clip].play.duration_s, rate = actor_->rate_hz(s);
+    const auto go = [&](int key, double time_s) {
+      if (!window_.pressed(key)) return;
+      s.playback.time_s = time_s;
+      s.playing = false;
+    };
+    go(kKeyLeft, stepped(s.playback.time_s, -1, duration_s, rate));
+    go(kKeyRight, stepped(s.playback.time_s, 1, duration_s, rate));
+    go(kKeyHome, 0);
+    go(kKeyEnd, time_of_frame(last_frame(duration_s, rate), duration_s, rate));
+  }
+
   void frame(float step_s) {
+    look_for_files();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     const auto [width, height] = window_.pixels();
     const float left = std::min(panel_width(window_.scale()), ImGui::GetIO().DisplaySize.x);
     const int panel_pixels = static_cast<int>(left * ImGui::GetIO().DisplayFramebufferScale.x);
-    if (window_.space_pressed()) settings_.playing = !settings_.playing;
-    if (settings_.playing) check(advance(settings_.playback, actor_.plays()[settings_.clip].play.duration_s, step_s));
-    actor_.pose(settings_);
+    if (!ImGui::GetIO().WantTextInput) use_keys();
+    if (settings_.playing) check(advance(settings_.playback, actor_->plays()[settings_.clip].play.duration_s, step_s));
+    pose(step_s);
     if (width > panel_pixels && height > 0) draw_picture(panel_pixels, width - panel_pixels, height, left);
-    show_panel(arguments_.file, actor_, times_, window_.scale(), settings_);
+    show_panel({times_, window_.scale()}, *actor_, settings_);
+    show_notes(opening_.busy_with(), opening_.error(), left, window_.scale());
     ImGui::Render();
     painter_.paint(*ImGui::GetDrawData());
     gl_.check("drawing the panel");
     ++frames_;
   }
 
+  // Goals beyond what can be solved, and the like, are said in the window, and go.
+  void pose(float step_s) {
+    try {
+      actor_->pose(settings_, step_s);
+    } catch (const ContextLost&) {
+      throw;
+    } catch (const Failure& why) {
+      if (settings_.reach.goals.empty()) throw;
+      opening_.set_error(why.what());
+      settings_.reach.goals.clear();
+      actor_->pose(settings_, step_s);
+    }
+  }
+
   void draw_picture(int x, int width, int height, float left) {
-    const Performance& performance = actor_.performance();
+    const Performance& performance = actor_->performance();
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     if (!settings_.framed) settings_.orbit = performance.orbit(aspect, kFrameMargin);
     settings_.framed = true;
-    use_mouse(ImGui::GetIO().DisplaySize.y, performance.radius(), settings_);
     Orbit orbit = settings_.orbit;
-    orbit.target += performance.followed(actor_.character());
+    orbit.target += performance.followed(actor_->character());
     Shot shot = performance.shot_by(camera_on(orbit, aspect, performance.radius()));
-    const std::vector<Drawable> drawables = actor_.drawables(settings_, shot);
+    Drawer drawer(shot.camera, left);
+    use_mouse(*actor_, drawer, ImGui::GetIO().DisplaySize.y, dragging_, settings_);
+    const std::vector<Drawable> drawables = actor_->drawables(settings_, shot);
+    add_strokes(*actor_, settings_, shot, strokes_);
     const int n = settings_.coarseness;
     studio_.resize((width + n - 1) / n, (height + n - 1) / n);
-    studio_.take(shot, drawables);
+    studio_.take(shot, drawables, &strokes_);
     studio_.show(0, x, 0, width, height);
-    if (settings_.bones) draw_bones(actor_, settings_, shot.camera, left);
+    draw_joints(*actor_, settings_, drawer);
   }
 
-  const ViewArguments& arguments_;
+  ViewArguments arguments_;
   std::pair<int, int> size_;
   std::optional<DeformerPair> pair_;
-  LoadedFile loaded_;  // for the actor
-  Chosen chosen_;      // likewise
+  Opening opening_;
+  Source source_;  // for the first actor
+  Chosen chosen_;  // likewise
   Window window_;
   PanelContext context_;
   Gl gl_;
   Painter painter_;
   Studio studio_;
-  Actor actor_;
+  Strokes strokes_;
+  std::unique_ptr<Actor> actor_;
   Settings settings_;
+  Dragging dragging_;
   FrameTimes times_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   bool first_ = true;
@@ -204,15 +331,17 @@ void run_view(const ViewArguments& arguments) {
     expect_writable(arguments.screenshot);
   }
   std::optional<Settings> settings;
+  ViewArguments shown = arguments;
   while (true) {
-    View view(arguments, settings);
+    View view(shown, settings);
     try {
-      return run_to_the_end(arguments, view);
+      return run_to_the_end(shown, view);
     } catch (const ContextLost& lost) {
       // GLFW cannot give a window another context. Without a frame between two losses it would go on for ever.
       if (view.frames() == 0) throw;
       std::fprintf(stderr, "%s: %s: the window is opened anew\n", lost.file().c_str(), lost.rule().c_str());
       settings = view.settings();
+      shown = view.arguments();
     }
   }
 }

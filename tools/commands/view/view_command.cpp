@@ -1,5 +1,6 @@
 #include "commands/command.h"
 #include "commands/look_arguments.h"
+#include "commands/view/stage/view_settings.h"
 #include "commands/view/view.h"
 
 namespace marrow::tools {
@@ -8,7 +9,26 @@ void add_view(CLI::App& app, int&) {
   static ViewArguments a;  // as long as the options that point at it
   CLI::App* const command = app.add_subcommand("view", "Show a character in a window, with a panel for all of it");
   add_look(command, a, kPosedPaths);
-  command->add_flag("--bones", a.bones, "draw the skeleton over it");
+  command->get_option("file")->description("the cooked file, or glTF, which is cooked in memory");
+  add_reach(command, a.reach);
+  command->add_flag("--bones", a.bones, "draw the skeleton over it, as --show bones");
+  std::vector<std::string> shown{"uv"};
+  for (const auto& [name, flag] : kOverlays) shown.emplace_back(name);
+  command
+      ->add_option("--show", a.show,
+                   "what is drawn with it, separated by commas: bones, names and axes of joints, the trail of --joint "
+                   "over the clip, a ground grid, wireframe, normals, a checker by UV")
+      ->type_name("WHAT,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(shown));
+  command->add_option("--ghosts", a.ghosts, "so many poses before and after, see-through")
+      ->type_name("N")
+      ->check(CLI::Range(0, 4));
+  CLI::Option* const joint =
+      command->add_option("--joint", a.joint, "choose this joint: its transforms and curves")->type_name("JOINT");
+  command->add_flag("--springs", a.springs, "the joints below --joint swing")->needs(joint);
+  command->add_flag("--limits", a.limits, "keep joints within the file's limits");
   command->add_option("--weights", a.weights, "colour the weights of this joint")
       ->type_name("JOINT")
       ->excludes("--heatmap");
@@ -20,7 +40,10 @@ void add_view(CLI::App& app, int&) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str()
       ->needs(screenshot);
-  command->footer("What the options choose is where the panel begins. With --time the clip is paused there.");
+  command->footer(
+      "What the options choose is where the panel begins. With --time the clip is paused there. A .gltf, .glb or .vrm "
+      "file is cooked in memory, by the nearest marrow.toml. What changes on the disk is loaded again, and what is "
+      "dropped on the window is opened; an error is shown in the window until the next good save.");
   command->callback([command] {
     a.held = command->count("--time") > 0;
     run_view(a);

@@ -7,6 +7,10 @@
 
 #include "common/failure.h"
 
+static_assert(GLFW_KEY_SPACE == marrow::tools::kKeySpace && GLFW_KEY_RIGHT == marrow::tools::kKeyRight &&
+              GLFW_KEY_LEFT == marrow::tools::kKeyLeft && GLFW_KEY_HOME == marrow::tools::kKeyHome &&
+              GLFW_KEY_END == marrow::tools::kKeyEnd);
+
 namespace marrow::tools {
 namespace {
 
@@ -47,6 +51,14 @@ Window::Window(const std::string& title, int width, int height, bool wait_for_sc
     refuse();
   }
   glfwMakeContextCurrent(window_);
+  glfwSetWindowUserPointer(window_, this);
+  // Before the panel's, which calls them in its turn.
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+    if (action != GLFW_RELEASE) ++static_cast<Window*>(glfwGetWindowUserPointer(window))->pressed_[key];
+  });
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+    if (count > 0) static_cast<Window*>(glfwGetWindowUserPointer(window))->dropped_ = paths[0];
+  });
   glfwSwapInterval(wait_for_screen ? 1 : 0);
 }
 
@@ -80,10 +92,12 @@ float Window::scale() const {
   return std::clamp(x, 1.0f, 4.0f);
 }
 
-bool Window::space_pressed() {
-  const bool was = space_down_;
-  space_down_ = glfwGetKey(window_, GLFW_KEY_SPACE) == GLFW_PRESS;
-  return space_down_ && !was;
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+bool Window::pressed(int key) {
+  return std::exchange(pressed_[key], 0) > 0;
 }
 
 }  // namespace marrow::tools

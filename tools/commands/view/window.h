@@ -1,12 +1,16 @@
 // A window with an OpenGL ES 3.0 context, by GLFW.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 
 struct GLFWwindow;
 
 namespace marrow::tools {
+
+// As GLFW numbers them.
+inline constexpr int kKeySpace = 32, kKeyRight = 262, kKeyLeft = 263, kKeyHome = 268, kKeyEnd = 269;
 
 class Window {
  public:
@@ -24,13 +28,17 @@ class Window {
   std::pair<int, int> pixels() const;
   // How much larger than usual text has to be here.
   float scale() const;
-  // Whether the space bar went down since the last call.
-  bool space_pressed();
+  void set_title(const std::string& title);
+  // Whether this key went down since the last call, or is held for so long that it repeats.
+  bool pressed(int key);
+  // The file that was dropped on it since the last call, of several the first; empty: none.
+  std::string dropped() { return std::exchange(dropped_, ""); }
   GLFWwindow* glfw() const { return window_; }
 
  private:
   GLFWwindow* window_ = nullptr;
-  bool space_down_ = false;
+  std::map<int, int> pressed_;  // how often, by key
+  std::string dropped_;
 };
 
 }  // namespace marrow::tools

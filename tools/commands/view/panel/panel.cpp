@@ -1,4 +1,4 @@
-#include "commands/view/panel.h"
+#include "commands/view/panel/panel.h"
 
 #include <imgui.h>
 
@@ -8,61 +8,18 @@
 
 #include <fmt/format.h>
 
+#include "commands/view/panel/sections.h"
+#include "commands/view/panel/widgets.h"
 #include "render/heat.h"
 
 namespace marrow::tools {
 namespace {
 
 constexpr float kPanelWidth = 316;
-constexpr float kLabelWidth = 82;
-
-// A label, and room for a widget that fills the rest of the line.
-void label(const char* text, float scale) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text);
-  ImGui::SameLine(kLabelWidth * scale);
-  ImGui::SetNextItemWidth(-1);
-}
-
-void heading(const char* text) {
-  ImGui::Dummy({0, 0.35f * ImGui::GetFontSize()});
-  ImGui::TextColored({0.93f, 0.68f, 0.36f, 1}, "%s", text);
-  ImGui::Separator();
-}
-
-void text(const std::string& words) {
-  ImGui::TextUnformatted(words.c_str());
-}
-
-void quiet(const std::string& words) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
-  ImGui::PushTextWrapPos(0);
-  text(words);
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-}
-
-// names[i] for i below count; whether another was chosen.
-bool combo(const char* id, std::size_t count, const auto& name, std::size_t& chosen) {
-  const std::size_t before = chosen;
-  if (!ImGui::BeginCombo(id, name(chosen).c_str(), ImGuiComboFlags_HeightLarge)) return false;
-  for (std::size_t i = 0; i < count; ++i) {
-    ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(name(i).c_str(), i == chosen)) chosen = i;
-    if (i == chosen) ImGui::SetItemDefaultFocus();
-    ImGui::PopID();
-  }
-  ImGui::EndCombo();
-  return chosen != before;
-}
-
-// A slider that takes no number typed into it that is none.
-bool slider(const char* id, float& value, float least, float most, const char* format) {
-  const float before = value;
-  if (!ImGui::SliderFloat(id, &value, least, most, format, ImGuiSliderFlags_AlwaysClamp)) return false;
-  if (!std::isfinite(value)) value = before;
-  return true;
-}
+constexpr const char* kHelp =
+    "left button: turn\nright button, or with shift: move\nwheel: zoom\nclick: choose a joint\n"
+    "drag a goal's square: reach\ndrop a file: open it\nspace bar: play, pause\nleft, right: a frame back, on\n"
+    "home, end: first, last frame";
 
 void deformers(const char* id, Deformer& chosen) {
   ImGui::PushID(id);
@@ -73,43 +30,8 @@ void deformers(const char* id, Deformer& chosen) {
   ImGui::PopID();
 }
 
-void clip_section(const Actor& actor, float scale, Settings& s) {
-  const std::vector<NamedPlay>& plays = actor.plays();
-  const auto name = [&](std::size_t i) { return plays[i].name; };
-  heading("Clip");
-  label("play", scale);
-  if (combo("##clip", plays.size(), name, s.clip)) {
-    s.playback.time_s = 0;
-    s.framed = false;
-  }
-  const float duration_s = plays[s.clip].play.duration_s;
-  ImGui::BeginDisabled(duration_s <= 0);
-  label("time", scale);
-  float time_s = clip_time(s.playback);
-  const std::string format = fmt::format("%.2f of {:.2f} s", static_cast<double>(duration_s));
-  if (slider("##time", time_s, 0, std::max(duration_s, 1e-6f), format.c_str())) {
-    s.playback.time_s = static_cast<double>(time_s);
-    s.playing = false;
-  }
-  label("speed", scale);
-  const float button = 62 * scale;
-  ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
-  slider("##speed", s.playback.speed, -2, 2, "%.2f");
-  ImGui::SameLine();
-  if (ImGui::Button(s.playing ? "pause" : "play", {button, 0})) s.playing = !s.playing;
-  ImGui::EndDisabled();
-  label("blend", scale);
-  combo(
-      "##second", plays.size(), [&](std::size_t i) { return i == 0 ? std::string("with nothing") : plays[i].name; },
-      s.second);
-  ImGui::BeginDisabled(s.second == 0);
-  label("weight", scale);
-  slider("##weight", s.second_weight, 0, 1, "%.2f");
-  ImGui::EndDisabled();
-}
-
 void skinning_section(const Actor& actor, float scale, Settings& s) {
-  heading("Skinning");
+  if (!section("Skinning", false)) return;
   ImGui::BeginDisabled(s.colours == Colours::distance);
   label("deformer", scale);
   deformers("deformer", s.deformer);
@@ -157,11 +79,13 @@ void ramp(const std::string& largest) {
 }
 
 void colour_section(const Actor& actor, float scale, Settings& s) {
-  heading("Colours");
-  const std::pair<Colours, const char*> kinds[] = {
-      {Colours::surface, "surface"}, {Colours::distance, "distance"}, {Colours::weights, "weights"}};
+  if (!section("Colours", true)) return;
+  const std::pair<Colours, const char*> kinds[] = {{Colours::surface, "surface"},
+                                                   {Colours::distance, "distance"},
+                                                   {Colours::weights, "weights"},
+                                                   {Colours::uv, "UV"}};
   for (const auto& [kind, name] : kinds) {
-    if (kind != Colours::surface) ImGui::SameLine();
+    if (kind != Colours::surface) ImGui::SameLine(0, 4 * scale);
     ImGui::BeginDisabled(kind == Colours::weights && actor.joints().empty());
     if (ImGui::RadioButton(name, s.colours == kind)) s.colours = kind;
     ImGui::EndDisabled();
@@ -175,15 +99,16 @@ void colour_section(const Actor& actor, float scale, Settings& s) {
   }
   if (s.colours == Colours::weights) {
     label("joint", scale);
-    combo(
-        "##joint", actor.joints().size(), [&](std::size_t i) { return actor.joints()[i].name; }, s.joint);
+    if (combo(
+            "##joint", actor.joints().size(), [&](std::size_t i) { return actor.joints()[i].name; }, s.joint))
+      s.picked = s.show_joint = true;
     ramp("1");
   }
-  ImGui::Checkbox("skeleton", &s.bones);
+  if (s.colours == Colours::uv) quiet("8 squares a unit; redder where u grows, bluer where v does. White: no UVs.");
 }
 
 void frame_section(const Actor& actor, const FrameTimes& times, float scale, Settings& s) {
-  heading("Frames");
+  if (!section("Frames", false)) return;
   const float median = times.median();
   const float top = 1.25f * std::max(times.largest(), 1e-3f);
   ImGui::PlotLines("##frames", times.ring().data(), times.count(), times.first(), nullptr, 0, top,
@@ -197,9 +122,29 @@ void frame_section(const Actor& actor, const FrameTimes& times, float scale, Set
     if (n > 1) ImGui::SameLine();
     if (ImGui::RadioButton(n == 1 ? "all" : fmt::format("1/{}", n).c_str(), s.coarseness == n)) s.coarseness = n;
   }
-  heading("Camera");
+}
+
+void help_section(Settings& s) {
   if (ImGui::Button("see all")) s.framed = false;
-  quiet("left button: turn\nright button, or with shift: move\nwheel: zoom\nspace bar: play, pause");
+  if (!section("Keys and mouse", false)) return;
+  quiet(kHelp);
+}
+
+// What is on show, and what it was made from.
+void file_lines(const Actor& actor, const Settings& settings) {
+  const Source& source = actor.source();
+  text(std::filesystem::path(source.path).filename().string());
+  if (source.cooked_here)
+    quiet(fmt::format("cooked in memory, {}{}",
+                      source.settings.empty() ? "without a marrow.toml" : "with " + source.settings,
+                      source.warnings == 0 ? "" : fmt::format("; warnings: {}", source.warnings)));
+  std::uint64_t vertices = 0, triangles = 0;
+  for (std::uint32_t i = 0; i < actor.file().mesh_count(); ++i) {
+    const Geometry g = actor.file().mesh(i, static_cast<std::uint32_t>(settings.lod)).geometry;
+    vertices += g.vertex_count;
+    triangles += g.index_count / 3;
+  }
+  quiet(fmt::format("{} joints, {} vertices, {} triangles", actor.joints().size(), vertices, triangles));
 }
 
 }  // namespace
@@ -244,25 +189,43 @@ float panel_width(float scale) {
   return kPanelWidth * scale;
 }
 
-void show_panel(const std::string& file, const Actor& actor, const FrameTimes& times, float scale, Settings& settings) {
+void show_panel(const PanelState& state, Actor& actor, Settings& settings) {
   ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize({panel_width(scale), ImGui::GetIO().DisplaySize.y});
+  ImGui::SetNextWindowSize({panel_width(state.scale), ImGui::GetIO().DisplaySize.y});
   ImGui::Begin("panel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  text(std::filesystem::path(file).filename().string());
-  std::uint64_t vertices = 0, triangles = 0;
-  for (std::uint32_t i = 0; i < actor.file().mesh_count(); ++i) {
-    const Geometry g = actor.file().mesh(i, static_cast<std::uint32_t>(settings.lod)).geometry;
-    vertices += g.vertex_count;
-    triangles += g.index_count / 3;
-  }
-  quiet(fmt::format("{} joints, {} vertices, {} triangles", actor.joints().size(), vertices, triangles));
-  clip_section(actor, scale, settings);
-  skinning_section(actor, scale, settings);
-  colour_section(actor, scale, settings);
-  frame_section(actor, times, scale, settings);
+  file_lines(actor, settings);
+  clip_section(actor, state.scale, settings);
+  joint_section(actor, state.scale, settings);
+  overlay_section(actor, state.scale, settings);
+  colour_section(actor, state.scale, settings);
+  pose_section(actor, state.scale, settings);
+  morph_section(actor, settings);
+  skinning_section(actor, state.scale, settings);
+  frame_section(actor, state.times, state.scale, settings);
+  help_section(settings);
   ImGui::End();
+}
+
+void show_notes(const std::string& busy_with, const std::string& error, float left, float scale) {
+  if (busy_with.empty() && error.empty()) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float margin = 12 * scale;
+  if (window.x - left < 4 * margin) left = 0;
+  ImGui::SetNextWindowPos({left + margin, margin});
+  ImGui::SetNextWindowSize({window.x - left - 2 * margin, 0});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg,
+                        error.empty() ? ImVec4(0.10f, 0.125f, 0.15f, 1) : ImVec4(0.42f, 0.11f, 0.09f, 1));
+  ImGui::Begin("notes", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PushTextWrapPos(0);
+  if (!busy_with.empty()) text("opening " + busy_with + " ...");
+  if (!error.empty()) text(error);
+  ImGui::PopTextWrapPos();
+  ImGui::End();
+  ImGui::PopStyleColor();
 }
 
 }  // namespace marrow::tools

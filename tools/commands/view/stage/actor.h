@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "commands/view/view_settings.h"
+#include "commands/view/files/source.h"
+#include "commands/view/stage/recording.h"
+#include "commands/view/stage/rigging.h"
+#include "commands/view/stage/view_settings.h"
 #include "render/figure.h"
 #include "render/performance.h"
 
@@ -30,9 +33,9 @@ struct ActorTimes {
 
 class Actor {
  public:
-  // Of a file, and what choose() made of it. programs: of the studio. Throws Failure: what textures throw. `gl`,
-  // `programs` and `arguments` outlive it.
-  Actor(const Gl& gl, gles3::ProgramSet& programs, const LookArguments& arguments, LoadedFile loaded, Chosen chosen);
+  // Of a source, and what choose() made of it by `choice`. programs: of the studio. Throws Failure: what textures
+  // throw. `gl` and `programs` outlive it.
+  Actor(const Gl& gl, gles3::ProgramSet& programs, const Choice& choice, Source source, Chosen chosen);
 
   // The rest pose, each clip of the file, and what --clips chose.
   const std::vector<NamedPlay>& plays() const { return plays_; }
@@ -40,7 +43,8 @@ class Actor {
   std::size_t chosen() const { return chosen_; }
   // Of all skeletons, in the file's order.
   const std::vector<NamedJoint>& joints() const { return joints_; }
-  const File& file() const { return loaded_.file; }
+  const Source& source() const { return source_; }
+  const File& file() const { return source_.loaded.file; }
   const Character& character() const { return *character_; }
   const Performance& performance() const { return *performance_; }
   int coarsest_lod() const { return coarsest_lod_; }
@@ -50,8 +54,22 @@ class Actor {
   float heat_scale() const { return heat_scale_; }
   const ActorTimes& times() const { return times_; }
 
-  // Poses; before it, rebuilds what the settings changed.
-  void pose(const Settings& settings);
+  const Rig& rig() const { return rig_; }
+  // Frames a second: what the settings say, else the clip's own, else 30.
+  float rate_hz(const Settings& settings) const;
+  // Of a play whose keys stand at even steps; 0: it has none.
+  float own_rate_hz(std::size_t play) const;
+  // The local transform of a joint of joints() in the last pose.
+  JointTransform local(std::size_t joint) const;
+  // The curves of the chosen joint over the chosen clip; null: nothing moves. Made when they are first asked for.
+  const JointCurves* curves(const Settings& settings);
+  // All meshes as they are at a moment of the chosen clip alone.
+  std::vector<PosedMesh> ghost(const Settings& settings, float time_s);
+  // All meshes as they are now, skinned on the processor.
+  std::vector<PosedMesh> posed(Deformer deformer) const { return skin_all(file(), *character_, deformer); }
+
+  // Poses; before it, rebuilds what the settings changed. dt_s: since the last pose.
+  void pose(const Settings& settings, float dt_s);
   std::vector<Drawable> drawables(const Settings& settings, Shot& shot);
 
  private:
@@ -62,22 +80,36 @@ class Actor {
     AsNormals normals = AsNormals::blended;
     bool operator==(const Made&) const = default;
   };
-  void add_plays(Chosen chosen);
+  void add_plays(Chosen chosen, const Choice& choice);
   void make(const Made& wanted);
   std::vector<Drawable> weighted(const Settings& settings, Shot& shot);
   std::vector<Drawable> heat(const Settings& settings, Shot& shot);
+  std::vector<Drawable> checkered(const Settings& settings);
+  void make_checker();
+  void listen();
 
   const Gl& gl_;
   gles3::ProgramSet& programs_;
-  const LookArguments& arguments_;
-  LoadedFile loaded_;
+  Source source_;
   std::optional<LoadedFile> pack_;
   std::vector<NamedPlay> plays_;
   std::vector<NamedJoint> joints_;
   std::size_t chosen_ = 0;
   int coarsest_lod_ = 0;
   Textures textures_;
+  Rig rig_;
+  GlTexture checker_;
+  GlSampler checker_sampler_;
   Made made_;
+  std::vector<std::vector<SoaTransform>> local_;  // a skeleton, of the last pose
+  std::optional<Character> ghost_;
+  struct Recorded {
+    std::size_t clip, joint;
+    float rate_hz;
+    bool operator==(const Recorded&) const = default;
+  };
+  std::optional<Recorded> recorded_;
+  JointCurves curves_;
   std::optional<Character> character_;
   std::optional<Performance> performance_;
   std::optional<Figure> figure_;

@@ -1,0 +1,31 @@
+// What happens over the picture: the mouse moves the camera, chooses joints and drags goals; joints are drawn.
+#pragma once
+
+#include "commands/view/overlay/drawer.h"
+#include "commands/view/stage/actor.h"
+#include "commands/view/stage/view_settings.h"
+
+namespace marrow::tools {
+
+// The place of a joint of Actor::joints(), scene space.
+glm::vec3 place_of(const Actor& actor, std::size_t joint);
+
+// A goal where the chosen joint is.
+void add_goal(const Actor& actor, Settings& settings);
+
+// What the left button began to do when it went down.
+struct Dragging {
+  std::size_t goal = kNone;
+  float moved = 0;       // points, since it went down
+  bool pressed = false;  // over the picture
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+};
+
+// Turns, moves and zooms the camera; a click chooses the nearest joint, or none; a goal's square is dragged in the
+// plane of the picture. picture_height: points.
+void use_mouse(const Actor& actor, const Drawer& drawer, float picture_height, Dragging& dragging, Settings& settings);
+
+// Bones, names, axes, the trail of the chosen joint, goals, as the settings ask.
+void draw_joints(Actor& actor, const Settings& settings, Drawer& drawer);
+
+}  // namespace marrow::tools

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "commands/view/panel/sections.h"
+#include "commands/view/panel/widgets.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr ImU32 kAxisColours[] = {IM_COL32(232, 96, 84, 255), IM_COL32(128, 200, 96, 255), IM_COL32(96, 150, 240, 255)};
+
+// Joints of a skeleton by their parents, as indices into Actor::joints().
+std::vector<std::vector<std::size_t>> children_of(const Actor& actor, std::vector<std::size_t>& roots) {
+  std::vector<std::vector<std::size_t>> out(actor.joints().size());
+  std::size_t first = 0;
+  for (std::uint32_t s = 0; s < actor.file().skeleton_count(); ++s) {
+    const Skeleton skeleton = actor.file().skeleton(s);
+    for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) {
+      const std::uint16_t parent = skeleton.parents[j];
+      (parent == kNoParent ? roots : out[first + parent]).push_back(first + j);
+    }
+    first += skeleton.joint_count;
+  }
+  return out;
+}
+
+// Rows of the tree in its order, without recursion: hostile skeletons are as deep as they have joints.
+void tree(const Actor& actor, float scale, Settings& s) {
+  std::vector<std::size_t> roots;
+  const auto children = children_of(actor, roots);
+  std::vector<std::pair<std::size_t, int>> open;
+  for (auto at = roots.rbegin(); at != roots.rend(); ++at) open.emplace_back(*at, 0);
+  ImGui::BeginChild("tree", {0, 118 * scale}, true);
+  while (!open.empty()) {
+    const auto [joint, depth] = open.back();
+    open.pop_back();
+    const float indent = 9 * scale * static_cast<float>(std::min(depth, 12));
+    if (indent > 0) ImGui::Indent(indent);
+    ImGui::PushID(static_cast<int>(joint));
+    if (ImGui::Selectable(actor.joints()[joint].name.c_str(), s.picked && joint == s.joint)) {
+      s.joint = joint;
+      s.picked = true;
+    }
+    if (s.show_joint && joint == s.joint) ImGui::SetScrollHereY(0.5f);
+    ImGui::PopID();
+    if (indent > 0) ImGui::Unindent(indent);
+    for (auto at = children[joint].rbegin(); at != children[joint].rend(); ++at) open.emplace_back(*at, depth + 1);
+  }
+  s.show_joint = false;
+  ImGui::EndChild();
+}
+
+void transforms(const Actor& actor, const Settings& s) {
+  const NamedJoint& joint = actor.joints()[s.joint];
+  const JointTransform t = actor.local(s.joint);
+  const glm::vec3 angles = angles_deg(t.rotation);
+  const Affine& place = actor.character().scene_from_joint(joint.skeleton)[joint.joint];
+  const auto row = [](const char* name, float x, float y, float z, const char* unit) {
+    text(fmt::format("{:<7}{:8.3f}{:9.3f}{:9.3f} {}", name, x, y, z, unit));
+  };
+  quiet("of its parent: x, y, z");
+  row("move", t.translation[0], t.translation[1], t.translation[2], "m");
+  row("turn", angles.x, angles.y, angles.z, "deg");
+  row("scale", t.scale[0], t.scale[1], t.scale[2], "");
+  quiet("of the model");
+  row("place", place.rows[0][3], place.rows[1][3], place.rows[2][3], "m");
+  for (int i = 0; i < 3; ++i) row(i == 0 ? "axes" : "", place.rows[i][0], place.rows[i][1], place.rows[i][2], "");
+}
+
+// Three curves in one frame, with what they reach and where the clip is now.
+void plot(const char* name, const std::vector<float> (&rows)[3], float share, const char* unit, float scale) {
+  float least = rows[0][0], most = least;
+  for (const std::vector<float>& row : rows) {
+    const auto [low, high] = std::ranges::minmax(row);
+    least = std::min(least, low);
+    most = std::max(most, high);
+  }
+  quiet(fmt::format("{}: {:.3g} to {:.3g}{}", name, least, most, unit));
+  const float range = std::max(most - least, 1e-4f), middle = 0.5f * (least + most);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, 46 * scale);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3);
+  std::vector<ImVec2> line;
+  for (int axis = 2; axis >= 0; --axis) {
+    line.clear();
+    const std::vector<float>& row = rows[axis];
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line.emplace_back(at.x + size.x * static_cast<float>(i) / static_cast<float>(row.size() - 1),
+                        at.y + size.y * (0.5f - 0.86f * (row[i] - middle) / range));
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), kAxisColours[axis], 0, 1.5f * scale);
+  }
+  const float x = at.x + size.x * share;
+  list.AddLine({x, at.y}, {x, at.y + size.y}, IM_COL32(236, 233, 226, 200), scale);
+  ImGui::Dummy(size);
+}
+
+void curves(Actor& actor, float scale, const Settings& s) {
+  const JointCurves* const rows = actor.curves(s);
+  if (rows == nullptr) return quiet("The rest pose has no curves.");
+  const float duration_s = actor.plays()[s.clip].play.duration_s;
+  const float share = std::clamp(clip_time(s.playback) / duration_s, 0.0f, 1.0f);
+  for (int axis = 0; axis < 3; ++axis) {
+    constexpr const char* kNames[] = {"x", "y", "z"};
+    if (axis > 0) ImGui::SameLine();
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAxisColours[axis]), "%s", kNames[axis]);
+  }
+  ImGui::SameLine();
+  quiet("over the clip alone");
+  plot("move", rows->translation, share, " m", scale);
+  plot("turn", rows->rotation_deg, share, " deg", scale);
+  plot("scale", rows->scale, share, "", scale);
+}
+
+}  // namespace
+
+void joint_section(Actor& actor, float scale, Settings& s) {
+  if (!section("Joints", true)) return;
+  if (actor.joints().empty()) return quiet("There are none.");
+  tree(actor, scale, s);
+  if (!s.picked) return quiet("Click a joint here or in the picture.");
+  ImGui::TextColored({1, 0.69f, 0.25f, 1}, "%s", actor.joints()[s.joint].name.c_str());
+  transforms(actor, s);
+  if (ImGui::TreeNodeEx("curves", ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_NoTreePushOnOpen))
+    curves(actor, scale, s);
+}
+
+}  // namespace marrow::tools

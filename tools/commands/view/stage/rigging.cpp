@@ -1,0 +1,74 @@
+#include "commands/view/stage/rigging.h"
+
+#include <algorithm>
+
+#include "common/failure.h"
+#include "marrow/limits.h"
+
+namespace marrow::tools {
+
+std::vector<std::uint16_t> chain_below(const Skeleton& skeleton, std::uint32_t joint) {
+  std::vector<std::uint16_t> out{static_cast<std::uint16_t>(joint)};
+  // Parents stand before their children.
+  for (std::uint32_t j = joint + 1; j < skeleton.joint_count; ++j)
+    if (skeleton.parents[j] == out.back()) out.push_back(static_cast<std::uint16_t>(j));
+  return out;
+}
+
+void Rig::prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s) {
+  dt_s_ = dt_s;
+  limits_ = settings.limits;
+  weights_ = settings.weights;
+  trouble_.clear();
+  try {
+    reach_.emplace(file_, settings.reach);
+  } catch (const Failure& why) {
+    reach_.reset();
+    trouble_ = why.what();
+  }
+  if (settings.springs) {
+    make_springs(settings, skeleton, joint);
+  } else {
+    spring_joints_.clear();
+  }
+}
+
+void Rig::make_springs(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint) {
+  const Skeleton of = file_.skeleton(skeleton);
+  const std::vector<std::uint16_t> joints = chain_below(of, joint);
+  std::vector<SpringJoint> chain(joints.size(), settings.spring);
+  for (std::size_t i = 0; i < joints.size(); ++i) chain[i].joint = joints[i];
+  const SpringChain chains[] = {{chain, {0, 0, 0}}};
+  Status status = Status::ok;
+  if (joints == spring_joints_ && skeleton == spring_skeleton_) {
+    status = set_springs(of, chains, springs_);
+  } else {
+    memory_ = AlignedBytes(springs_bytes(of, chains));
+    status = marrow::make_springs(of, chains, {memory_.data(), memory_.size()}, springs_);
+  }
+  spring_skeleton_ = skeleton;
+  spring_joints_ = status == Status::ok ? joints : std::vector<std::uint16_t>();
+  if (status != Status::ok) trouble_ = "no joint below the chosen one: nothing swings";
+}
+
+void Rig::change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
+  const Skeleton of = file_.skeleton(skeleton);
+  if (limits_ && !of.limits.empty()) {
+    check(limit_pose(of.limits, local));
+    check(local_to_model(of, local, scene_from_joint));
+  }
+  if (reach_) reach_->apply(skeleton, local, scene_from_joint);
+  if (spring_joints_.empty() || skeleton != spring_skeleton_) return;
+  SpringFrame frame;
+  frame.dt_s = dt_s_;
+  check(simulate_springs(of, frame, springs_, local, scene_from_joint));
+}
+
+void Rig::weigh(std::uint32_t mesh, Span<float> weights) const {
+  std::size_t first = 0;
+  for (std::uint32_t m = 0; m < mesh; ++m) first += file_.mesh(m).targets.size;
+  for (auto at = weights_.lower_bound(first); at != weights_.end() && at->first < first + weights.size; ++at)
+    weights[at->first - first] = at->second;
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,47 @@
+// What changes a pose after a clip has made it: limits, goals, springs, and weights of morph targets held by hand.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands/view/stage/view_settings.h"
+#include "common/aligned_bytes.h"
+#include "pose/evaluate.h"
+
+namespace marrow::tools {
+
+// A joint of the skeleton, and below it the first child of each: what springs swing.
+std::vector<std::uint16_t> chain_below(const Skeleton& skeleton, std::uint32_t joint);
+
+class Rig {
+ public:
+  // `file` outlives it.
+  explicit Rig(const File& file) : file_(file) {}
+
+  // For the next pose. skeleton, joint: that springs begin at. dt_s: since the last pose; 0: the springs stand still.
+  void prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s);
+
+  // As Character::Change and Character::Weigh.
+  void change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint);
+  void weigh(std::uint32_t mesh, Span<float> weights) const;
+
+  // Why goals or springs do not work; empty: they do.
+  const std::string& trouble() const { return trouble_; }
+
+ private:
+  void make_springs(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint);
+
+  const File& file_;
+  bool limits_ = false;
+  std::optional<Reach> reach_;
+  std::vector<std::string> goals_;
+  std::map<std::size_t, float> weights_;
+  std::uint32_t spring_skeleton_ = 0;
+  std::vector<std::uint16_t> spring_joints_;  // empty: none swing
+  AlignedBytes memory_;
+  Springs springs_;
+  float dt_s_ = 0;
+  std::string trouble_;
+};
+
+}  // namespace marrow::tools
