@@ -145,6 +145,49 @@ TEST_P(WatchTest, WhatAnInputDependsOn) {
   EXPECT_EQ(marrow.interrupt().code, 130);
 }
 
+TEST_P(WatchTest, BehindLinks) {
+  std::filesystem::create_directory_symlink(in(""), folder_ / "link");
+  std::filesystem::create_directory(folder_ / "links");
+  std::filesystem::create_symlink(in("props/box.gltf"), folder_ / "links/box.gltf");
+  std::vector<std::string> watch = {"watch", folder_ / "link/hero.gltf", folder_ / "links", "-o", out("")};
+  if (GetParam()) watch.emplace_back("--poll");
+  RunningMarrow marrow(watch);
+  ASSERT_TRUE(soon_says(marrow, "watching 2 files")) << marrow.err();
+  const std::string before = read_text(out("hero.mrw"));
+  write_triangle(folder_ / "other.gltf", folder_ / "other.bin", 1.5f);
+  std::filesystem::copy_file(folder_ / "other.bin", in("hero.bin"), std::filesystem::copy_options::overwrite_existing);
+  ASSERT_TRUE(soon([&] { return read_text(out("hero.mrw")) != before; })) << marrow.err();
+  // What a link in a folder leads to; broken from the start on.
+  const std::string text = read_text(in("props/box.gltf"));
+  std::filesystem::copy_file(in("props/box.bin"), folder_ / "links/box.bin");
+  ASSERT_TRUE(soon_says(marrow, "2 files, none wrong")) << marrow.err();
+  const std::string box = read_text(out("box.mrw")), name = R"("name":"m")";
+  save_by_renaming("props/box.gltf", std::string(text).replace(text.find(name), name.size(), R"("name":"k")"));
+  ASSERT_TRUE(soon([&] { return read_text(out("box.mrw")) != box; })) << marrow.err();
+  EXPECT_EQ(marrow.interrupt().code, 130);
+}
+
+// What it writes lies where it looks: that must not set it off again.
+TEST_P(WatchTest, OutputsAndCacheBesideTheInputs) {
+  write_text(in("broken.gltf"), "{");
+  RunningMarrow marrow(
+      {"watch", folder_ / "in", "-o", in("build"), "--cache", in("cache"), GetParam() ? "--poll" : "--jobs=2"});
+  ASSERT_TRUE(soon_says(marrow, "watching 3 files")) << marrow.err();
+  for (int i = 0; i < 3; ++i) {
+    const std::string old = read_text(in("build/hero.mrw"));
+    write_triangle(in("hero.gltf"), in("hero.bin"), 3.0f + float(i));
+    ASSERT_TRUE(soon([&] { return read_text(in("build/hero.mrw")) != old; })) << marrow.err();
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  const std::string out = marrow.out(), err = marrow.err();
+  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  const Ran ran = marrow.interrupt();
+  EXPECT_EQ(ran.out, out);
+  EXPECT_EQ(ran.err, err + "marrow: interrupted\n") << "it goes on by itself";
+  EXPECT_LE(times(ran.out, "hero.mrw: "), 6u) << ran.out;
+  EXPECT_LT(ran.processor_s, 1) << "it is not busy";
+}
+
 // From the save to the whole file, of a scene that takes a few milliseconds; the best of some, as others work here,
 // too.
 TEST_P(WatchTest, BeginsAtOnce) {

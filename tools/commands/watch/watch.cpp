@@ -31,9 +31,21 @@ using std::chrono::milliseconds;
 constexpr milliseconds kQuiet{20}, kLongestWait{60};
 constexpr milliseconds kForEver{-1};
 
-fs::path canonical(const fs::path& path) {
+fs::path true_path(const fs::path& path) {
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(path), ignored);
+}
+
+// Where the name itself is, which may be a link's.
+fs::path named(const fs::path& path) {
+  fs::path plain = fs::absolute(path).lexically_normal();
+  if (!plain.has_filename()) plain = plain.parent_path();  // behind the last /
+  return true_path(plain.parent_path()) / plain.filename();
+}
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
 }
 
 bool is_below(const fs::path& path, const fs::path& folder) {
@@ -61,15 +73,17 @@ struct Known {
   // changes, since nobody knows what it lacks.
   bool may_differ(const Changes& changes) const {
     const auto touched = [&](const fs::path& path) { return changes.touch(path); };
-    const bool any = std::ranges::any_of(inputs, touched) || touched(canonical(order.job.in));
+    const bool any =
+        std::ranges::any_of(inputs, touched) || touched(true_path(order.job.in)) || touched(named(order.job.in));
     if (!good()) {
-      const fs::path folder = canonical(order.job.in).parent_path();
+      const fs::path folders[] = {true_path(order.job.in).parent_path(), named(order.job.in).parent_path()};
       return any || std::ranges::any_of(changes.paths, [&](const fs::path& path) {
-               return is_below(path, folder) && path.extension() != ".mrw" && path.extension() != ".tmp";
+               return (is_below(path, folders[0]) || is_below(path, folders[1])) && path.extension() != ".mrw" &&
+                      path.extension() != ".tmp";
              });
     }
     if (!any) return false;
-    if (!order.options.skeleton_file.empty() && touched(canonical(order.options.skeleton_file))) return true;
+    if (!order.options.skeleton_file.empty() && touched(true_path(order.options.skeleton_file))) return true;
     return !std::ranges::all_of(outcome.reads, holds);
   }
 };
@@ -87,7 +101,7 @@ class Watch {
   void begin() {
     const auto start = Clock::now();
     for (const std::string& input : a_.inputs)
-      if (!fs::exists(input)) throw Failure(Exit::io, input, "", "cannot open", "there is no such file or folder");
+      if (!is_there(input)) throw Failure(Exit::io, input, "", "cannot open", "there is no such file or folder");
     if (is_batch_) {
       create_folders(a_.out);
     } else {
@@ -176,20 +190,23 @@ class Watch {
   // Settings may come in any folder up to the working directory. Returns whether a folder is new.
   bool watch_folders() {
     bool is_new = false;
-    const fs::path working = canonical(".");
+    const fs::path working = true_path(".");
     for (const std::string& input : a_.inputs) {
-      const bool is_folder = fs::is_directory(input);
-      const fs::path own = is_folder ? canonical(input) : canonical(input).parent_path();
+      std::error_code ignored;
+      const bool is_folder = fs::is_directory(input, ignored);
+      const fs::path own = is_folder ? true_path(input) : true_path(input).parent_path();
       is_new |= folders_.add(own, is_folder);
-      is_new |= folders_.add(fs::absolute(input).lexically_normal().parent_path(), false);
+      is_new |= folders_.add(named(input).parent_path(), false);
       for (fs::path at = own; is_below(at, working) && at != working;) {
         at = at.parent_path();
         is_new |= folders_.add(at, false);
       }
     }
-    if (!a_.settings.empty()) is_new |= folders_.add(canonical(a_.settings).parent_path(), false);
-    for (const auto& [in, known] : known_)
+    if (!a_.settings.empty()) is_new |= folders_.add(true_path(a_.settings).parent_path(), false);
+    for (const auto& [in, known] : known_) {
+      is_new |= folders_.add(true_path(in).parent_path(), false);
       for (const fs::path& path : known.inputs) is_new |= folders_.add(path.parent_path(), false);
+    }
     return is_new;
   }
 
@@ -212,7 +229,7 @@ class Watch {
   // A folder that was named may be gone for a while.
   std::vector<std::string> existing_inputs() const {
     std::vector<std::string> out = a_.inputs;
-    std::erase_if(out, [](const std::string& input) { return !fs::exists(input); });
+    std::erase_if(out, [](const std::string& input) { return !is_there(input); });
     return out;
   }
 
@@ -236,8 +253,8 @@ class Watch {
       if (!known.good()) continue;
       known.inputs.clear();
       for (const std::string& path : cook_.inputs_of(known.order, known.outcome)) {
-        known.inputs.insert(canonical(path));
-        known.inputs.insert(fs::absolute(path).lexically_normal());  // a link that another takes the place of
+        known.inputs.insert(true_path(path));
+        known.inputs.insert(named(path));  // a link that another takes the place of
       }
     }
   }
@@ -246,7 +263,7 @@ class Watch {
     return std::erase_if(known_, [&](const auto& known) {
              if (std::ranges::any_of(orders, [&](const Order& o) { return o.job.in == known.first; })) return false;
              const std::string& out = known.second.order.job.out;
-             fmt::print(stderr, "{}: is gone{}\n", known.first, fs::exists(out) ? "; " + out + " stays" : "");
+             fmt::print(stderr, "{}: is gone{}\n", known.first, is_there(out) ? "; " + out + " stays" : "");
              return true;
            }) > 0;
   }
@@ -261,7 +278,7 @@ class Watch {
       print_warnings(known.order.job, known.outcome);
       print_summary(known.order.job, known.outcome);
       std::fflush(stdout);
-    } else if (!was_bad || old->second.outcome.failure != known.outcome.failure || why.touch(canonical(in))) {
+    } else if (!was_bad || old->second.outcome.failure != known.outcome.failure || why.touch(true_path(in))) {
       fmt::print(stderr, "{}\n", known.outcome.failure);
     }
   }
