@@ -29,7 +29,7 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marro
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow unit/text/nearest_test.cpp unit/terminal/progress_test.cpp
   unit/terminal/warnings_test.cpp unit/cook/elementary_test.cpp unit/cook/quantity_test.cpp unit/cook/workflow_test.cpp)
-target_link_libraries(marrow_workflow_tests PRIVATE marrow_cook_command marrow_sample)
+target_link_libraries(marrow_workflow_tests PRIVATE marrow_jobs marrow_sample)
 if(MARROW_SANITIZE)
   set_tests_properties(workflow PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*")
 endif()
@@ -58,8 +58,8 @@ target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook mar
 marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp
   cli/bench_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
-  cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/export_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
-  cli/names_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp)
+  cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/demo_test.cpp cli/export_test.cpp cli/film_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
+  cli/names_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp cli/watch_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
@@ -96,7 +96,7 @@ if(NOT MARROW_SANITIZE)
   target_sources(marrow_cli_tests PRIVATE cli/last_bit_test.cpp)
 endif()
 # Nothing that a cooked file's bytes come through calls functions whose last bits differ between C libraries.
-set(cookers marrow_common marrow_cook marrow_cook_command marrow_deform marrow_draco marrow_gltf marrow_meshopt marrow_options
+set(cookers marrow_common marrow_cook marrow_jobs marrow_deform marrow_draco marrow_gltf marrow_meshopt marrow_options
   marrow_runtime marrow_terminal marrow_text marrow_unpack)
 list(TRANSFORM cookers REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_test(NAME cook.own_functions COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DLIBRARIES=${cookers}"

@@ -16,6 +16,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace marrow::test {
 
@@ -133,6 +134,35 @@ Ran run_program(const std::vector<std::string>& program_and_arguments, std::chro
   wait_for(child, ran);
   ran.out = read_text(out);
   ran.err = read_text(err);
+  return ran;
+}
+
+RunningMarrow::RunningMarrow(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = {program()};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  child_ = start(all, folder_ / "out", folder_ / "err");
+}
+
+RunningMarrow::~RunningMarrow() {
+  if (child_ < 0) return;
+  ::kill(child_, SIGKILL);
+  ::waitpid(child_, nullptr, 0);
+}
+
+std::string RunningMarrow::out() const {
+  return read_text(folder_ / "out");
+}
+
+std::string RunningMarrow::err() const {
+  return read_text(folder_ / "err");
+}
+
+Ran RunningMarrow::interrupt() {
+  ::kill(child_, SIGINT);
+  Ran ran;
+  wait_for(std::exchange(child_, -1), ran);
+  ran.out = out();
+  ran.err = err();
   return ran;
 }
 

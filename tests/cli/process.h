@@ -42,6 +42,24 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+// The program while it runs; killed at the end if it still does.
+class RunningMarrow {
+ public:
+  explicit RunningMarrow(const std::vector<std::string>& arguments);
+  ~RunningMarrow();
+  RunningMarrow(const RunningMarrow&) = delete;
+  RunningMarrow& operator=(const RunningMarrow&) = delete;
+  // What it has written so far.
+  std::string out() const;
+  std::string err() const;
+  // SIGINT, and what became of it.
+  Ran interrupt();
+
+ private:
+  TemporaryFolder folder_;
+  int child_;
+};
+
 std::string read_text(const std::string& path);
 void write_text(const std::string& path, const std::string& bytes);
 // A scene with one triangle of this size, in metres, whose numbers are in a file of their own beside it.

@@ -115,6 +115,7 @@ TEST(Includes, LibrariesOfTheToolsPointOneWayAndToNoCommand) {
       {"deform", {"text", "common"}},
       {"cook", {"text", "common", "deform"}},
       {"options", {"text", "common", "deform", "cook"}},
+      {"jobs", {"text", "common", "terminal", "deform", "cook", "options"}},
       {"glb", {"text", "common"}},
       {"export", {"text", "common", "terminal", "glb"}},
       {"image", {"text", "common"}},

@@ -35,6 +35,31 @@ void add_option(CLI::App* command, const cook::Option& option, cook::Given& give
 
 }  // namespace
 
+void add_cook_files(CLI::App* command, CookArguments& a) {
+  command->add_option("inputs", a.inputs, "files, or folders that are searched for .gltf and .glb")
+      ->required()
+      ->type_name("IN");
+  command
+      ->add_option(
+          "-o,--output", a.out,
+          "the cooked file to write; for several inputs, a folder among them or a name that ends in / a folder, "
+          "under which the trees below the inputs are mirrored")
+      ->required()
+      ->type_name("OUT.mrw|DIR/");
+  command
+      ->add_option("--settings", a.settings,
+                   "options from this file; without it from the nearest marrow.toml, in the input's folder or above")
+      ->type_name("FILE");
+  command->add_option("--cache", a.cache, "keep cooked files in this folder and cook nothing twice")
+      ->envname("MARROW_CACHE")
+      ->type_name("DIR");
+  command->add_option("--cache-size", a.cache_bytes, "beyond it what was not used for longest is removed, as in 500MB")
+      ->transform(CLI::AsSizeValue(true))
+      ->default_str("1GiB")
+      ->type_name("BYTES");
+  command->add_option("--jobs", a.jobs, "threads; without it one a core")->check(CLI::Range(1u, 1024u))->type_name("N");
+}
+
 void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Given& given) {
   for (const cook::Option& option : cook::option_table())
     if (names.empty() || std::ranges::find(names, option.name) != names.end()) add_option(command, option, given);

@@ -86,14 +86,19 @@ Rgb heat_colour(float t) {
   return out;
 }
 
-float largest_distance(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b) {
-  float largest = 0;
+Farthest farthest(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b) {
+  Farthest out;
   for (std::size_t mesh = 0; mesh < a.size(); ++mesh) {
     for (std::size_t slot = 0; 3 * slot < a[mesh].positions.size(); ++slot) {
-      largest = std::max(largest, distance(a[mesh], b[mesh], slot));
+      const float d = distance(a[mesh], b[mesh], slot);
+      if (d > out.distance) out = {static_cast<std::uint32_t>(mesh), slot, d};
     }
   }
-  return largest;
+  return out;
+}
+
+float largest_distance(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b) {
+  return farthest(a, b).distance;
 }
 
 float sensible_scale(float largest, float diagonal) {

@@ -1,6 +1,8 @@
 // How far apart two deformers put the same vertices, as colours.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "image/image.h"
@@ -20,7 +22,15 @@ struct HeatMap {
 // full_scale: what the hottest colour stands for, scene units, > 0.
 HeatMap compare(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b, float full_scale);
 
-// The largest distance alone.
+// The vertex that two deformers put farthest apart; the first of equals.
+struct Farthest {
+  std::uint32_t mesh = 0;
+  std::size_t slot = 0;
+  float distance = 0;  // scene units
+};
+Farthest farthest(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b);
+
+// Its distance alone.
 float largest_distance(const std::vector<PosedMesh>& a, const std::vector<PosedMesh>& b);
 
 // A hottest colour worth showing: the largest distance, but at least a thousandth of the diagonal, so that rounding

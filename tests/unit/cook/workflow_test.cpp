@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include "commands/cook/depfile.h"
 #include "common/failure.h"
 #include "common/hash.h"
 #include "common/parallel.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
+#include "jobs/depfile.h"
 #include "options/options.h"
 #include "sample/embedded.h"
 

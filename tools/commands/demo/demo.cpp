@@ -17,6 +17,7 @@
 #include "cook/cook.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"
+#include "text/printable.h"
 #include "text/quantity.h"
 
 namespace marrow::tools {
@@ -27,9 +28,9 @@ constexpr const char* kSampleName = "newt.glb";
 
 using Row = std::vector<std::string>;
 
-const Row kHeading = {"file",      "source B", "cooked B", "joints", "vertices",     "clip",
-                      "sample us", "SSD us",   "AS us",    "AS-SSD", "contact sheet"};
-constexpr std::size_t kFirstColumns[] = {0, 5, 10};  // text; the others are numbers, set to the right
+const Row kHeading = {"file",      "source B", "cooked B", "joints", "vertices",    "clip",
+                      "sample us", "SSD us",   "AS us",    "AS-SSD", "worst joint", "contact sheet"};
+constexpr std::size_t kFirstColumns[] = {0, 5, 10, 11};  // text; the others are numbers, set to the right
 
 void print_table(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(kHeading.size(), 0);
@@ -88,6 +89,7 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
           fmt::format("{:.1f}", timings.ssd_us),
           fmt::format("{:.1f}", timings.as_us),
           length_text(static_cast<double>(sheet.largest_m)),
+          sheet.worst_joint.empty() ? "-" : printable(sheet.worst_joint),
           png};
 }
 

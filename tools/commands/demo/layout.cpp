@@ -5,12 +5,12 @@
 namespace marrow::tools {
 namespace {
 
-constexpr int kGap = 4;
 constexpr int kEdge = 28;
 constexpr int kTitleHeight = 76;
-constexpr int kStripHeight = 42;  // above each row
-constexpr int kFooterHeight = 40;
-constexpr int kWidth = 2 * kEdge + kSheetColumns * kCellWidth + (kSheetColumns - 1) * kGap;
+constexpr int kStripHeight = 42;    // above each row
+constexpr int kCaptionHeight = 36;  // below a row that has captions
+constexpr int kFooterHeight = 8;
+constexpr int kWidth = 2 * kEdge + kSheetColumns * kCellWidth + (kSheetColumns - 1) * kCellGap;
 
 constexpr Rgb kPaper = {20, 25, 31};
 constexpr Rgb kBright = {236, 233, 226};
@@ -19,8 +19,12 @@ float to_float(int value) {
   return static_cast<float>(value);
 }
 
-int column_x(std::size_t column) {
-  return kEdge + static_cast<int>(column) * (kCellWidth + kGap);
+int column_x(const SheetRow& row, std::size_t column) {
+  return kEdge + static_cast<int>(column) * (row.cells.front().width + kCellGap);
+}
+
+int height_of(const SheetRow& row) {
+  return kStripHeight + row.cells.front().height + (row.captions.empty() ? 0 : kCaptionHeight);
 }
 
 }  // namespace
@@ -31,7 +35,7 @@ void draw_right(Image& image, int right, int baseline, float size, Rgb colour, c
 
 Image lay_out(const SheetPage& page) {
   int height = kTitleHeight + kFooterHeight;
-  for (const SheetRow& row : page.rows) height += kStripHeight + row.cells.front().height;
+  for (const SheetRow& row : page.rows) height += height_of(row);
   Image image(kWidth, height, kPaper);
   const float title_end = draw_text(image, kEdge, 50, 24, kBright, page.title);
   draw_text(image, title_end + 24, 50, 13, kSheetQuiet, page.scene);
@@ -42,13 +46,13 @@ Image lay_out(const SheetPage& page) {
     const float name_end = draw_text(image, kEdge, to_float(baseline), 13, kBright, row.name);
     draw_text(image, name_end + 14, to_float(baseline), 11, kSheetQuiet, row.about);
     if (row.strip) row.strip(image, kWidth - kEdge, baseline);
-    y += kStripHeight;
     for (std::size_t column = 0; column < row.cells.size(); ++column)
-      paste(image, row.cells[column], column_x(column), y);
-    y += row.cells.front().height;
+      paste(image, row.cells[column], column_x(row, column), y + kStripHeight);
+    y += height_of(row);
+    for (std::size_t column = 0; column < row.captions.size(); ++column)
+      draw_text(image, to_float(column_x(row, column)), to_float(y - kCaptionHeight + 24), 11, kSheetQuiet,
+                row.captions[column]);
   }
-  for (std::size_t column = 0; column < page.columns.size(); ++column)
-    draw_text(image, to_float(column_x(column)), to_float(y + 24), 11, kSheetQuiet, page.columns[column]);
   return image;
 }
 

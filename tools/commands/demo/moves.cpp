@@ -180,9 +180,9 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
   page.title = "Inverse kinematics";
   page.scene =
       fmt::format("clip \"walk\", {} s, made for level ground", plain_number(static_cast<double>(play.duration_s)));
-  page.rows = {{"As animated", "feet go through a slope, or hang above it", {}, {}},
-               {"place_feet", "soles follow the ground, the pelvis gives way", {}, {}},
-               {"place_feet, solve_two_bone, solve_look_at", "and a hand stays on a point, and the eyes", {}, {}}};
+  page.rows = {{"As animated", "feet go through a slope, or hang above it", {}, {}, {}},
+               {"place_feet", "soles follow the ground, the pelvis gives way", {}, {}, {}},
+               {"place_feet, solve_two_bone, solve_look_at", "and a hand stays on a point, and the eyes", {}, {}, {}}};
   for (std::size_t row = 0; row < page.rows.size(); ++row) {
     Motion motion;
     motion.feet = row > 0;
@@ -205,7 +205,8 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
       for (const Drawable& d : ramp.drawables()) drawables.push_back(d);
       page.rows[row].cells.push_back(studio.shoot(shot, drawables));
       if (motion.hand) draw_mark(page.rows[row].cells.back(), shot.camera, kTarget);
-      if (row == 0) page.columns.push_back(fmt::format("{:.2f} s", static_cast<double>(time_s)));
+      if (row + 1 == page.rows.size())
+        page.rows[row].captions.push_back(fmt::format("{:.2f} s", static_cast<double>(time_s)));
     }
   }
   return lay_out(page);

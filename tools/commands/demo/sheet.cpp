@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "commands/demo/layout.h"
+#include "commands/demo/zoom.h"
 #include "render/figure.h"
 #include "render/heat.h"
 #include "render/legend.h"
@@ -17,6 +18,7 @@ namespace marrow::tools {
 namespace {
 
 constexpr int kLeastHeight = 200, kMostHeight = 440;  // of cells, pixels
+constexpr int kZoomHeight = 440;                      // of the worst joint's
 constexpr float kCellMargin = 0.05f;                  // of their sides
 
 float as_float(int value) {
@@ -36,8 +38,11 @@ Moment moment_at(float duration_s, int column) {
 
 struct Rows {
   std::array<std::vector<Image>, 3> cells;  // SSD, AS, difference
-  float largest_m = 0;
+  WorstMoment worst;
   float full_scale_m = 0;
+  Zoom zoom;  // without cells where there is nothing to see
+
+  float largest_m() const { return worst.place.distance; }
 };
 
 // From where each moment is drawn: all from one distance, as near as one shape of cells allows.
@@ -97,14 +102,15 @@ Framing frame_moments(const File& file, Character& character, const Play& play) 
 }
 
 // The largest distance over all moments first: one ramp serves the whole row.
-float largest_over(const File& file, Character& character, const Play& play) {
-  float largest = 0;
+WorstMoment worst_of(const File& file, Character& character, const Play& play) {
+  WorstMoment worst;
   for (int column = 0; column < kSheetColumns; ++column) {
-    character.pose(play, moment_at(play.duration_s, column).time_s);
-    largest = std::max(
-        largest, largest_distance(skin_all(file, character, Deformer::ssd), skin_all(file, character, Deformer::as)));
+    const float time_s = moment_at(play.duration_s, column).time_s;
+    character.pose(play, time_s);
+    const Farthest place = farthest(skin_all(file, character, Deformer::ssd), skin_all(file, character, Deformer::as));
+    if (place.distance > worst.place.distance) worst = {time_s, place};
   }
-  return largest;
+  return worst;
 }
 
 Rows shoot_rows(const Gl& gl, const File& file, const Textures& textures, const Play& play) {
@@ -114,8 +120,8 @@ Rows shoot_rows(const Gl& gl, const File& file, const Textures& textures, const 
   Studio studio(gl, kCellWidth, framing.cell_height);
   Figure figure(gl, studio.programs(), file, &textures, AsNormals::tangents);
   Rows rows;
-  rows.largest_m = largest_over(file, character, play);
-  rows.full_scale_m = sensible_scale(rows.largest_m, performance.diagonal());
+  rows.worst = worst_of(file, character, play);
+  rows.full_scale_m = sensible_scale(rows.largest_m(), performance.diagonal());
   for (int column = 0; column < kSheetColumns; ++column) {
     const Moment moment = moment_at(play.duration_s, column);
     character.pose(play, moment.time_s);
@@ -129,6 +135,10 @@ Rows shoot_rows(const Gl& gl, const File& file, const Textures& textures, const 
     shot.shading = kHeatShading;
     rows.cells[2].push_back(studio.shoot(shot, figure.from_cpu(ssd, compare(ssd, as, rows.full_scale_m).colours)));
   }
+  if (shows_nothing(rows.largest_m(), rows.full_scale_m)) return rows;
+  studio.resize(cell_width(kZoomColumns), kZoomHeight);
+  const float aspect = as_float(cell_width(kZoomColumns)) / as_float(kZoomHeight);
+  rows.zoom = shoot_zoom(studio, figure, performance, file, character, play, rows.worst, aspect, rows.full_scale_m);
   return rows;
 }
 
@@ -180,17 +190,27 @@ Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::
                                   plain_number(static_cast<double>(play.duration_s)))
                     : std::string("rest pose");
   page.right = fmt::format("{} joints   {} vertices", joints, vertices);
-  page.rows = {
-      {"SSD", "skeletal subspace deformation, by the vertex shader", std::move(rows.cells[0]), {}},
-      {"AS", "animation space, by the vertex shader", std::move(rows.cells[1]), {}},
-      {"Difference", "largest distance between SSD and AS: " + length_text(static_cast<double>(rows.largest_m)),
-       std::move(rows.cells[2]), [&](Image& image, int right, int baseline) {
-         if (!shows_nothing(rows.largest_m, rows.full_scale_m))
-           draw_ramp(image, right, baseline, 11, kSheetQuiet, rows.full_scale_m);
-       }}};
+  const bool differs = !shows_nothing(rows.largest_m(), rows.full_scale_m);
+  const std::string largest = length_text(static_cast<double>(rows.largest_m()));
+  page.rows = {{"SSD", "skeletal subspace deformation, by the vertex shader", std::move(rows.cells[0]), {}, {}},
+               {"AS", "animation space, by the vertex shader", std::move(rows.cells[1]), {}, {}},
+               {"Difference",
+                "largest distance between SSD and AS: " + largest,
+                std::move(rows.cells[2]),
+                {},
+                [&](Image& image, int right, int baseline) {
+                  if (differs) draw_ramp(image, right, baseline, 11, kSheetQuiet, rows.full_scale_m);
+                }}};
   for (int column = 0; column < kSheetColumns; ++column)
-    page.columns.push_back(moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
-  return {lay_out(page), rows.largest_m};
+    page.rows.back().captions.push_back(moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
+  if (differs)
+    page.rows.push_back({"Worst joint",
+                         fmt::format("{}, {} apart at {} s", rows.zoom.joint, largest,
+                                     plain_number(static_cast<double>(rows.worst.time_s), 2)),
+                         std::move(rows.zoom.cells),
+                         {"SSD", "AS", "difference"},
+                         {}});
+  return {lay_out(page), rows.largest_m(), rows.zoom.joint};
 }
 
 }  // namespace marrow::tools

@@ -1,4 +1,5 @@
-// A contact sheet: six moments of a clip, skinned by SSD and by animation space, and where the two differ.
+// A contact sheet: six moments of a clip, skinned by SSD and by animation space, and where the two differ:
+// over the whole figure, and from near by at the joint where they differ most.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ namespace marrow::tools {
 
 struct Sheet {
   Image image;
-  float largest_m = 0;  // distance between SSD and AS over the moments shown, scene units
+  float largest_m = 0;      // distance between SSD and AS over the moments shown, scene units
+  std::string worst_joint;  // about which that is; empty if it is too small to be seen
 };
 
 // The clip that bends joints most, the one worth showing; nullopt if the file has none.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 #include <fmt/format.h>
 
+#include "commands/render/film.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
@@ -17,8 +19,10 @@ namespace marrow::tools {
 namespace {
 
 constexpr double kMostFrames = 3600;
-// Of an APNG, which is in memory until it is whole: a picture's encoder takes at most 3 bytes a pixel, mostly a third.
+// Of an APNG, which is in memory until it is whole (a picture's encoder takes at most 3 bytes a pixel, mostly a third),
+// and of a GIF, whose frames ffmpeg keeps until it has seen the last one's colours.
 constexpr std::size_t kMostPixels = std::size_t{1} << 30;
+constexpr double kMostGifFps = 50;  // what is faster, browsers play at 10
 constexpr double kTurnDegPerS = 60;
 constexpr double kRadPerDeg = 0.017453292519943295;
 
@@ -43,6 +47,71 @@ std::uint16_t ticks(const Movie& movie, std::size_t frame) {
     return std::lround(movie.duration_s * share * Apng::kTicksPerSecond);
   };
   return static_cast<std::uint16_t>(std::clamp(end(frame + 1) - end(frame), 1L, 65535L));
+}
+
+// Where frames go, one after the other.
+class Reel {
+ public:
+  virtual ~Reel() = default;
+  virtual void add(std::size_t number, const Image& frame) = 0;
+  virtual void finish() = 0;
+};
+
+class NumberedFrames : public Reel {
+ public:
+  explicit NumberedFrames(FrameNames names) : names_(std::move(names)) {
+    if (!names_.folder.empty()) create_folders(names_.folder);
+  }
+  void add(std::size_t number, const Image& frame) override { write_png(names_.name(number), frame); }
+  void finish() override {}
+
+ private:
+  FrameNames names_;
+};
+
+class AnimatedPng : public Reel {
+ public:
+  AnimatedPng(const std::string& output, const Movie& movie)
+      : output_(output), movie_(movie), apng_(static_cast<std::uint32_t>(movie.instants.size())) {}
+  void add(std::size_t number, const Image& frame) override { apng_.add(frame, ticks(movie_, number)); }
+  void finish() override { write_file_atomically(output_, apng_.finish()); }
+
+ private:
+  const std::string& output_;
+  const Movie& movie_;
+  Apng apng_;
+};
+
+class Video : public Reel {
+ public:
+  Video(const std::string& output, const Film::Shape& shape) : film_(output, shape) {}
+  void add(std::size_t, const Image& frame) override { film_.add(frame); }
+  void finish() override { film_.finish(); }
+
+ private:
+  Film film_;
+};
+
+void expect_small_enough(const RenderArguments& arguments, const Movie& movie, const Sitting& sitting) {
+  const std::size_t frames = movie.instants.size();
+  const std::size_t pixels = static_cast<std::size_t>(sitting.width()) * static_cast<std::size_t>(sitting.height());
+  const bool is_gif = has_extension(arguments.output, ".gif");
+  if ((is_gif || !is_film(arguments.output)) && frames > kMostPixels / pixels)
+    throw Failure(Exit::usage, arguments.output, "",
+                  fmt::format("{} frames of {} are too large for one file", frames, arguments.size),
+                  "lower --size or --fps, or write numbered frames, -o frames/, or an .mp4");
+  if (is_gif && static_cast<double>(frames) > kMostGifFps * movie.duration_s)
+    throw Failure(Exit::usage, "--fps", "", fmt::format("a GIF shows at most {:.0f} frames a second", kMostGifFps),
+                  "lower --fps, or write an .mp4");
+}
+
+std::unique_ptr<Reel> make_reel(const RenderArguments& arguments, const Movie& movie, const Sitting& sitting) {
+  if (std::optional<FrameNames> names = parse_frame_names(arguments.output))
+    return std::make_unique<NumberedFrames>(std::move(*names));
+  expect_small_enough(arguments, movie, sitting);
+  if (!is_film(arguments.output)) return std::make_unique<AnimatedPng>(arguments.output, movie);
+  return std::make_unique<Video>(
+      arguments.output, Film::Shape{sitting.width(), sitting.height(), movie.instants.size(), movie.duration_s});
 }
 
 }  // namespace
@@ -94,34 +163,35 @@ void expect_movie_output(const std::string& output) {
   const std::optional<FrameNames> names = parse_frame_names(output);
   if (names && !names->folder.empty()) return expect_folder(names->folder);
   const std::string first = names ? names->name(0) : output;
-  expect_extension(first, {".png", ".apng"});
+  if (names) {
+    expect_extension(first, {".png", ".apng"});
+  } else {
+    expect_extension(first, {".png", ".apng", ".gif", ".mp4", ".webm"});
+  }
   expect_writable(first);
+  if (is_film(first)) expect_ffmpeg(first);
+}
+
+std::string movie_size(const std::string& output, const std::string& size) {
+  if (!is_film(output) || has_extension(output, ".gif")) return size;
+  const auto [width, height] = parse_size(size);
+  return fmt::format("{}x{}", width + width % 2, height + height % 2);
 }
 
 void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
   const Movie movie = plan_movie(arguments, sitting.play());
-  const std::optional<FrameNames> names = parse_frame_names(arguments.output);
   const std::size_t frames = movie.instants.size();
-  const std::size_t pixels = static_cast<std::size_t>(sitting.width()) * static_cast<std::size_t>(sitting.height());
-  if (!names && frames > kMostPixels / pixels)
-    throw Failure(Exit::usage, arguments.output, "",
-                  fmt::format("{} frames of {} are too large for one file", frames, arguments.size),
-                  "lower --size or --fps, or write numbered frames: -o frames/");
-  if (names && !names->folder.empty()) create_folders(names->folder);
+  const std::unique_ptr<Reel> reel = make_reel(arguments, movie, sitting);
   sitting.agree_on_heat(movie.instants);
-  Apng apng(static_cast<std::uint32_t>(frames));
-  std::optional<Progress> progress(std::in_place);
-  for (std::size_t i = 0; i < frames; ++i) {
-    progress->show(i, frames, "drawing");
-    const Image frame = sitting.shoot(movie.instants[i]);
-    if (names) {
-      write_png(names->name(i), frame);
-    } else {
-      apng.add(frame, ticks(movie, i));
+  {
+    Progress progress;
+    for (std::size_t i = 0; i < frames; ++i) {
+      progress.show(i, frames, "drawing");
+      reel->add(i, sitting.shoot(movie.instants[i]));
     }
+    if (is_film(arguments.output)) progress.show(0, 0, "encoding");
+    reel->finish();
   }
-  progress.reset();
-  if (!names) write_file_atomically(arguments.output, apng.finish());
   std::fputs(fmt::format("{}: {}x{}, {} frames, {} s, {}\n", arguments.output, sitting.width(), sitting.height(),
                          frames, plain_number(movie.duration_s), sitting.gl().driver())
                  .c_str(),

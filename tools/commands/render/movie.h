@@ -31,8 +31,11 @@ struct FrameNames {
 // Nothing for the name of one file. Throws Failure (usage) for two numbers in one name.
 std::optional<FrameNames> parse_frame_names(const std::string& output);
 
-// Throws Failure (usage, io) if this could not be written.
+// Throws Failure (usage, io, unsupported) if this could not be written.
 void expect_movie_output(const std::string& output);
+
+// The --size that frames for this output have: sides of videos are even, rounded up. Throws Failure (usage).
+std::string movie_size(const std::string& output, const std::string& size);
 
 // Throws Failure.
 void shoot_movie(const RenderArguments& arguments, Sitting& sitting);

@@ -19,8 +19,10 @@ void expect_output(const RenderArguments& arguments) {
 
 }  // namespace
 
-void run_render(const RenderArguments& arguments) {
-  expect_output(arguments);
+void run_render(const RenderArguments& given) {
+  expect_output(given);
+  RenderArguments arguments = given;
+  if (arguments.movie) arguments.size = movie_size(arguments.output, arguments.size);
   Sitting sitting(arguments);
   if (arguments.movie) return shoot_movie(arguments, sitting);
   const Instant instant{arguments.choice.time_s, std::nullopt};

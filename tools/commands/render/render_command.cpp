@@ -10,7 +10,8 @@ void add_movie(CLI::App* command, RenderArguments& a) {
   CLI::Option* const movie =
       command->add_flag("--movie", a.movie,
                         "a moving picture that loops: the clip, or with --time, or of what does not move, a turntable; "
-                        "an animated PNG, or, with -o FOLDER/ or -o NAME%04d.png, numbered frames");
+                        "an animated PNG (.png), or by the program ffmpeg .gif, .mp4 or .webm, or, with -o FOLDER/ or "
+                        "-o NAME%04d.png, numbered frames");
   command->add_option("--fps", a.fps, "frames a second of a movie")
       ->type_name("N")
       ->check(CLI::Range(1, 60))
@@ -47,7 +48,7 @@ void add_render(CLI::App& app, int&) {
   add_reach(command, a.reach);
   add_viewpoint(command, a.viewpoint);
   add_movie(command, a);
-  command->add_option("-o,--output", a.output, "the picture, PNG")->required()->type_name("P.png");
+  command->add_option("-o,--output", a.output, "the picture, PNG, or the movie")->required()->type_name("P.png");
   command->callback([command] {
     a.held = command->count("--time") > 0;
     run_render(a);

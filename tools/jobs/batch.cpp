@@ -1,4 +1,4 @@
-#include "commands/cook/batch.h"
+#include "jobs/batch.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "common/failure.h"
+#include "common/formats.h"
 
 namespace marrow::tools {
 namespace {
@@ -52,7 +53,12 @@ bool is_batch(const std::vector<std::string>& inputs, const std::string& output)
          });
 }
 
-std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const std::string& output) {
+CookJob plan_one(const std::string& input, const std::string& output) {
+  const std::string root = fs::path(input).parent_path().string();
+  return {input, output, root.empty() ? "." : root};
+}
+
+std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const std::string& output, bool may_be_empty) {
   if (fs::path(output).extension() == ".mrw")
     throw Failure(Exit::usage, output, "", "several inputs, one output", "name a folder; put / behind its name");
   std::vector<CookJob> jobs;
@@ -65,7 +71,7 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
       continue;
     }
     const std::vector<fs::path> found = scenes_below(input);
-    if (found.empty())
+    if (found.empty() && !may_be_empty)
       throw Failure(Exit::invalid, input, "", "nothing to cook", "there is no .gltf or .glb file in it or below it");
     for (const fs::path& in : found) {
       const fs::path name = in.lexically_relative(input);
@@ -84,6 +90,11 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
     }
   }
   return out;
+}
+
+void expect_cooked_name(const std::string& output) {
+  if (is_named_gltf(output))
+    throw Failure(Exit::usage, output, "", "unknown format", "a cooked file is no glTF; its name ends with .mrw");
 }
 
 void expect_distinct(const std::vector<std::string>& written, const std::vector<std::string>& read) {

@@ -1,4 +1,4 @@
-#include "commands/cook/outcome.h"
+#include "jobs/outcome.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "commands/cook/cache.h"
+#include "jobs/cache.h"
 
 #include <fcntl.h>
 #include <link.h>

@@ -1,4 +1,4 @@
-#include "commands/cook/depfile.h"
+#include "jobs/depfile.h"
 
 #include "common/failure.h"
 

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "commands/cook/batch.h"
 #include "common/failure.h"
 #include "cook/scene/raw.h"
+#include "jobs/batch.h"
 
 namespace marrow::tools {
 

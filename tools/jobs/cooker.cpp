@@ -1,0 +1,202 @@
+#include "jobs/cooker.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "common/failure.h"
+#include "common/files.h"
+#include "common/hash.h"
+#include "common/load_mrw.h"
+#include "cook/cook.h"
+#include "cook/gltf/read.h"
+#include "cook/prepare/match_skeletons.h"
+#include "cook/prepare/paint_weights.h"
+#include "text/printable.h"
+
+namespace marrow::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The character that a clip pack is for.
+cook::Character read_character(const std::string& path) {
+  if (!path.ends_with(".mrw")) return cook::read_character(path);
+  const auto loaded = std::make_shared<LoadedFile>(load_mrw(path));
+  cook::Character out = cook::view_character(path, loaded->file);
+  out.holds = loaded;
+  out.hash = hash_of({loaded->bytes.data(), loaded->bytes.size()});
+  return out;
+}
+
+// Masks and examples by where they are from the scene and by what they hold: their names in the options are from the
+// working directory, which may be another the next time.
+std::string named_files_text(const Order& order) {
+  std::string out;
+  const auto add = [&](const char* option, const std::string& file) {
+    const cook::RawRead read = cook::read_of_mask(file);
+    out += std::string("\n") + option + ' ' + relative_to_scene(order.job.in, read.path) + ' ' + read.hash;
+  };
+  for (const cook::PaintRule& rule : order.options.weights.paint) add("paint", rule.file);
+  if (!order.options.learn.examples_file.empty()) add("examples", order.options.learn.examples_file);
+  return out;
+}
+
+Outcome failed(const CookJob& job, Exit code, std::string text) {
+  if (!text.starts_with(job.in)) text = job.in + ": " + text;
+  Outcome outcome;
+  outcome.code = code;
+  outcome.failure = std::move(text);
+  return outcome;
+}
+
+}  // namespace
+
+std::uint64_t MemoryGate::half_of_memory() {
+  return static_cast<std::uint64_t>(std::max(1L, ::sysconf(_SC_PHYS_PAGES))) *
+         static_cast<std::uint64_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))) / 2;
+}
+
+Order SettingsOf::order(const CookJob& job, const cook::Given& command_line) {
+  Order out{job, {}, "", given_.empty() ? cook::find_settings(job.in, job.root).value_or("") : given_};
+  cook::Given given;
+  if (!out.settings_file.empty()) {
+    const auto [known, is_new] = known_.try_emplace(out.settings_file);
+    if (is_new) known->second.settings = cook::read_settings(out.settings_file);
+    given = cook::settings_for(known->second.settings, job.in, known->second.used);
+  }
+  cook::replace(given, command_line);
+  out.options = cook::to_options(given);
+  out.options_text = cook::canonical_text(given);
+  return out;
+}
+
+void SettingsOf::warn_of_unused(const std::vector<std::string>& inputs) const {
+  std::error_code ignored;
+  for (const auto& [path, known] : known_) {
+    const fs::path own = known.settings.folder;
+    const bool all = std::ranges::any_of(inputs, [&](const std::string& input) {
+      const fs::path folder = fs::weakly_canonical(fs::absolute(input), ignored);
+      return fs::is_directory(folder, ignored) &&
+             std::mismatch(folder.begin(), folder.end(), own.begin(), own.end()).first == folder.end();
+    });
+    for (std::size_t i = 0; all && i < known.settings.rules.size(); ++i)
+      if (i >= known.used.size() || !known.used[i])
+        fmt::print(stderr, "{}: {}: warning: no input is called \"{}\"\n", path, known.settings.rules[i].where,
+                   printable(fmt::format("{}", fmt::join(known.settings.rules[i].match, "\" or \""))));
+  }
+}
+
+cook::Given for_many(cook::Given given) {
+  for (auto& [name, values] : given)
+    for (cook::Value& value : values) value.origin.must_fit = false;
+  return given;
+}
+
+Cook::Cook(const CookArguments& arguments) : a_(arguments) {
+  if (!a_.cache.empty()) cache_.emplace(a_.cache);
+}
+
+Cook::Cooked Cook::cook(const Order& order) {
+  const auto start = Clock::now();
+  Cooked out;
+  std::optional<cook::CookResult> result;
+  cook::CookOptions options = order.options;
+  std::string options_text = order.options_text;
+  if (!options.skeleton_file.empty()) {
+    options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
+    options_text += "\nskeleton " + options.onto->file + ' ' + options.onto->hash;
+  }
+  if (cache_ && !options.clips_only) options_text += named_files_text(order);
+  if (cache_) result = cache_->find(order.job.in, options_text);
+  out.outcome.from_cache = result.has_value();
+  if (!result) {
+    cook::RawScene scene = cook::read_gltf(order.job.in, {.image_bytes = options.images == cook::Images::embed});
+    const MemoryGate::Pass pass(memory_, scene.source_bytes << (2 * options.subdivide));
+    result = cook::cook_scene(std::move(scene), options);
+    if (cache_) note_trouble(cache_->store(*result, options_text));
+  }
+  result->report["source"]["file"] = order.job.in;
+  result->report["output"]["file"] = order.job.out;
+  out.file = std::move(result->file);
+  out.outcome.report = std::move(result->report);
+  out.outcome.reads = std::move(result->reads);
+  out.outcome.seconds = seconds_since(start);
+  expect_not_read(order, out.outcome.reads);
+  return out;
+}
+
+Outcome Cook::cook_into_folder(const Order& order) {
+  const auto start = Clock::now();
+  Outcome outcome;
+  try {
+    Cooked cooked = cook(order);
+    create_folders(fs::path(order.job.out).parent_path().string());
+    if (!is_there(order.job.out, cooked.file)) write_file_atomically(order.job.out, cooked.file);
+    outcome = std::move(cooked.outcome);
+  } catch (const Failure& failure) {
+    outcome = failed(order.job, failure.code(), failure.what());
+  } catch (const std::bad_alloc&) {
+    outcome = failed(order.job, Exit::internal, "out of memory");
+  } catch (const std::exception& e) {
+    outcome = failed(order.job, Exit::internal, std::string("internal error: ") + e.what());
+  }
+  outcome.seconds = seconds_since(start);
+  return outcome;
+}
+
+bool Cook::is_there(const std::string& path, std::span<const std::byte> bytes) const {
+  std::error_code error;
+  if (!cache_ || fs::file_size(path, error) != bytes.size() || error || !fs::is_regular_file(path, error)) return false;
+  const AlignedBytes old = read_file(path);
+  return old.size() == bytes.size() && std::equal(bytes.begin(), bytes.end(), old.data());
+}
+
+std::vector<std::string> Cook::inputs_of(const Order& order, const Outcome& outcome) const {
+  std::vector<std::string> inputs;
+  for (const cook::RawRead& read : outcome.reads) {
+    if (inputs.empty()) {
+      inputs.push_back(read.path);
+      continue;
+    }
+    const fs::path path = fs::path(order.job.in).parent_path() / relative_to_scene(order.job.in, read.path);
+    if (std::ranges::find(inputs, path.string()) == inputs.end()) inputs.push_back(path.string());
+  }
+  if (!order.options.skeleton_file.empty()) inputs.push_back(order.options.skeleton_file);
+  if (!order.settings_file.empty()) inputs.push_back(order.settings_file);
+  return inputs;
+}
+
+void Cook::end() {
+  if (cache_) cache_->shrink(a_.cache_bytes);
+  if (!cache_trouble_.empty()) fmt::print(stderr, "{}: warning: the cache is not kept: {}\n", a_.cache, cache_trouble_);
+}
+
+// -o scene.bin is a slip of the hand that would cost an artist's file.
+void Cook::expect_not_read(const Order& order, const std::vector<cook::RawRead>& reads) const {
+  for (const std::string& target : {order.job.out, a_.report, a_.depfile}) {
+    std::error_code ignored;
+    for (const cook::RawRead& read : reads)
+      if (!target.empty() && fs::equivalent(target, read.path, ignored) && !ignored)
+        throw Failure(Exit::usage, target, "", "is an input", "it belongs to the scene; name another file to write");
+  }
+}
+
+void Cook::note_trouble(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  if (cache_trouble_.empty()) cache_trouble_ = text;
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,129 @@
+// Cooks the inputs of one command, alone or at the same time, through the cache if there is one.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jobs/batch.h"
+#include "jobs/cache.h"
+#include "jobs/outcome.h"
+#include "options/options.h"
+#include "options/settings.h"
+
+namespace marrow::tools {
+
+struct CookArguments {
+  std::vector<std::string> inputs;
+  std::string out, report, depfile, settings;
+  std::string cache;  // empty: none
+  std::uint64_t cache_bytes = 1u << 30;
+  unsigned jobs = 0;  // 0: one a core
+  bool json = false;
+  cook::Given given;  // on the command line
+};
+
+// What is to be done with one input, all of it known before the first is read.
+struct Order {
+  CookJob job;
+  cook::CookOptions options;
+  std::string options_text;   // canonical
+  std::string settings_file;  // empty: none
+};
+
+// Settings files, each read once, and which of their rules found an input.
+class SettingsOf {
+ public:
+  explicit SettingsOf(const std::string& given) : given_(given) {}
+
+  // Throws what read_settings() and to_options() throw.
+  Order order(const CookJob& job, const cook::Given& command_line);
+
+  // Where everything below the settings' folder was cooked, a rule that found nothing is a mistake; on stderr.
+  void warn_of_unused(const std::vector<std::string>& inputs) const;
+
+ private:
+  struct Known {
+    cook::Settings settings;
+    std::vector<bool> used;
+  };
+  std::string given_;
+  std::map<std::string, Known> known_;
+};
+
+// The same options for many files, of which each need not fit every one.
+cook::Given for_many(cook::Given given);
+
+// Lets scenes be built at the same time as long as what they need fits half the machine's memory; one always.
+class MemoryGate {
+ public:
+  class Pass {
+   public:
+    Pass(MemoryGate& gate, std::uint64_t source_bytes) : gate_(gate), need_(kLeast + kTimes * source_bytes) {
+      std::unique_lock lock(gate_.mutex_);
+      gate_.changed_.wait(lock, [&] { return gate_.used_ == 0 || gate_.used_ + need_ <= gate_.most_; });
+      gate_.used_ += need_;
+    }
+    ~Pass() {
+      const std::lock_guard lock(gate_.mutex_);
+      gate_.used_ -= need_;
+      gate_.changed_.notify_all();
+    }
+    Pass(const Pass&) = delete;
+    Pass& operator=(const Pass&) = delete;
+
+   private:
+    // The largest clip that is compressed takes 80 MB; all else stayed below 10 times the source on our models.
+    static constexpr std::uint64_t kLeast = 100'000'000, kTimes = 20;
+    MemoryGate& gate_;
+    std::uint64_t need_;
+  };
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::uint64_t used_ = 0;
+  const std::uint64_t most_ = half_of_memory();
+  static std::uint64_t half_of_memory();
+};
+
+class Cook {
+ public:
+  // `arguments` live as long as this.
+  explicit Cook(const CookArguments& arguments);
+
+  struct Cooked {
+    Outcome outcome;
+    std::vector<std::byte> file;
+  };
+  // Throws Failure. From any thread, like what follows but end().
+  Cooked cook(const Order& order);
+  // Writes the output and makes its folder. Throws nothing: what went wrong is in the outcome.
+  Outcome cook_into_folder(const Order& order);
+
+  // With a cache, files that need not change keep their time of change.
+  bool is_there(const std::string& path, std::span<const std::byte> bytes) const;
+  // All files that a successful cook came from, the scene first.
+  std::vector<std::string> inputs_of(const Order& order, const Outcome& outcome) const;
+
+  // Keeps the cache within its bounds; says on stderr what was wrong with it.
+  void end();
+
+ private:
+  void expect_not_read(const Order& order, const std::vector<cook::RawRead>& reads) const;
+  void note_trouble(const std::string& text);
+
+  const CookArguments& a_;
+  std::optional<Cache> cache_;
+  MemoryGate memory_;
+  std::mutex mutex_;
+  std::string cache_trouble_;  // the first
+};
+
+}  // namespace marrow::tools
