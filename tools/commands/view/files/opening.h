@@ -6,7 +6,7 @@
 #include <string>
 
 #include "commands/view/files/source.h"
-#include "commands/view/files/watch.h"
+#include "commands/view/files/changed_files.h"
 
 namespace marrow::tools {
 

@@ -1,4 +1,4 @@
-#include "commands/view/files/watch.h"
+#include "commands/view/files/changed_files.h"
 
 #include <sys/stat.h>
 
