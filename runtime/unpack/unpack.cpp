@@ -110,7 +110,8 @@ class Unpacker {
   }
 
   Status finish(DataError* error) {
-    if (end_ != header_.file_bytes) return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
+    if (end_ != header_.file_bytes)
+      return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
     constexpr std::size_t kBehind = sizeof(format::Header);
     const format::Header h{format::kMagic,
                            format::kVersion,
@@ -160,7 +161,8 @@ class Unpacker {
 
   // A record that is not a section as it stands.
   Status expand(Span<std::byte> out, File::Section& section, const char*& rule) {
-    if (record_.kind == format::kGeometries && record_.codec != packed::kCompact) return expand_mesh(out, section, rule);
+    if (record_.kind == format::kGeometries && record_.codec != packed::kCompact)
+      return expand_mesh(out, section, rule);
     const UnpackedSkeletons skeletons{memory_.data, compact_skeletons_};
     std::uint32_t& bytes = section.bytes;
     if (record_.codec != packed::kCompact) {

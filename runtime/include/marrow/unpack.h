@@ -55,9 +55,9 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
 // A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
 // step. Stopping half way is forgetting it: nothing is to be freed.
 struct Unpacking {
-  Span<const std::byte> file = {};  // empty until the last step is done; then as of unpack()
-  std::uint32_t done_bytes = 0;     // of total_bytes, for a bar
-  std::uint32_t total_bytes = 0;    // of the unpacked file
+  Span<const std::byte> file = {};                     // empty until the last step is done; then as of unpack()
+  std::uint32_t done_bytes = 0;                        // of total_bytes, for a bar
+  std::uint32_t total_bytes = 0;                       // of the unpacked file
   alignas(8) std::byte state[kUnpackStateBytes] = {};  // unpack_step()'s own
 };
 
