@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstring>
 
-#include "unpack/arrange.h"
 #include "unpack/octahedron.h"
 
 namespace marrow {
@@ -358,10 +357,12 @@ std::uint64_t expand_scratch_bytes(const MeshStreams& mesh) {
   return arrange_scratch_bytes(mesh.vertex_count);
 }
 
-const char* expand_geometry(const MeshStreams& mesh, Memory& scratch, Span<std::byte> out, std::uint32_t& bytes) {
+const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, Arrangement& out) {
   if (const char* const rule = check(mesh)) return rule;
-  Arrangement a;
-  if (!arrange(mesh, scratch, a)) return "memory_bytes too small";
+  return arrange(mesh, scratch, out) ? nullptr : "memory_bytes too small";
+}
+
+const char* write_geometry(const MeshStreams& mesh, const Arrangement& a, Span<std::byte> out, std::uint32_t& bytes) {
   const GeometryHeader h = make_header(mesh, a);
   const GeometryLayout l = layout(h);
   const Appendix appendix(mesh, a, h, l);

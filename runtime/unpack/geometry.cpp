@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "unpack/expand.h"
-
 namespace marrow {
 namespace {
 
@@ -249,11 +247,12 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
   return bytes + expand_scratch_bytes(mesh);
 }
 
-const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
-                            Span<std::byte> out, std::uint32_t& bytes, Status& decoded) {
+const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
+                            GeometryInWork& out, Status& decoded) {
   ByteReader reader(record.data, record.size);
-  Memory memory{scratch.data, 0, scratch.size};
-  MeshStreams mesh;
+  out = {{scratch.data, 0, scratch.size}, {}, {}};
+  Memory& memory = out.scratch;
+  MeshStreams& mesh = out.streams;
   if (const char* const rule = read_geometry_record(reader, memory, mesh)) return rule;
   mesh.indices = memory.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3).data;
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
@@ -265,8 +264,8 @@ const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& dec
   mesh.source_map = source_map;
   if (reader.failed()) return "a record that ends too soon";
   decoded = decoder.decode({reader.at(), reader.left()}, mesh);
-  if (decoded != Status::ok) return decoded == Status::out_of_memory ? to_string(decoded) : "damaged mesh data";
-  return expand_geometry(mesh, memory, out, bytes);
+  if (decoded == Status::ok) return nullptr;
+  return decoded == Status::out_of_memory ? to_string(decoded) : "damaged mesh data";
 }
 
 }  // namespace marrow

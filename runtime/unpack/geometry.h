@@ -4,6 +4,7 @@
 #include "core/byte_reader.h"
 #include "core/memory.h"
 #include "marrow/unpack.h"
+#include "unpack/expand.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -28,8 +29,25 @@ const char* measure_geometry_record(Span<const std::byte> record, GeometryNeeds&
 // Bytes of scratch memory for the arrays of these streams and for expanding them.
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);
 
-// A whole record → a GEOM section at `out`. Returns null, or the rule that is broken; `decoded` is what the codec says.
-const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
-                            Span<std::byte> out, std::uint32_t& bytes, Status& decoded);
+// A mesh on its way from a record to a section. What it points at lies in the scratch memory.
+struct GeometryInWork {
+  Memory scratch;
+  MeshStreams streams;
+  Arrangement arrangement;
+};
+
+// A record's streams, decoded; arrange_geometry() and write_geometry() of them follow. Returns null, or the rule that
+// is broken; `decoded` is what the codec says.
+const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
+                            GeometryInWork& out, Status& decoded);
+
+// All three in one go, for the cooker and for tests.
+inline const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
+                                   Span<std::byte> out, std::uint32_t& bytes, Status& decoded) {
+  GeometryInWork mesh;
+  const char* rule = decode_geometry(record, decoder, scratch, mesh, decoded);
+  if (rule == nullptr) rule = arrange_geometry(mesh.streams, mesh.scratch, mesh.arrangement);
+  return rule != nullptr ? rule : write_geometry(mesh.streams, mesh.arrangement, out, bytes);
+}
 
 }  // namespace marrow

@@ -1,5 +1,7 @@
 #include "marrow/unpack.h"
 
+#include <type_traits>
+
 #include "core/check.h"
 #include "marrow/block.h"
 #include "unpack/geometry.h"
@@ -49,6 +51,19 @@ Status check_sizes(Span<const std::byte> packed, const Header& h, DataError* err
   return Status::ok;
 }
 
+Status read_counts(Span<const std::byte> packed, Header& h, DataError* error) {
+  const Status status = read_header(packed, h, error);
+  return status == Status::ok ? check_sizes(packed, h, error) : status;
+}
+
+BadCall check_memory(const Header& h, Span<std::byte> memory, DataError* error) {
+  if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
+    (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
+  MARROW_CHECK(holds(memory, h.memory_bytes));
+  MARROW_CHECK(is_on_boundary(memory.data));
+  return {};
+}
+
 // The last record's bytes if they are compact names, else none.
 Span<const std::byte> find_names(ByteReader reader, std::uint32_t record_count) {
   Record last;
@@ -62,47 +77,41 @@ const char* codec_name(std::uint32_t codec) {
   return "an unknown codec";
 }
 
-// Writes sections one behind the other into the front part of memory.
+// What a mesh record waits for.
+enum class MeshStage : std::uint8_t { decoding, ordering, writing };
+
+// Writes sections one behind the other into the front part of memory, a step at a time. Lies in Unpacking::state.
 class Unpacker {
  public:
-  Unpacker(const Header& header, Span<const MeshDecoder> decoders, NameReader names, Span<std::byte> memory)
+  Unpacker(const Header& header, Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory)
       : header_(header),
         decoders_(decoders),
-        names_(names),
         memory_(memory),
-        scratch_at_(format::align16(header.file_bytes)) {}
+        packed_bytes_(packed.size),
+        records_(packed.data + sizeof header, packed.size - sizeof header),
+        names_(find_names(records_, header.record_count)),
+        end_(sizeof(format::Header) + std::uint64_t{header.record_count} * sizeof(File::Section)) {}
 
-  // The end of a header and of a table with this many entries.
-  bool begin() {
-    end_ = sizeof(format::Header) + std::uint64_t{header_.record_count} * sizeof(File::Section);
-    return end_ <= header_.file_bytes;
-  }
+  bool is_begun() const { return memory_.data != nullptr; }
+  bool at_end() const { return index_ == header_.record_count; }
+  std::uint32_t done_bytes() const { return static_cast<std::uint32_t>(end_); }
+  Span<const std::byte> file() const { return {memory_.data, header_.file_bytes}; }
 
-  Status add(std::uint32_t index, const Record& record, const char*& rule) {
-    if (record.kind >= format::kKindCount) return bad(rule, "an unknown kind of record");
-    const std::uint64_t offset = format::align16(end_);
-    if (offset > header_.file_bytes) return bad(rule, "file_bytes too small");
-    std::memset(memory_.data + end_, 0, offset - end_);
-    const Span<std::byte> out(memory_.data + offset, header_.file_bytes - static_cast<std::size_t>(offset));
-    File::Section section{format::kTypes[record.kind], static_cast<std::uint32_t>(offset), 0, 0};
-    if (record.codec < packed::kFirstCodec) {
-      if (record.bytes.size > out.size) return bad(rule, "file_bytes too small");
-      std::memcpy(out.data, record.bytes.data, record.bytes.size);
-      section.bytes = static_cast<std::uint32_t>(record.bytes.size);
-      section.codec = record.codec;
-    } else {
-      const Status status = expand(record, out, section, rule);
-      if (status != Status::ok) return status;
+  // Not at_end().
+  Status step(DataError* error) {
+    if (end_ > header_.file_bytes) return fail(error, Status::bad_data, 12, "file_bytes too small");
+    if (stage_ == MeshStage::decoding) {
+      offset_ = packed_bytes_ - records_.left();
+      record_ = take_record(records_);
     }
-    if (record.kind == format::kSkeletons && record.codec == packed::kCompact && compact_skeletons_ == index)
-      ++compact_skeletons_;
-    std::memcpy(memory_.data + sizeof(format::Header) + index * sizeof section, &section, sizeof section);
-    end_ = offset + section.bytes;
-    return Status::ok;
+    const char* rule = nullptr;
+    const Status status = add(rule);
+    return status == Status::ok ? status : fail(error, status, offset_, rule);
   }
 
-  bool finish() {
-    if (end_ != header_.file_bytes) return false;
+  Status finish(DataError* error) {
+    if (end_ != header_.file_bytes)
+      return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
     constexpr std::size_t kBehind = sizeof(format::Header);
     const format::Header h{format::kMagic,
                            format::kVersion,
@@ -111,7 +120,7 @@ class Unpacker {
                            format::checksum(memory_.data + kBehind, header_.file_bytes - kBehind),
                            0};
     std::memcpy(memory_.data, &h, sizeof h);
-    return true;
+    return Status::ok;
   }
 
  private:
@@ -120,46 +129,97 @@ class Unpacker {
     return Status::bad_data;
   }
 
+  // Adds the record's section, or does one stage of a mesh.
+  Status add(const char*& rule) {
+    if (record_.kind >= format::kKindCount) return bad(rule, "an unknown kind of record");
+    const std::uint64_t offset = format::align16(end_);
+    if (offset > header_.file_bytes) return bad(rule, "file_bytes too small");
+    std::memset(memory_.data + end_, 0, offset - end_);
+    const Span<std::byte> out(memory_.data + offset, header_.file_bytes - static_cast<std::size_t>(offset));
+    File::Section section{format::kTypes[record_.kind], static_cast<std::uint32_t>(offset), 0, 0};
+    if (record_.codec < packed::kFirstCodec) {
+      if (record_.bytes.size > out.size) return bad(rule, "file_bytes too small");
+      std::memcpy(out.data, record_.bytes.data, record_.bytes.size);
+      section.bytes = static_cast<std::uint32_t>(record_.bytes.size);
+      section.codec = record_.codec;
+    } else {
+      const Status status = expand(out, section, rule);
+      if (status != Status::ok || stage_ != MeshStage::decoding) return status;
+    }
+    if (record_.kind == format::kSkeletons && record_.codec == packed::kCompact && compact_skeletons_ == index_)
+      ++compact_skeletons_;
+    std::memcpy(memory_.data + sizeof(format::Header) + index_ * sizeof section, &section, sizeof section);
+    end_ = offset + section.bytes;
+    ++index_;
+    return Status::ok;
+  }
+
+  Span<std::byte> scratch() const {
+    const std::size_t first = static_cast<std::size_t>(format::align16(header_.file_bytes));
+    return {memory_.data + first, header_.memory_bytes - first};
+  }
+
   // A record that is not a section as it stands.
-  Status expand(const Record& record, Span<std::byte> out, File::Section& section, const char*& rule) {
+  Status expand(Span<std::byte> out, File::Section& section, const char*& rule) {
+    if (record_.kind == format::kGeometries && record_.codec != packed::kCompact)
+      return expand_mesh(out, section, rule);
     const UnpackedSkeletons skeletons{memory_.data, compact_skeletons_};
     std::uint32_t& bytes = section.bytes;
-    Status decoded = Status::ok;
-    const Span<std::byte> scratch(memory_.data + scratch_at_, header_.memory_bytes - scratch_at_);
-    if (record.kind == format::kGeometries && record.codec != packed::kCompact) {
-      const MeshDecoder* decoder = nullptr;
-      for (const MeshDecoder& d : decoders_)
-        if (d.codec == record.codec) decoder = &d;
-      if (decoder == nullptr) {
-        rule = codec_name(record.codec);
-        return Status::unsupported;
-      }
-      rule = unpack_geometry(record.bytes, *decoder, scratch, out, bytes, decoded);
-    } else if (record.codec != packed::kCompact) {
+    if (record_.codec != packed::kCompact) {
       rule = "a codec that is none of this kind of record";
-    } else if (record.kind == format::kSkeletons) {
-      rule = unpack_skeleton(record.bytes, names_, out, bytes);
-    } else if (record.kind == format::kClips) {
-      rule = unpack_clip(record.bytes, skeletons, out, bytes, section.codec);
-    } else if (record.kind == format::kMeshes) {
-      rule = unpack_mesh(record.bytes, skeletons, scratch, out, bytes);
-    } else if (record.kind == format::kNames) {
-      rule = unpack_names(record.bytes, out, bytes);
+    } else if (record_.kind == format::kSkeletons) {
+      rule = unpack_skeleton(record_.bytes, names_, out, bytes);
+    } else if (record_.kind == format::kClips) {
+      rule = unpack_clip(record_.bytes, skeletons, out, bytes, section.codec);
+    } else if (record_.kind == format::kMeshes) {
+      rule = unpack_mesh(record_.bytes, skeletons, scratch(), out, bytes);
+    } else if (record_.kind == format::kNames) {
+      rule = unpack_names(record_.bytes, out, bytes);
     } else {
       rule = "a codec that is none of this kind of record";
     }
-    if (decoded == Status::out_of_memory) return decoded;
     return rule == nullptr ? Status::ok : Status::bad_data;
   }
 
-  const Header& header_;
+  Status expand_mesh(Span<std::byte> out, File::Section& section, const char*& rule) {
+    if (stage_ == MeshStage::decoding) {
+      const MeshDecoder* decoder = nullptr;
+      for (const MeshDecoder& d : decoders_)
+        if (d.codec == record_.codec) decoder = &d;
+      if (decoder == nullptr) {
+        rule = codec_name(record_.codec);
+        return Status::unsupported;
+      }
+      Status decoded = Status::ok;
+      rule = decode_geometry(record_.bytes, *decoder, scratch(), mesh_, decoded);
+      if (decoded == Status::out_of_memory) return decoded;
+      stage_ = MeshStage::ordering;
+    } else if (stage_ == MeshStage::ordering) {
+      rule = arrange_geometry(mesh_.streams, mesh_.scratch, mesh_.arrangement);
+      stage_ = MeshStage::writing;
+    } else {
+      rule = write_geometry(mesh_.streams, mesh_.arrangement, out, section.bytes);
+      stage_ = MeshStage::decoding;
+    }
+    return rule == nullptr ? Status::ok : Status::bad_data;
+  }
+
+  Header header_;
   Span<const MeshDecoder> decoders_;
-  NameReader names_;  // stands at the next skeleton's
   Span<std::byte> memory_;
-  std::uint64_t scratch_at_;
-  std::uint64_t end_ = 0;
+  std::size_t packed_bytes_;
+  ByteReader records_;
+  NameReader names_;  // stands at the next skeleton's
+  std::uint64_t end_;
+  std::size_t offset_ = 0;  // of the record in work
+  Record record_;
+  GeometryInWork mesh_;
+  std::uint32_t index_ = 0;              // of the record in work
   std::uint32_t compact_skeletons_ = 0;  // at the front of the table
+  MeshStage stage_ = MeshStage::decoding;
 };
+static_assert(sizeof(Unpacker) <= kUnpackStateBytes && alignof(Unpacker) <= 8);
+static_assert(std::is_trivially_copyable_v<Unpacker> && std::is_trivially_destructible_v<Unpacker>);
 
 }  // namespace
 
@@ -173,8 +233,7 @@ bool is_packed(Span<const std::byte> bytes) {
 Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error) {
   MARROW_REQUIRE(holds(packed));
   Header h;
-  Status status = read_header(packed, h, error);
-  if (status == Status::ok) status = check_sizes(packed, h, error);
+  const Status status = read_counts(packed, h, error);
   if (status == Status::ok) out = {h.file_bytes, h.memory_bytes};
   return status;
 }
@@ -183,26 +242,40 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
               Span<const std::byte>& file, DataError* error) {
   MARROW_REQUIRE(holds(packed) && holds(decoders));
   Header h;
-  Status status = read_header(packed, h, error);
-  if (status == Status::ok) status = check_sizes(packed, h, error);
+  Status status = read_counts(packed, h, error);
   if (status != Status::ok) return status;
-  if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
-    (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
-  MARROW_REQUIRE(holds(memory, h.memory_bytes));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
-  ByteReader reader(packed.data + sizeof h, packed.size - sizeof h);
-  Unpacker unpacker(h, decoders, NameReader(find_names(reader, h.record_count)), memory);
-  if (!unpacker.begin()) return fail(error, Status::bad_data, 12, "file_bytes too small");
-  for (std::uint32_t i = 0; i < h.record_count; ++i) {
-    const std::size_t offset = packed.size - reader.left();
-    const Record record = take_record(reader);
-    const char* rule = nullptr;
-    const Status added = unpacker.add(i, record, rule);
-    if (added != Status::ok) return fail(error, added, offset, rule);
-  }
-  if (!unpacker.finish()) return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
-  file = {memory.data, h.file_bytes};
+  MARROW_REQUIRE_GOOD(check_memory(h, memory, error));
+  Unpacker unpacker(h, packed, decoders, memory);
+  while (status == Status::ok && !unpacker.at_end()) status = unpacker.step(error);
+  if (status == Status::ok) status = unpacker.finish(error);
+  if (status == Status::ok) file = unpacker.file();
+  return status;
+}
+
+Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
+                    Unpacking& out, DataError* error) {
+  MARROW_REQUIRE(holds(packed) && holds(decoders));
+  Header h;
+  const Status status = read_counts(packed, h, error);
+  if (status != Status::ok) return status;
+  MARROW_REQUIRE_GOOD(check_memory(h, memory, error));
+  const Unpacker unpacker(h, packed, decoders, memory);
+  out = {};
+  out.done_bytes = unpacker.done_bytes();
+  out.total_bytes = h.file_bytes;
+  std::memcpy(out.state, &unpacker, sizeof unpacker);
   return Status::ok;
+}
+
+Status unpack_step(Unpacking& unpacking, DataError* error) {
+  Unpacker& unpacker = *reinterpret_cast<Unpacker*>(unpacking.state);
+  MARROW_REQUIRE(unpacker.is_begun() && "begin_unpack() before, and neither failed nor finished since");
+  const bool last = unpacker.at_end();
+  const Status status = last ? unpacker.finish(error) : unpacker.step(error);
+  unpacking.done_bytes = unpacker.done_bytes();
+  if (last && status == Status::ok) unpacking.file = unpacker.file();
+  if (last || status != Status::ok) std::memset(unpacking.state, 0, sizeof unpacking.state);
+  return status;
 }
 
 }  // namespace marrow

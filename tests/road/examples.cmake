@@ -8,8 +8,9 @@ function(expect_shown document program)
   endif()
 endfunction()
 
-function(expect_printed program file pattern)
-  execute_process(COMMAND ${program} ${file} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+# FILES: a list
+function(expect_printed program files pattern)
+  execute_process(COMMAND ${program} ${files} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   if(NOT text MATCHES "${pattern}")
     message(FATAL_ERROR "${program} printed: ${text}")
   endif()
@@ -19,6 +20,7 @@ endfunction()
 expect_shown(README.md play.cpp)
 expect_shown(docs/programs.md crowd.cpp)
 expect_shown(docs/programs.md draw.cpp)
+expect_shown(docs/threads.md jobs.cpp)
 set(sample ${FOLDER}/examples)
 execute_process(COMMAND ${MARROW} sample -o ${sample}.glb COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw -o ${sample}.mrw COMMAND_ERROR_IS_FATAL ANY)
@@ -26,6 +28,10 @@ execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-cod
   COMMAND_ERROR_IS_FATAL ANY)
 expect_printed(${PLAY} ${sample}.mrw "^[a-z]+: vertex 0 at -?[0-9.e-]+ -?[0-9.e-]+ -?[0-9.e-]+ m\n$")
 expect_printed(${CROWD} ${sample}_plain.mrw "^100 characters, 200 feet on the ground\n$")
+execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-codec meshopt -o ${sample}_fast.mrw
+  COMMAND_ERROR_IS_FATAL ANY)
+expect_printed(${JOBS} "${sample}.mrw;${sample}_fast.mrw"
+  "^200 characters; the other file took [1-9][0-9]* steps, the longest [0-9.]+ ms, and their place in frame [0-9]+\n$")
 if(DRAW)  # as large before the context is lost as after
   expect_printed(${DRAW} ${sample}_plain.mrw "^frame 0: 2[0-9]+ pixels\nframe 29: 2[0-9]+ pixels\nframe 58: 2[0-9]+ pixels\n$")
 endif()

@@ -18,6 +18,8 @@ struct MeshDecoder {
   Status (*decode)(Span<const std::byte> bytes, const MeshStreams& out) = nullptr;
 };
 
+inline constexpr std::size_t kUnpackStateBytes = 512;
+
 struct UnpackSizes {
   std::uint32_t file_bytes = 0;    // of the unpacked file
   std::uint32_t memory_bytes = 0;  // what unpack() wants: the file and, behind it, room to work in
@@ -42,5 +44,34 @@ Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* e
 // nothing else does.
 Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
               Span<const std::byte>& file, DataError* error = nullptr);
+
+// The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+//
+//   Unpacking loading;
+//   begin_unpack(packed, decoders, memory, loading);
+//   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
+//   then          load(loading.file, file)
+//
+// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+// step. Stopping half way is forgetting it: nothing is to be freed.
+struct Unpacking {
+  Span<const std::byte> file = {};                     // empty until the last step is done; then as of unpack()
+  std::uint32_t done_bytes = 0;                        // of total_bytes, for a bar
+  std::uint32_t total_bytes = 0;                       // of the unpacked file
+  alignas(8) std::byte state[kUnpackStateBytes] = {};  // unpack_step()'s own
+};
+
+// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+// Cost: the checksum.
+Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
+                    Unpacking& out, DataError* error = nullptr);
+
+// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+// meshopt's is short. A clip takes a copy of its bytes.
+//
+// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+// at a time.
+Status unpack_step(Unpacking& unpacking, DataError* error = nullptr);
 
 }  // namespace marrow

@@ -192,6 +192,8 @@ std::vector<MisuseRow> rows_of_characters();
 
 // That there is a row of every function that the headers declare, and no other. headers: which of them, by name.
 void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::function<bool(const std::string&)>& headers);
+// That a page of the documents names every function that the headers declare, as `function`.
+void expect_each_named_in(const char* document, const std::function<bool(const std::string&)>& headers);
 // That misuse is refused or harmless, and good calls are done.
 void misuse_all(const std::vector<MisuseRow>& rows);
 

@@ -143,6 +143,27 @@ std::vector<MisuseRow> rows_of_files() {
          const Span<const MeshDecoder> decoders = m.truth(true) ? kPlainDecoder : Span<const MeshDecoder>();
          m.returned(unpack(block_of(m, fan()), decoders, m.memory(sizes.memory_bytes), file, m.pointer(&error)));
        }},
+      {"begin_unpack",
+       [](Misuse& m) {
+         UnpackSizes sizes;
+         EXPECT_EQ(unpack_sizes(fan(), sizes), Status::ok);
+         Unpacking& out = m.one(Unpacking{});
+         DataError error;
+         const Span<const MeshDecoder> decoders = m.truth(true) ? kPlainDecoder : Span<const MeshDecoder>();
+         m.returned(begin_unpack(block_of(m, fan()), decoders, m.memory(sizes.memory_bytes), out, m.pointer(&error)));
+       }},
+      {"unpack_step",
+       [](Misuse& m) {
+         UnpackSizes sizes;
+         EXPECT_EQ(unpack_sizes(fan(), sizes), Status::ok);
+         AlignedBlock memory(sizes.memory_bytes);
+         Unpacking unpacking;
+         if (m.truth(true)) {
+           EXPECT_EQ(begin_unpack(fan(), kPlainDecoder, {memory.data(), memory.size()}, unpacking), Status::ok);
+         }
+         DataError error;
+         m.returned(unpack_step(unpacking, m.pointer(&error)));
+       }},
       {"bind_clips",
        [](Misuse& m) {
          std::size_t count = 0;

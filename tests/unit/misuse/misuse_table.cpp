@@ -64,6 +64,13 @@ void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::functio
   for (const std::string& name : there) EXPECT_TRUE(all.count(name)) << name << " is no public function";
 }
 
+void expect_each_named_in(const char* document, const std::function<bool(const std::string&)>& headers) {
+  std::ifstream in(in_source(document));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (const std::string& name : declared(headers))
+    EXPECT_NE(text.find("`" + name + "`"), std::string::npos) << document << " does not name " << name;
+}
+
 void misuse_all(const std::vector<MisuseRow>& rows) {
 #if defined(__aarch64__)
   const std::uint64_t rounds = 1000;  // emulated

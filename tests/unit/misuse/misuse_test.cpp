@@ -20,6 +20,10 @@ TEST(Misuse, HasARowOfEveryFunctionInTheHeaders) {
                        [](const std::string& header) { return header.rfind("gles3", 0) != 0 && header != "glm.h"; });
 }
 
+TEST(ThreadsPage, NamesEveryFunctionInTheHeaders) {
+  expect_each_named_in("docs/threads.md", [](const std::string& header) { return header != "glm.h"; });
+}
+
 TEST(Misuse, IsRefusedOrHarmless) {
   misuse_all(all_rows());
 }

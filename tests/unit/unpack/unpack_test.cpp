@@ -125,6 +125,77 @@ TEST(Unpack, ManyEmptyTargetsCostNothing) {
   EXPECT_EQ(expand(fan_with_targets(1000), memory, bytes), nullptr);
 }
 
+// Unpacks step by step; counts the steps.
+Status run_in_steps(const std::vector<std::byte>& packed, Unpacked& memory, Unpacking& unpacking, int& steps) {
+  const Span<const std::byte> bytes(packed.data(), packed.size());
+  UnpackSizes sizes;
+  Status status = unpack_sizes(bytes, sizes);
+  if (status != Status::ok) return status;
+  memory = std::make_unique<AlignedBlock>(sizes.memory_bytes);
+  status = begin_unpack(bytes, {kPlainDecoder, 1}, {memory->data(), memory->size()}, unpacking);
+  for (steps = 0; status == Status::ok && unpacking.file.empty(); ++steps) {
+    EXPECT_LE(unpacking.done_bytes, unpacking.total_bytes);
+    unpacking = Unpacking(unpacking);  // it may move
+    status = unpack_step(unpacking);
+  }
+  return status;
+}
+
+TEST(Unpack, StepsGiveTheSame) {
+  for (const std::vector<std::byte>& packed : {packed_fan(), packed_deformers()}) {
+    Unpacked memory, stepped;
+    File file;
+    DataError error;
+    ASSERT_EQ(run(packed, memory, file, error), Status::ok);
+    Unpacking unpacking;
+    int steps = 0;
+    ASSERT_EQ(run_in_steps(packed, stepped, unpacking, steps), Status::ok);
+    EXPECT_EQ(steps, 4 + 2 + 1) << "four records, two more stages of the mesh, and the checksum";
+    ASSERT_EQ(unpacking.file.size, unpacking.total_bytes);
+    EXPECT_EQ(unpacking.done_bytes, unpacking.total_bytes);
+    EXPECT_EQ(std::memcmp(memory->data(), unpacking.file.data, unpacking.file.size), 0);
+    EXPECT_EQ(unpack_step(unpacking), Status::bad_argument) << "done";
+    EXPECT_FALSE(unpacking.file.empty());
+  }
+}
+
+// Two at a time do not meet.
+TEST(Unpack, StepsOfTwoFilesMayAlternate) {
+  const std::vector<std::byte> packed[] = {packed_fan(), packed_deformers()};
+  Unpacking unpacking[2];
+  std::vector<std::unique_ptr<AlignedBlock>> memory;
+  for (std::size_t i = 0; i < 2; ++i) {
+    UnpackSizes sizes;
+    ASSERT_EQ(unpack_sizes(packed[i], sizes), Status::ok);
+    memory.push_back(std::make_unique<AlignedBlock>(sizes.memory_bytes));
+    ASSERT_EQ(begin_unpack(packed[i], {kPlainDecoder, 1}, {memory[i]->data(), memory[i]->size()}, unpacking[i]),
+              Status::ok);
+  }
+  for (int step = 0; step < 7; ++step)
+    for (Unpacking& u : unpacking) EXPECT_EQ(unpack_step(u), Status::ok) << step;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Unpacked whole;
+    File file;
+    DataError error;
+    ASSERT_EQ(run(packed[i], whole, file, error), Status::ok);
+    ASSERT_FALSE(unpacking[i].file.empty());
+    EXPECT_EQ(std::memcmp(whole->data(), unpacking[i].file.data, unpacking[i].file.size), 0);
+  }
+}
+
+TEST(Unpack, AStepThatFailsIsTheLast) {
+  std::vector<std::byte> record = fan_record();
+  record[record.size() - 4 * (9 + 15 + 10 + 10 + 10 + 5)] = std::byte{5};  // the first index
+  Unpacked memory;
+  Unpacking unpacking;
+  int steps = 0;
+  EXPECT_EQ(unpack_step(unpacking), Status::bad_argument) << "nothing is begun";
+  EXPECT_EQ(run_in_steps(packed_fan(record), memory, unpacking, steps), Status::bad_data);
+  EXPECT_EQ(steps, 3) << "the skeleton, decoding, and ordering, which checks";
+  EXPECT_TRUE(unpacking.file.empty());
+  EXPECT_EQ(unpack_step(unpacking), Status::bad_argument);
+}
+
 TEST(Unpack, SaysWhatItLacks) {
   const std::vector<std::byte> packed = packed_fan();
   const Span<const std::byte> bytes(packed.data(), packed.size());

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "commands/view/files/source.h"
 #include "commands/view/files/changed_files.h"
+#include "commands/view/files/source.h"
 #include "commands/view/overlay/among_figures.h"
 #include "commands/view/stage/recording.h"
 #include "commands/view/stage/rigging.h"

@@ -37,9 +37,11 @@ tools::AlignedBytes expand(OwnedStreams& streams) {
   if (mesh.find(StreamKind::residual) != nullptr) bound += std::uint64_t{mesh.vertex_count} * 64 * mesh.influences;
   tools::AlignedBytes section(bound);
   Memory memory{scratch.data(), 0, scratch.size()};
+  Arrangement arrangement;
   std::uint32_t bytes = 0;
-  if (const char* const rule = expand_geometry(mesh, memory, {section.data(), section.size()}, bytes))
-    throw tools::Failure(tools::Exit::internal, "", "", "geometry", rule);
+  const char* rule = arrange_geometry(mesh, memory, arrangement);
+  if (rule == nullptr) rule = write_geometry(mesh, arrangement, {section.data(), section.size()}, bytes);
+  if (rule != nullptr) throw tools::Failure(tools::Exit::internal, "", "", "geometry", rule);
   return tools::AlignedBytes(std::span<const std::byte>(section.data(), bytes));
 }
 

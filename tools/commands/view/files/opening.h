@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "commands/view/files/source.h"
 #include "commands/view/files/changed_files.h"
+#include "commands/view/files/source.h"
 
 namespace marrow::tools {
 
