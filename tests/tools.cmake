@@ -3,7 +3,7 @@
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp
   unit/deform/deformers_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-marrow_test(marrow_input_tests input unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
+marrow_test(marrow_input_tests input unit/cook/bvh_read_test.cpp unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_meshopt_test.cpp unit/cook/gltf_morphs_test.cpp
   unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp
   unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
@@ -12,7 +12,7 @@ target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marr
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp
   unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/lod_test.cpp
-  unit/cook/packs_test.cpp unit/cook/skeletons_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
+  unit/cook/packs_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
   unit/cook/subdivide_mesh_test.cpp)
 # To cook twice takes minutes under a sanitizer, which sees the same code in all the others.
 if(MARROW_SANITIZE)
@@ -56,7 +56,7 @@ marrow_test(marrow_road_tests road road/road_test.cpp road/bounds_test.cpp road/
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
 marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp
-  cli/bench_test.cpp
+  cli/bench_test.cpp cli/bvh_test.cpp
   cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
   cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/demo_test.cpp cli/export_test.cpp cli/film_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
   cli/names_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp cli/watch_test.cpp)
@@ -107,9 +107,10 @@ set_target_properties(marrow_cli_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 add_dependencies(marrow_cli_tests marrow)
 
 marrow_fuzz(gltf 10000 golden/*.gltf marrow_gltf)
+marrow_fuzz(bvh 10000 fuzz/seeds/*.bvh marrow_gltf)
 marrow_fuzz(unpack 10000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
 marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_options)
-add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_unpack_fuzz marrow_settings_fuzz marrow_input_tests)
+add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_bvh_fuzz marrow_unpack_fuzz marrow_settings_fuzz marrow_input_tests)
 set_property(TEST input APPEND PROPERTY LABELS hostile)
 
 # A JSON library costs seconds in every file that includes it.

@@ -155,6 +155,7 @@ const std::vector<Room> kRooms = {
     {"cook/gltf/rules", {"cook/gltf/document"}},
     {"cook/gltf/import", {"cook/gltf/rules", "cook/gltf/document", "cook/scene"}},
     {"cook/gltf", {"cook/gltf/import", "cook/gltf/rules", "cook/gltf/document", "cook/scene"}},
+    {"cook/bvh", {"cook/gltf/document", "cook/scene"}},
     {"cook/skeleton", {"cook/scene"}},
     {"cook/clip/compress", {"cook/scene"}},
     {"cook/clip", {"cook/clip/compress", "cook/skeleton", "cook/scene"}},
@@ -164,7 +165,8 @@ const std::vector<Room> kRooms = {
     {"cook/learn", {"cook/skin", "cook/geometry", "cook/clip", "cook/skeleton", "cook/gltf", "cook/scene"}},
     {"cook/mesh", {"cook/learn", "cook/skin", "cook/geometry", "cook/scene"}},
     {"cook/write", {"cook/geometry", "cook/scene"}},
-    {"cook", {"cook/write", "cook/mesh", "cook/prepare", "cook/clip", "cook/skeleton", "cook/gltf", "cook/scene"}}};
+    {"cook",
+     {"cook/write", "cook/mesh", "cook/prepare", "cook/clip", "cook/skeleton", "cook/bvh", "cook/gltf", "cook/scene"}}};
 
 TEST(Includes, RoomsOfTheCookerPointOneWay) {
   std::set<std::string> above;

@@ -36,7 +36,7 @@ void add_option(CLI::App* command, const cook::Option& option, cook::Given& give
 }  // namespace
 
 void add_cook_files(CLI::App* command, CookArguments& a) {
-  command->add_option("inputs", a.inputs, "files, or folders that are searched for .gltf and .glb")
+  command->add_option("inputs", a.inputs, "files, or folders that are searched for .gltf, .glb and .bvh")
       ->required()
       ->type_name("IN");
   command

@@ -20,7 +20,6 @@ constexpr Format kForeign[] = {
     {".3ds", "3D Studio"},
     {".abc", "Alembic"},
     {".blend", "Blender's own file"},
-    {".bvh", "motion capture"},
     {".c4d", "Cinema 4D"},
     {".dae", "COLLADA"},
     {".fbx", "Autodesk FBX"},
@@ -87,6 +86,14 @@ bool is_named_gltf(const std::string& path) {
   return std::ranges::any_of(kGltf, [&](const char* extension) { return has_extension(path, extension); });
 }
 
+bool is_named_bvh(const std::string& path) {
+  return has_extension(path, ".bvh");
+}
+
+bool is_named_source(const std::string& path) {
+  return is_named_gltf(path) || is_named_bvh(path);
+}
+
 void expect_extension(const std::string& path, std::initializer_list<const char*> extensions) {
   std::string list;
   for (const char* const extension : extensions) {
@@ -98,9 +105,10 @@ void expect_extension(const std::string& path, std::initializer_list<const char*
 
 void expect_cooked(const std::string& path, std::span<const std::byte> bytes) {
   if (is_cooked(bytes)) return;
-  if (is_binary_gltf(bytes) || is_named_gltf(path)) {
+  if (is_binary_gltf(bytes) || is_named_source(path)) {
     const std::string cooked = std::filesystem::path(path).replace_extension(".mrw").string();
-    throw Failure(Exit::invalid, path, "", "this is glTF, not a cooked file",
+    const std::string kind = is_named_bvh(path) ? "BVH" : "glTF";
+    throw Failure(Exit::invalid, path, "", "this is " + kind + ", not a cooked file",
                   "cook it first: marrow cook " + path + " -o " + cooked);
   }
   if (const Format* const format = foreign_format(path)) refuse_foreign(path, format, ", and cook that");
@@ -114,6 +122,8 @@ void expect_gltf(const std::string& path, std::span<const std::byte> bytes) {
         "name the glTF file that it was cooked from, or write one: marrow export " + path + " -o " + exported);
   }
   if (bytes.empty() || is_binary_gltf(bytes) || may_be_json(bytes) || is_named_gltf(path)) return;
+  if (is_named_bvh(path))
+    throw Failure(Exit::invalid, path, "", "this is motion capture (BVH), which has no mesh", "name a glTF file");
   const Format* const format = foreign_format(path);
   if (format != nullptr || std::filesystem::path(path).has_extension()) refuse_foreign(path, format, "");
 }

@@ -9,12 +9,13 @@
 #include "common/failure.h"
 #include "common/hash.h"
 #include "cook/clip/build_clips.h"
-#include "cook/gltf/read.h"
 #include "cook/mesh/build_materials.h"
 #include "cook/mesh/build_meshes.h"
 #include "cook/mesh/derive_binds.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/prepare/prepare_scene.h"
+#include "cook/prepare/retarget.h"
+#include "cook/read_source.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_nodes.h"
@@ -44,7 +45,8 @@ BuiltScene without_unmoved(BuiltScene scene) {
 BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) {
   BuiltScene out;
   if (options.onto) {
-    Matched matched = match_skeletons(*options.onto, std::move(scene), notes);
+    Matched matched = scene.is_capture ? retarget(*options.onto, std::move(scene), notes)
+                                       : match_skeletons(*options.onto, std::move(scene), notes);
     scene = std::move(matched.scene);
     out = std::move(matched.built);
   } else {
@@ -150,7 +152,7 @@ Character read_character(const std::string& gltf_path) {
 }
 
 CookResult cook_file(const std::string& path, const CookOptions& options) {
-  return cook_scene(read_gltf(path, {.image_bytes = options.images == Images::embed}), options);
+  return cook_scene(read_source(path, {.image_bytes = options.images == Images::embed}), options);
 }
 
 }  // namespace marrow::cook

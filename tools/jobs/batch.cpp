@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_gltf(const fs::path& path) {
+bool is_searched_for(const fs::path& path) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".gltf" || extension == ".glb";
+  return extension == ".gltf" || extension == ".glb" || extension == ".bvh";
 }
 
 [[noreturn]] void cannot_read(const fs::path& folder, const std::error_code& error) {
@@ -31,7 +31,7 @@ std::vector<fs::path> scenes_below(const fs::path& folder) {
   if (error) cannot_read(folder, error);
   while (at != fs::recursive_directory_iterator()) {
     std::error_code ignored;
-    if (is_gltf(at->path()) && at->is_regular_file(ignored)) out.push_back(at->path());
+    if (is_searched_for(at->path()) && at->is_regular_file(ignored)) out.push_back(at->path());
     at.increment(error);
     if (error) cannot_read(folder, error);
   }
@@ -72,7 +72,8 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
     }
     const std::vector<fs::path> found = scenes_below(input);
     if (found.empty() && !may_be_empty)
-      throw Failure(Exit::invalid, input, "", "nothing to cook", "there is no .gltf or .glb file in it or below it");
+      throw Failure(Exit::invalid, input, "", "nothing to cook",
+                    "there is no .gltf, .glb or .bvh file in it or below it");
     for (const fs::path& in : found) {
       const fs::path name = in.lexically_relative(input);
       jobs.push_back({in.string(), (output / fs::path(name).replace_extension(".mrw")).string(), input});
@@ -93,8 +94,8 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
 }
 
 void expect_cooked_name(const std::string& output) {
-  if (is_named_gltf(output))
-    throw Failure(Exit::usage, output, "", "unknown format", "a cooked file is no glTF; its name ends with .mrw");
+  if (is_named_source(output))
+    throw Failure(Exit::usage, output, "", "unknown format", "a cooked file is no source; its name ends with .mrw");
 }
 
 void expect_distinct(const std::vector<std::string>& written, const std::vector<std::string>& read) {

@@ -14,7 +14,7 @@ struct CookJob {
 // Whether inputs go into a folder: several, a folder among them, or an output that ends in "/".
 bool is_batch(const std::vector<std::string>& inputs, const std::string& output);
 
-// Folders are searched for .gltf and .glb, links to folders not followed; the tree below them is mirrored under
+// Folders are searched for .gltf, .glb and .bvh, links to folders not followed; the tree below them is mirrored under
 // `output`. Sorted within each folder by path; an input named twice counts once. Throws Failure: invalid for a folder
 // with nothing to cook unless it `may_be_empty`, usage if two inputs have one output or `output` looks like a file, io
 // if a folder cannot be read.
@@ -24,7 +24,7 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
 // A single file into a file.
 CookJob plan_one(const std::string& input, const std::string& output);
 
-// Throws Failure (usage) for the name of a glTF file.
+// Throws Failure (usage) for the name of a glTF or BVH file.
 void expect_cooked_name(const std::string& output);
 
 // Throws Failure (usage) if two of the files to write are one, or one is read; empty names do not count.

@@ -16,9 +16,9 @@
 #include "common/hash.h"
 #include "common/load_mrw.h"
 #include "cook/cook.h"
-#include "cook/gltf/read.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/prepare/paint_weights.h"
+#include "cook/read_source.h"
 #include "text/printable.h"
 
 namespace marrow::tools {
@@ -123,7 +123,7 @@ Cook::Cooked Cook::cook(const Order& order) {
   if (cache_) result = cache_->find(order.job.in, options_text);
   out.outcome.from_cache = result.has_value();
   if (!result) {
-    cook::RawScene scene = cook::read_gltf(order.job.in, {.image_bytes = options.images == cook::Images::embed});
+    cook::RawScene scene = cook::read_source(order.job.in, {.image_bytes = options.images == cook::Images::embed});
     const MemoryGate::Pass pass(memory_, scene.source_bytes << (2 * options.subdivide));
     result = cook::cook_scene(std::move(scene), options);
     if (cache_) note_trouble(cache_->store(*result, options_text));

@@ -83,8 +83,6 @@ CookOptions to_options(const Given& given) {
   }
   refuse_idle(options, given);
   refuse_with_subdivide(options, given);
-  if (!options.skeleton_file.empty() && !options.clips_only)
-    refuse(given.at("skeleton").front(), "no clip pack", "give --clips-only too");
   return options;
 }
 

@@ -20,15 +20,19 @@ constexpr Option kSceneOptions[] = {
     {"clips-only",
      OptionKind::flag,
      "",
-     "a clip pack: only the clips, for the skeletons of this file or of --skeleton",
+     "a clip pack: only the clips, for the skeletons of this file",
      {},
      [](CookOptions& options, const Value&) { options.clips_only = true; }},
     {"skeleton",
      OptionKind::text,
      "CHARACTER",
-     "the character, cooked or glTF, that a clip pack is for; nodes are matched with its joints by name",
+     "a clip pack for this character, cooked or glTF; nodes are matched with its joints by name, and motion capture "
+     "(.bvh) is fitted to its proportions and rest pose",
      {},
-     [](CookOptions& options, const Value& value) { options.skeleton_file = value.text; }},
+     [](CookOptions& options, const Value& value) {
+       options.skeleton_file = value.text;
+       options.clips_only = true;
+     }},
     {"keep-vertex-order",
      OptionKind::flag,
      "",

@@ -63,11 +63,10 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
                               : shape[0] == 'R'                                            ? "\"0.5,0.25\""
                               : shape == "JOINT=MASK.png"                                  ? "\"hand=hand.png\""
                                                                                            : "\"0.1mm\"";
-    // A character is only for clip packs, a truth for fits, examples for a truth, rebinding for weights that are made.
+    // A truth is only for fits, examples for a truth, rebinding for weights that are made.
     const bool of_fit = name == "truth" || name == "half-joints" || name == "keep-bind-pose" || name == "delta-mush" ||
                         name == "mwe" || name == "psd" || name == "influences";
-    const std::string pack = name == "skeleton"   ? "clips-only = true\n"
-                             : name == "truth"    ? "as = 'fit'\nexamples = 'poses.glb'\n"
+    const std::string pack = name == "truth"      ? "as = 'fit'\nexamples = 'poses.glb'\n"
                              : name == "rebind"   ? "auto-weights = 'nearest'\n"
                              : name == "examples" ? "as = 'fit'\ntruth = 'examples'\n"
                              : of_fit             ? "as = 'fit'\n"

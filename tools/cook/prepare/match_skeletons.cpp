@@ -199,10 +199,14 @@ Character view_character(const std::string& path, const File& file) {
   return out;
 }
 
-Matched match_skeletons(const Character& character, RawScene scene, Notes& notes) {
+void expect_skeletons(const Character& character) {
   if (character.skeletons.empty())
     throw tools::Failure(tools::Exit::invalid, character.file, "", "no skeleton",
                          "name the character's file, not a clip pack");
+}
+
+Matched match_skeletons(const Character& character, RawScene scene, Notes& notes) {
+  expect_skeletons(character);
   Matching matching(character, std::move(scene), notes);
   matching.match_names();
   matching.check_moved();

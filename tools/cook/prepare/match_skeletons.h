@@ -12,6 +12,9 @@ namespace marrow::cook {
 // Of a cooked file, which outlives it.
 Character view_character(const std::string& path, const File& file);
 
+// Throws tools::Failure (invalid) for what has none, as a clip pack.
+void expect_skeletons(const Character& character);
+
 struct Matched {
   RawScene scene;    // its clips move joints alone
   BuiltScene built;  // the character's skeletons, and for each node the joint that it is

@@ -51,7 +51,7 @@ void check_something_to_cook(const RawScene& scene, Notes& notes) {
   if (!scene.instances.empty() && !has_triangles(scene))
     throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
                          "no mesh in the scene has triangles to cook");
-  if (scene.instances.empty())
+  if (scene.instances.empty() && !scene.is_capture)
     notes.warnings.push_back(
         {"/meshes", "no-meshes", "only skeletons and clips are cooked; --clips-only makes a clip pack of them"});
 }

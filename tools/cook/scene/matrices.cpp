@@ -10,11 +10,15 @@
 
 namespace marrow::cook {
 
-glm::dmat4 local_matrix(const RawNode& node) {
-  glm::dmat4 m = glm::mat4_cast(node.rotation);
-  for (int axis = 0; axis < 3; ++axis) m[axis] *= node.scale[axis];
-  m[3] = glm::dvec4(node.translation, 1.0);
+glm::dmat4 local_matrix(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
+  glm::dmat4 m = glm::mat4_cast(rotation);
+  for (int axis = 0; axis < 3; ++axis) m[axis] *= scale[axis];
+  m[3] = glm::dvec4(translation, 1.0);
   return m;
+}
+
+glm::dmat4 local_matrix(const RawNode& node) {
+  return local_matrix(node.translation, node.rotation, node.scale);
 }
 
 // The largest eigenvalue of a symmetric matrix of three rows in closed form: Smith, "Eigenvalues of a symmetric 3 × 3

@@ -11,7 +11,8 @@ namespace marrow::cook {
 
 inline constexpr Affine kIdentityMap = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-// parent_from_node.
+// parent_from_node: translate · rotate · scale.
+glm::dmat4 local_matrix(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale);
 glm::dmat4 local_matrix(const RawNode& node);
 
 // The rows of an affine matrix, in single precision, and back.

@@ -1,6 +1,6 @@
-// The scene as the artist's file has it: what reading glTF yields and what the build stage starts from.
+// The scene as the artist's file has it: what reading glTF or BVH yields and what the build stage starts from.
 //
-// Units and axes are glTF's: metres, right-handed, +Y up, column vectors. Nothing here is compressed, reordered or
+// Units and axes are glTF's: metres (a BVH file's own unit), right-handed, +Y up, column vectors. Nothing here is compressed, reordered or
 // dropped, except what `RawScene::warnings` lists. Whoever cooks it reads it and changes nothing: preparation gives a
 // new scene.
 #pragma once
@@ -178,6 +178,7 @@ struct Notes {
 struct RawScene {
   std::string source;              // path as given
   std::uint64_t source_bytes = 0;  // the file and whatever else was read for it
+  bool is_capture = false;         // motion of a body of other proportions, see retarget()
   std::vector<RawNode> nodes;
   std::vector<RawMesh> meshes;
   std::vector<RawMaterial> materials;

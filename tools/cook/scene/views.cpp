@@ -1,6 +1,7 @@
 #include "cook/scene/views.h"
 
 #include "asset/section_views.h"
+#include "cook/scene/matrices.h"
 
 namespace marrow::cook {
 
@@ -47,6 +48,10 @@ Mesh view(const BuiltMesh& mesh, const BuiltGeometry& geometry) {
   out.half_joints = {mesh.half_joints.data(), mesh.half_joints.size()};
   out.geometry = view_geometry(geometry.section.data());
   return out;
+}
+
+glm::dmat4 matrix_of(const Transform& transform) {
+  return local_matrix(transform.translation, transform.rotation, transform.scale);
 }
 
 std::vector<Transform> rest_transforms(const BuiltSkeleton& skeleton) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include "cook/scene/built.h"
@@ -23,6 +24,9 @@ struct Transform {
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 scale{1};
 };
+
+// parent_from_joint.
+glm::dmat4 matrix_of(const Transform& transform);
 
 // The rest pose of a skeleton, joint by joint.
 std::vector<Transform> rest_transforms(const BuiltSkeleton& skeleton);

@@ -6,7 +6,7 @@
 #include "common/failure.h"
 #include "common/formats.h"
 #include "cook/cook.h"
-#include "cook/gltf/read.h"
+#include "cook/read_source.h"
 #include "options/settings.h"
 
 namespace marrow::tools {
@@ -28,7 +28,7 @@ cook::CookOptions options_for(Source& source) {
 void cook_in_memory(Source& source) {
   const cook::CookOptions options = options_for(source);
   cook::CookResult cooked =
-      cook::cook_scene(cook::read_gltf(source.path, {.image_bytes = options.images == cook::Images::embed}), options);
+      cook::cook_scene(cook::read_source(source.path, {.image_bytes = options.images == cook::Images::embed}), options);
   AlignedBytes bytes(cooked.file.size());
   std::ranges::copy(cooked.file, bytes.data());
   source.loaded = load_mrw(source.path, std::move(bytes));
@@ -45,7 +45,7 @@ Source open_source(const std::string& path, const std::string& images_from) {
   Source source;
   source.path = path;
   source.reads = {path};
-  if (is_named_gltf(path)) {
+  if (is_named_source(path)) {
     cook_in_memory(source);
     source.images = images_from.empty() ? places_beside(path) : places_of_cooked(path, images_from);
   } else {

@@ -25,8 +25,7 @@ class Budget {
   std::uint64_t left_;
 };
 
-// A name fit to print and to become a file name: no control or direction-changing characters, no way out of a folder,
-// no device. Anything else stays as it is.
+// tools::safe_name(), with a warning where it changes anything.
 std::string clean_name(const std::string& name, const std::string& where, Report& report);
 
 // Refuses what stands or is scaled beyond format::kFarthest at rest.

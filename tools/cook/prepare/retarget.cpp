@@ -1,0 +1,211 @@
+#include "cook/prepare/retarget.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "asset/format.h"
+#include "common/failure.h"
+#include "cook/prepare/pair_joints.h"
+#include "cook/prepare/retarget_plan.h"
+#include "cook/scene/matrices.h"
+#include "text/nearest.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr std::uint64_t kFewPoses = 1u << 22;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+// With the sign that is next to the key before it.
+void add_rotation(const glm::dquat& q, std::vector<glm::vec4>& keys) {
+  const glm::vec4 key(glm::dvec4(q.x, q.y, q.z, q.w));
+  keys.push_back(!keys.empty() && glm::dot(keys.back(), key) < 0 ? -key : key);
+}
+
+struct Pairing {
+  int skeleton = kNone;
+  std::vector<int> node_of_joint;
+};
+
+Pairing pair(const Character& character, const RawScene& capture, Notes& notes) {
+  const std::vector<int>& joints = capture.skins.at(0).joints;
+  std::vector<std::string> names;
+  for (const int node : joints) names.push_back(capture.nodes[at(node)].name);
+  Pairing out;
+  std::ptrdiff_t most = 0;
+  for (std::size_t s = 0; s < character.skeletons.size(); ++s) {
+    std::vector<int> found = pair_joints(character.skeletons[s].joint_names, names);
+    const auto count = static_cast<std::ptrdiff_t>(found.size()) - std::ranges::count(found, kNone);
+    if (count <= most) continue;
+    most = count;
+    out = {static_cast<int>(s), std::move(found)};
+  }
+  if (most == 0)
+    throw tools::Failure(tools::Exit::invalid, capture.source, "HIERARCHY",
+                         "no joint is called as in " + character.file,
+                         "rename joints: here are " + tools::listed(names) + "; there are " +
+                             tools::listed(character.skeletons.at(0).joint_names));
+  std::vector<char> used(names.size(), 0);
+  for (int& node : out.node_of_joint) {
+    if (node == kNone) continue;
+    used[at(node)] = 1;
+    node = joints[at(node)];
+  }
+  std::vector<std::string> strangers;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (used[i] == 0) strangers.push_back(names[i]);
+  if (!strangers.empty())
+    notes.warnings.push_back({"HIERARCHY", "no-such-joint",
+                              std::to_string(strangers.size()) + " of " + std::to_string(names.size()) +
+                                  " joints have no counterpart in " + character.file +
+                                  " and are left out: " + tools::listed(strangers)});
+  return out;
+}
+
+// A file of two megabytes can have 32767 joints and a million frames of one channel.
+void check_size(const RawScene& capture, std::size_t joints) {
+  const std::uint64_t frames = capture.clips.at(0).channels.at(0).times_s.size();
+  if ((capture.nodes.size() + joints) * frames > std::max(8 * capture.source_bytes, kFewPoses))
+    throw tools::Failure(tools::Exit::unsupported, capture.source, "MOTION", "too many frames for so few channels",
+                         "split the take, or leave out joints without channels");
+}
+
+// The capture's nodes in the scene, at a frame.
+struct Capture {
+  const std::vector<RawNode>* nodes;
+  std::vector<const RawChannel*> turn_keys, place_keys;  // a node; null: as at rest
+  std::vector<glm::dquat> turns;
+  std::vector<glm::dvec3> places;
+};
+
+Capture open_capture(const RawScene& scene) {
+  const std::size_t size = scene.nodes.size();
+  Capture out{&scene.nodes, {}, {}, std::vector<glm::dquat>(size), std::vector<glm::dvec3>(size)};
+  out.turn_keys.resize(size);
+  out.place_keys.resize(size);
+  for (const RawChannel& channel : scene.clips.at(0).channels)
+    (channel.path == RawPath::rotation ? out.turn_keys : out.place_keys)[at(channel.node)] = &channel;
+  return out;
+}
+
+void pose(Capture& c, std::size_t frame) {
+  for (std::size_t n = 0; n < c.turns.size(); ++n) {
+    const RawNode& node = (*c.nodes)[n];
+    c.turns[n] = {1, 0, 0, 0};
+    if (c.turn_keys[n] != nullptr) {
+      const glm::dvec4 key(c.turn_keys[n]->values[frame]);
+      c.turns[n] = glm::normalize(glm::dquat(key.w, key.x, key.y, key.z));
+    }
+    c.places[n] = c.place_keys[n] == nullptr ? node.translation : glm::dvec3(c.place_keys[n]->values[frame]);
+    if (node.parent == kNone) continue;
+    const std::size_t up = at(node.parent);
+    c.places[n] = c.places[up] + c.turns[up] * c.places[n];
+    c.turns[n] = c.turns[up] * c.turns[n];
+  }
+}
+
+// The character's joints in the scene at a frame, and the keys that they have got up to it.
+struct Puppet {
+  std::vector<glm::dquat> turns;
+  std::vector<glm::dmat4> scene_from_joint;
+  std::vector<std::vector<glm::vec4>> turn_keys, place_keys;
+};
+
+// Where the character of a joint stands.
+glm::dvec3 origin_of(const RetargetPlan& plan, std::size_t joint) {
+  while (plan.joints[joint].parent != kNone) joint = at(plan.joints[joint].parent);
+  return glm::dvec3(plan.joints[joint].scene_above[3]);
+}
+
+// False if a place comes out beyond what a file may hold.
+bool pose(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
+  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+    const RetargetJoint& joint = plan.joints[j];
+    const bool is_root = joint.parent == kNone;
+    const glm::dquat turn_above = is_root ? joint.turn_above : puppet.turns[at(joint.parent)];
+    const glm::dmat4 scene_above = is_root ? joint.scene_above : puppet.scene_from_joint[at(joint.parent)];
+    Transform local = joint.rest;
+    if (joint.node != kNone) {
+      const glm::dquat captured = plan.facing * capture.turns[at(joint.node)] * glm::conjugate(plan.facing);
+      local.rotation = glm::normalize(glm::conjugate(turn_above) * captured * joint.aligned);
+      add_rotation(local.rotation, puppet.turn_keys[j]);
+    }
+    if (joint.carried > 0) {
+      const glm::dvec3 place = origin_of(plan, j) + joint.carried * (plan.facing * capture.places[at(joint.node)]);
+      local.translation = glm::dvec3(glm::inverse(scene_above) * glm::dvec4(place, 1));
+      for (int axis = 0; axis < 3; ++axis)
+        if (!(std::abs(local.translation[axis]) <= double{format::kFarthest})) return false;
+      puppet.place_keys[j].emplace_back(glm::vec3(local.translation), 0.0F);
+    }
+    puppet.turns[j] = turn_above * local.rotation;
+    puppet.scene_from_joint[j] = scene_above * matrix_of(local);
+  }
+  return true;
+}
+
+Puppet play(const RetargetPlan& plan, const RawScene& scene, const std::string& character) {
+  const std::size_t size = plan.joints.size();
+  Capture capture = open_capture(scene);
+  Puppet puppet{std::vector<glm::dquat>(size), std::vector<glm::dmat4>(size), {}, {}};
+  puppet.turn_keys.resize(size);
+  puppet.place_keys.resize(size);
+  const std::size_t frames = scene.clips.at(0).channels.at(0).times_s.size();
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    pose(capture, frame);
+    if (!pose(plan, capture, puppet))
+      throw tools::Failure(tools::Exit::invalid, scene.source, "MOTION", "a place beyond 1e12",
+                           "in frame " + std::to_string(frame + 1) + ", at the size of " + character +
+                               "; check the offsets of the legs");
+  }
+  return puppet;
+}
+
+// The character's joints as a scene, which they move.
+Matched match(const Pairing& pairing, const RetargetPlan& plan, const Character& character, Puppet puppet,
+              RawScene scene) {
+  Matched out;
+  out.built.skeletons = character.skeletons;
+  RawClip& clip = scene.clips.at(0);
+  const std::vector<float> times_s = clip.channels.at(0).times_s;
+  clip.channels.clear();
+  scene.nodes.clear();
+  scene.skins.clear();
+  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+    const auto add = [&](RawPath path, std::vector<glm::vec4>& keys) {
+      if (!keys.empty())
+        clip.channels.push_back({static_cast<int>(j), path, RawInterpolation::linear, times_s, std::move(keys)});
+    };
+    add(RawPath::translation, puppet.place_keys[j]);
+    add(RawPath::rotation, puppet.turn_keys[j]);
+    RawNode& node = scene.nodes.emplace_back();
+    node.name = character.skeletons[at(pairing.skeleton)].joint_names[j];
+    node.parent = plan.joints[j].parent;
+    out.built.joint_of_node.push_back(static_cast<int>(j));
+    out.built.nearest.push_back({pairing.skeleton, static_cast<int>(j), glm::dmat4(1.0)});
+  }
+  out.scene = std::move(scene);
+  return out;
+}
+
+}  // namespace
+
+Matched retarget(const Character& character, RawScene capture, Notes& notes) {
+  expect_skeletons(character);
+  const Pairing pairing = pair(character, capture, notes);
+  check_size(capture, pairing.node_of_joint.size());
+  const RetargetPlan plan = plan_retarget(character.skeletons[at(pairing.skeleton)], pairing.node_of_joint, capture);
+  if (plan.facing_deg != 0)
+    notes.warnings.push_back({"HIERARCHY", "turned",
+                              character.file + " faces another way at rest; the clip is turned about y by " +
+                                  std::to_string(plan.facing_deg) + " degrees"});
+  Puppet puppet = play(plan, capture, character.file);
+  return match(pairing, plan, character, std::move(puppet), std::move(capture));
+}
+
+}  // namespace marrow::cook

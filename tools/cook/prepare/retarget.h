@@ -1,0 +1,29 @@
+// Motion capture onto a character: joints of its own proportions and rest pose turn as those of the same names.
+#pragma once
+
+#include "cook/prepare/match_skeletons.h"
+#include "cook/scene/built.h"
+#include "cook/scene/raw.h"
+
+namespace marrow::cook {
+
+// `capture`: as read_bvh() gives it, with nodes that do not turn at rest, a skin of all joints, and one clip, all of
+// whose channels have the same keys. Joints are paired by pair_joints() with those of the skeleton that has most of
+// them; the rest keep their rest pose.
+//
+// With G a captured joint's rotation in the scene and R its counterpart's at rest, the counterpart's rotation in the
+// scene is G · A · R. A takes the direction of its bone at rest to the direction of the captured bone at rest, by the
+// shortest arc, so that both bones point the same way in every frame, whether one of them rests in a T-pose and the
+// other in an A-pose. A bone goes to the next paired joint below, of several to their mean if they lie about one way
+// (a hand's fingers), else A is the identity (hips, a chest); a joint with none below takes the A of the paired joint
+// above if that is more than 30 degrees (a hand of an arm that rests otherwise), else the identity (a head).
+//
+// Only the topmost joint that the capture carries moves from its place: to the captured place, scaled by the length of
+// the way down to its lowest joint (or, without one, by that of all bones). Both grounds are y = 0. If the two
+// skeletons face otherwise at rest, the capture is turned about y by the quarter turns between them, with a warning.
+//
+// Throws tools::Failure: invalid where no name fits, or a place comes out beyond 1e12; unsupported for clips of very
+// many poses for their bytes.
+Matched retarget(const Character& character, RawScene capture, Notes& notes);
+
+}  // namespace marrow::cook

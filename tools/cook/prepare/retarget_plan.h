@@ -1,0 +1,42 @@
+// What is known before the first frame of motion capture is put onto a character: which joint turns as which, by how
+// much their rest poses differ, and what is carried.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "cook/scene/built.h"
+#include "cook/scene/raw.h"
+#include "cook/scene/views.h"
+
+namespace marrow::cook {
+
+// A joint of the character.
+struct RetargetJoint {
+  int parent = kNone;                 // less than the joint's own index
+  int node = kNone;                   // of the capture, that it turns as; kNone: it keeps its rest pose
+  int upper = kNone;                  // the next joint above that has a node
+  Transform rest;                     // below its parent
+  glm::dmat4 scene_above{1.0};        // of a root: scene_from_root
+  glm::dquat turn_above{1, 0, 0, 0};  // its rotation
+  glm::dvec3 place{0};                // in the scene at rest
+  glm::dquat turn{1, 0, 0, 0};        // likewise
+  glm::dquat aligned{1, 0, 0, 0};     // A · R, see retarget()
+  double carried = 0;                 // lengths of the character in those of the capture; 0: it only turns
+};
+
+struct RetargetPlan {
+  std::vector<RetargetJoint> joints;
+  glm::dquat facing{1, 0, 0, 0};  // of the capture to the character's scene, about y
+  int facing_deg = 0;             // the same
+};
+
+// node_of_joint: as RetargetJoint::node, one a joint of the skeleton.
+RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>& node_of_joint,
+                           const RawScene& capture);
+
+}  // namespace marrow::cook
