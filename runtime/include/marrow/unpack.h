@@ -64,8 +64,8 @@ struct Unpacking {
 
 // Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
 // Cost: the checksum.
-Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
-                    Unpacking& out, DataError* error = nullptr);
+MARROW_API Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
+                               Unpacking& out, DataError* error = nullptr);
 
 // Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
 // last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
@@ -73,6 +73,6 @@ Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decode
 //
 // Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
 // at a time.
-Status unpack_step(Unpacking& unpacking, DataError* error = nullptr);
+MARROW_API Status unpack_step(Unpacking& unpacking, DataError* error = nullptr);
 
 }  // namespace marrow
