@@ -47,6 +47,18 @@ function(marrow_install_library name needs packages libraries headers)
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT marrow_${name})
   install(EXPORT marrow-${name} NAMESPACE marrow:: DESTINATION ${MARROW_PACKAGE_DIR} COMPONENT marrow_${name})
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/marrow COMPONENT marrow_${name})
+  foreach(package ${packages})  # where Debian and vcpkg keep what a library's licence asks to be shown
+    find_file(MARROW_LICENCE_${package} NAMES copyright PATHS /usr/share/doc/lib${package}-dev ${${package}_DIR} NO_DEFAULT_PATH)
+    mark_as_advanced(MARROW_LICENCE_${package})
+    if(MARROW_LICENCE_${package})
+      install(FILES ${MARROW_LICENCE_${package}} DESTINATION ${CMAKE_INSTALL_DOCDIR}/licenses RENAME ${package}.txt
+        COMPONENT marrow_${name})
+    endif()
+    if(package STREQUAL "draco" AND EXISTS /usr/share/common-licenses/Apache-2.0)  # to which Debian refers
+      install(FILES /usr/share/common-licenses/Apache-2.0 DESTINATION ${CMAKE_INSTALL_DOCDIR}/licenses
+        RENAME Apache-2.0.txt COMPONENT marrow_${name})
+    endif()
+  endforeach()
   marrow_write_pc(${name} "${needs}" "${libraries}")
 endfunction()
 
