@@ -112,7 +112,7 @@ other_version() {
   grep -q 'not accepted' log || { cat log >&2; fail "another version fails in another way"; }
   sed -i 's/marrow 0\.0\.1 REQUIRED COMPONENTS runtime/marrow REQUIRED COMPONENTS teeth/' CMakeLists.txt
   if cmake -B build -DCMAKE_PREFIX_PATH="$work/static" >log 2>&1; then fail "a component that is none is found"; fi
-  grep -q 'teeth' log || fail "who misses a component is not told which"
+  grep -q 'there is no marrow::teeth' log || fail "who misses a component is not told which"
 }
 
 pkg_config() {  # static or shared
