@@ -143,6 +143,10 @@ one_source() {
   folder one_source
   commands "One source file"
   same "one source file"
+  for source in marrow marrow_gles3; do
+    g++ -std=c++20 -fsyntax-only -Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast \
+      -Wundef -Wcast-align -Wdouble-promotion "marrow/$source.cpp" || fail "$source.cpp: warnings"
+  done
 }
 
 a_packed_file() {
