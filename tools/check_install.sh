@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs Marrow, static and shared, and builds a game with it in each of the ways of docs/install.md, whose programs,
-# CMake files and commands it runs as they stand there. All games must print the same. Also: what shared libraries export,
-# that the installation can be moved, and that a version that does not fit is refused. Writes to a temporary folder alone.
+# CMake files and commands it runs as they stand there. All games must print the same. Also: what shared libraries
+# export, that the installation can be moved, that a version that does not fit is refused. Writes to a temporary folder.
 # usage: tools/check_install.sh
 set -euo pipefail
 MARROW=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -27,7 +27,10 @@ block() {  # HEADING LANGUAGE
 }
 
 # Runs a heading's commands in the folder that is current.
-commands() { block "$1" sh >commands.sh && bash -euo pipefail commands.sh >log 2>&1 || { tail -30 log >&2; fail "$1"; }; }
+commands() {
+  block "$1" sh >commands.sh
+  bash -euo pipefail commands.sh >log 2>&1 || { tail -30 log >&2; fail "$1"; }
+}
 
 folder() { mkdir -p "$work/$1" && cd "$work/$1" && block "The program" cpp >game.cpp; }
 
@@ -144,8 +147,8 @@ one_source() {
   commands "One source file"
   same "one source file"
   for source in marrow marrow_gles3; do
-    g++ -std=c++20 -fsyntax-only -Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast \
-      -Wundef -Wcast-align -Wdouble-promotion "marrow/$source.cpp" || fail "$source.cpp: warnings"
+    g++ -std=c++20 -fsyntax-only -Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion \
+      -Wold-style-cast -Wundef -Wcast-align -Wdouble-promotion "marrow/$source.cpp" || fail "$source.cpp: warnings"
   done
 }
 

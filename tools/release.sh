@@ -22,8 +22,10 @@ entry=$(awk -v heading="## $version" '/^## / { here = $0 == heading; next } here
 [ -n "$entry" ] || fail "CHANGELOG.md has no entry $version"
 formats="Cooked files: format $(number MARROW_FILE_FORMAT). Packed files: format $(number MARROW_PACKED_FORMAT)."
 grep -qF "$formats" <<<"$entry" || fail "CHANGELOG.md does not say of $version: $formats"
-grep -qF "\"version-semver\": \"$version\"" tools/packaging/vcpkg/vcpkg.json || fail "the vcpkg port has another version"
-! grep -n 'find_package(marrow [0-9]' docs/install.md | grep -v "marrow $minor " || fail "docs/install.md has another version"
+grep -qF "\"version-semver\": \"$version\"" tools/packaging/vcpkg/vcpkg.json ||
+  fail "the vcpkg port has another version"
+! grep -n 'find_package(marrow [0-9]' docs/install.md | grep -v "marrow $minor " ||
+  fail "docs/install.md has another version"
 
 if [ "${2:-}" = --test ]; then
   tools/test.sh all
