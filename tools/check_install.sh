@@ -69,7 +69,7 @@ install_static() {
   mkdir -p "$work/install" && cd "$work/install"
   PREFIX=$work/first commands Install
   mv "$work/first" "$work/static"
-  if grep -rlE "$work|$MARROW" "$work/static" --include='*.cmake' --include='*.pc'; then
+  if grep -rlE "$work|$MARROW|/usr/lib" "$work/static" --include='*.cmake' --include='*.pc'; then
     fail "the installation names a folder"
   fi
 }
@@ -156,7 +156,12 @@ a_packed_file() {
   consumer packed "A packed file"
   block "A packed file" cpp >game.cpp
   PREFIX=$work/static commands find_package
-  build/game "$packed" | grep -E '^.+: [1-9][0-9]* vertices$' || fail "the packed file is not unpacked"
+  build/game "$packed" >printed
+  grep -E '^.+: [1-9][0-9]* vertices$' printed || fail "the packed file is not unpacked"
+  PKG_CONFIG_PATH=$work/static/lib/pkgconfig
+  export PKG_CONFIG_PATH
+  g++ -std=c++20 game.cpp $(pkg-config --cflags --libs marrow-draco) -o game
+  ./game "$packed" | cmp - printed || fail "the packed file, by pkg-config: other numbers"
 }
 
 add_subdirectory

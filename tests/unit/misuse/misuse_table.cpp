@@ -22,8 +22,8 @@ std::set<std::string> declared(const std::function<bool(const std::string&)>& he
                                       "begin",           "end",           "empty",
                                       "operator",        "draco_decoder", "call_error_handler",
                                       "meshopt_decoder", "geometry",      "section"};
-  const std::regex function(
-      R"(^(?:  )?(?:(?:MARROW_API|inline|constexpr|const) )*[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
+  const std::regex function(R"(^(?:  )?(?:MARROW_API )?(?:(?:inline|constexpr|const) )*)"
+                            R"((?!MARROW_API)[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
   for (const auto& entry : std::filesystem::directory_iterator(in_source("runtime/include/marrow"))) {
     if (!headers(entry.path().filename())) continue;
     std::ifstream in(entry.path());
