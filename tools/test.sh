@@ -101,6 +101,7 @@ case "${1:-}" in
     for preset in release asan tsan scalar aarch64; do test_preset $preset; done
     timed "same bytes everywhere" compare_bytes
     timed "FBX, by Blender" check_fbx
+    timed "installed, in a game" tools/check_install.sh
     timed "libFuzzer, 30 s a target" fuzz
     ;;
   *)

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "asset/checksum.h"
 #include "marrow/file.h"
+#include "marrow/version.h"
 
 namespace marrow::format {
 
@@ -19,7 +21,7 @@ inline constexpr std::uint32_t four_characters(const char (&s)[5]) {
 
 inline constexpr std::uint32_t kMagic = four_characters("MRRW");
 inline constexpr std::uint32_t kPackedMagic = four_characters("MRRP");  // for unpack(), see unpack/packed.h
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = kFileFormat;
 // The largest number of a matrix, a place or a scale, in metres where it has a unit: the product of three such matrices
 // (what is above a root, a joint, its inverse bind) is finite, with room for a scene's places.
 inline constexpr float kFarthest = 1e12f;
@@ -453,8 +455,5 @@ constexpr std::uint32_t floats_per_key(TrackPath path, Interpolation interpolati
 constexpr std::uint32_t floats_per_key(Interpolation of_channel) {
   return of_channel == Interpolation::cubic_spline ? 3u : 1u;
 }
-
-// Finds damage, not malice. Four independent lanes of 64-bit multiply and rotate; `bytes` may be any number.
-std::uint64_t checksum(const std::byte* data, std::size_t bytes);
 
 }  // namespace marrow::format

@@ -116,7 +116,8 @@ DataError check_container(Span<const std::byte> block) {
   if (h.magic == format::kPackedMagic)
     return {Status::unsupported, 0, "a packed file: unpack() it first (marrow/unpack.h)"};
   if (h.magic != format::kMagic) return {Status::bad_magic, 0, "begins with MRRW"};
-  if (h.version != format::kVersion) return {Status::bad_version, 4, "format version 1; cook the source again"};
+  if (h.version != format::kVersion)
+    return {Status::bad_version, 4, "cooked for another format version; cook the source again"};
   if (h.file_bytes > block.size) return {Status::truncated, 8, "the file ends before its stated size"};
   if (h.file_bytes < block.size) return bad(8, "bytes behind the end");
   if (h.reserved != 0) return bad(24, "reserved must be 0");

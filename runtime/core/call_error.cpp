@@ -2,8 +2,6 @@
 
 #include <atomic>
 
-#include "core/check.h"
-
 #ifndef NDEBUG
 #include <cstdio>
 #endif
@@ -26,11 +24,8 @@ CallErrorHandler set_call_error_handler(CallErrorHandler handler) {
   return handler_now.exchange(handler, std::memory_order_acq_rel);
 }
 
-#if !defined(MARROW_CALL_ERRORS) || MARROW_CALL_ERRORS
-Status refuse(const char* function, BadCall condition) {
-  if (const CallErrorHandler handler = handler_now.load(std::memory_order_acquire)) handler(function, condition);
-  return Status::bad_argument;
+CallErrorHandler call_error_handler() {
+  return handler_now.load(std::memory_order_acquire);
 }
-#endif
 
 }  // namespace marrow

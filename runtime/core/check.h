@@ -11,6 +11,7 @@
 
 #include <cstdint>
 
+#include "marrow/call_error.h"
 #include "marrow/span.h"
 #include "marrow/status.h"
 
@@ -21,7 +22,10 @@ namespace marrow {
 // The condition that a call does not keep, or null.
 using BadCall = const char*;
 // Tells the handler; gives bad_argument.
-[[gnu::cold, gnu::noinline]] Status refuse(const char* function, BadCall condition);
+[[gnu::cold, gnu::noinline]] inline Status refuse(const char* function, BadCall condition) {
+  if (const CallErrorHandler handler = call_error_handler()) handler(function, condition);
+  return Status::bad_argument;
+}
 }  // namespace marrow
 #define MARROW_REFUSE(condition) ::marrow::refuse(__func__, condition)
 #define MARROW_BAD_CALL(condition) condition

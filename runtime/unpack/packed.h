@@ -8,7 +8,7 @@
 namespace marrow::packed {
 
 inline constexpr std::uint32_t kMagic = format::kPackedMagic;
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = kPackedFormat;
 
 struct Header {
   std::uint32_t magic;

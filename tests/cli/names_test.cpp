@@ -6,9 +6,17 @@
 #include <gtest/gtest.h>
 
 #include "cli/process.h"
+#include "marrow/version.h"
 
 namespace marrow::test {
 namespace {
+
+TEST(Version, IsThatOfTheHeader) {
+  const Ran ran = run_marrow({"--version"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.out, std::to_string(MARROW_VERSION_MAJOR) + '.' + std::to_string(MARROW_VERSION_MINOR) + '.' +
+                         std::to_string(MARROW_VERSION_PATCH) + '\n');
+}
 
 constexpr int kUsage = 1, kIo = 2, kInvalid = 3, kUnsupported = 4;
 

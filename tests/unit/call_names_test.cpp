@@ -67,7 +67,7 @@ std::set<std::string> declared() {
   for (const auto& entry : std::filesystem::directory_iterator(test::in_source("runtime/include/marrow"))) {
     if (entry.path().filename().string().rfind("gles3", 0) == 0) continue;
     std::ifstream in(entry.path());
-    const std::regex function(R"(^Status (\w+)\()");
+    const std::regex function(R"(^(?:MARROW_API )?Status (\w+)\()");
     std::smatch found;
     for (std::string line; std::getline(in, line);)
       if (std::regex_search(line, found, function)) names.insert(found[1]);

@@ -4,6 +4,7 @@
 // changes on top. All work on whole groups of four joints, allocate nothing and are thread-safe on different outputs.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -35,13 +36,13 @@ struct BlendLayer {
 // kMaxBlendWeight.
 // Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
 // Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
-Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTransform> out,
-             float threshold = kRestThreshold);
+MARROW_API Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTransform> out,
+                        float threshold = kRestThreshold);
 
 // Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
 // pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
-Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
+MARROW_API Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
 
 struct AdditiveLayer {
   Span<const AdditiveTransform> change = {};  // at least skeleton.soa_size()
@@ -52,12 +53,12 @@ struct AdditiveLayer {
 // out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
 // scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
 // their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
-Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Span<const SoaTransform> reference,
-                     Span<AdditiveTransform> out);
+MARROW_API Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose,
+                                Span<const SoaTransform> reference, Span<AdditiveTransform> out);
 
 // Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
 // mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
-Status add(const Skeleton& skeleton, const AdditiveLayer& layer, Span<SoaTransform> pose);
+MARROW_API Status add(const Skeleton& skeleton, const AdditiveLayer& layer, Span<SoaTransform> pose);
 
 }  // namespace marrow

@@ -9,6 +9,7 @@
 // nothing of their residuals (docs/architecture.md, "Bounds", has how far they went beyond it).
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -34,14 +35,14 @@ struct Reach {
 };
 
 // Bytes that make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
-std::size_t reach_bytes(const Mesh& mesh);
+MARROW_API std::size_t reach_bytes(const Mesh& mesh);
 
 // Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
 // are among those of `mesh`.
 //
 // mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
 // `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
-Status make_reach(const Mesh& mesh, Span<std::byte> memory, Reach& out);
+MARROW_API Status make_reach(const Mesh& mesh, Span<std::byte> memory, Reach& out);
 
 // The box of the mesh and a sphere about the box's centre, in the palette's space.
 //
@@ -51,6 +52,7 @@ Status make_reach(const Mesh& mesh, Span<std::byte> memory, Reach& out);
 // sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
 // 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
 // instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
-Status palette_bounds(const Reach& reach, Span<const Affine> palette, Span<const float> weights, Bounds& out);
+MARROW_API Status palette_bounds(const Reach& reach, Span<const Affine> palette, Span<const float> weights,
+                                 Bounds& out);
 
 }  // namespace marrow

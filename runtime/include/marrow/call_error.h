@@ -1,6 +1,8 @@
 // Who is told when a call is wrong: which function, and what it asks for and did not get.
 #pragma once
 
+#include "marrow/api.h"
+
 namespace marrow {
 
 // function: the name of the public function that was called, as "place_feet". condition: what does not hold, as it
@@ -17,6 +19,9 @@ using CallErrorHandler = void (*)(const char* function, const char* condition);
 // Bad data in a file is no bad call: see DataError.
 // Thread-safe; the handler must be so too, and the one before may still be running on other threads. It may call
 // anything of Marrow, may set another handler, and may stop the program.
-CallErrorHandler set_call_error_handler(CallErrorHandler handler);
+MARROW_API CallErrorHandler set_call_error_handler(CallErrorHandler handler);
+
+// The handler of now; null: nobody is told. Thread-safe.
+MARROW_API CallErrorHandler call_error_handler();
 
 }  // namespace marrow

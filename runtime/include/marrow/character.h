@@ -15,6 +15,7 @@
 // only read, and serve any number of them.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/blend.h"
 #include "marrow/file.h"
 #include "marrow/morph.h"
@@ -41,7 +42,7 @@ struct Animations {
 };
 
 // Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
-std::size_t animations_bytes(const File& file, const File& clips);
+MARROW_API std::size_t animations_bytes(const File& file, const File& clips);
 
 // Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
 // its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
@@ -50,10 +51,10 @@ std::size_t animations_bytes(const File& file, const File& clips);
 // memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
 // Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
 // a skeleton). Cost: compares names; once a load.
-Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out);
+MARROW_API Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out);
 
 // The first with this name that moves anything; null if there is none. Cost: compares names.
-const Animation* find_animation(const Animations& animations, const char* name);
+MARROW_API const Animation* find_animation(const Animations& animations, const char* name);
 
 struct CharacterOptions {
   std::uint32_t layers = 2;      // that are blended at once, at most; at least 1
@@ -96,14 +97,15 @@ struct Character {
 };
 
 // Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
-std::size_t character_bytes(const File& file, const CharacterOptions& options);
+MARROW_API std::size_t character_bytes(const File& file, const CharacterOptions& options);
 
 // A character in its rest pose, finished.
 //
 // `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
 // Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
 // meshes with morph targets, and as_coordinates().
-Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out);
+MARROW_API Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory,
+                                 Character& out);
 
 // An animation at a time, and how much of it.
 struct AnimationLayer {
@@ -119,17 +121,17 @@ struct AnimationLayer {
 // Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
 // out of range, a time that is not a number); a part of the character may have been written then.
 // Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
-Status sample_character(Character& character, Span<const AnimationLayer> layers);
+MARROW_API Status sample_character(Character& character, Span<const AnimationLayer> layers);
 
 // Brings scene_from_joint of all skeletons up to date with `local`.
-Status local_to_model(Character& character);
+MARROW_API Status local_to_model(Character& character);
 
 // Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
-Status pose_character(Character& character, Span<const AnimationLayer> layers);
+MARROW_API Status pose_character(Character& character, Span<const AnimationLayer> layers);
 
 // Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
 // Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
 // mesh.
-Status finish_character(Character& character);
+MARROW_API Status finish_character(Character& character);
 
 }  // namespace marrow

@@ -1,6 +1,7 @@
 // Clips apart from their character: does a clip pack fit a skeleton, and if not, which joints are in the way.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -21,7 +22,7 @@ struct JointMisfit {
 
 // A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
 // Of a skeleton that is not there it is the hash of no joints. Cost: one pass over the skeleton.
-std::uint64_t skeleton_hash(const File& file, std::uint32_t skeleton);
+MARROW_API std::uint64_t skeleton_hash(const File& file, std::uint32_t skeleton);
 
 // Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
 // sample(skeleton, pack.clip(i), …) does for every clip whose Clip::skeleton is `reference` what it would do for the
@@ -32,7 +33,7 @@ std::uint64_t skeleton_hash(const File& file, std::uint32_t skeleton);
 // out. What stands above the roots may differ: it does not concern clips.
 // Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
 // skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
-Status bind_clips(const File& pack, std::uint32_t reference, const File& character, std::uint32_t skeleton,
-                  Span<JointMisfit> misfits = {}, std::size_t* misfit_count = nullptr);
+MARROW_API Status bind_clips(const File& pack, std::uint32_t reference, const File& character, std::uint32_t skeleton,
+                             Span<JointMisfit> misfits = {}, std::size_t* misfit_count = nullptr);
 
 }  // namespace marrow

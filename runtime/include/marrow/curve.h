@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "marrow/api.h"
 #include "marrow/span.h"
 #include "marrow/status.h"
 
@@ -53,7 +54,7 @@ constexpr std::size_t curve_value_count(CurveKind kind, std::uint32_t components
 // is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
 // not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
 // interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
-Status check_curve(const Curve& curve);
+MARROW_API Status check_curve(const Curve& curve);
 
 // The value at `time_s`, clamped to the first and last key; one key is a constant.
 //
@@ -61,12 +62,12 @@ Status check_curve(const Curve& curve);
 // not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
 // At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
 // some dozen operations.
-Status evaluate_curve(const Curve& curve, float time_s, Span<float> out);
+MARROW_API Status evaluate_curve(const Curve& curve, float time_s, Span<float> out);
 
 // The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
 // the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
 // bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
-Status curve_velocity(const Curve& curve, float time_s, Span<float> out);
+MARROW_API Status curve_velocity(const Curve& curve, float time_s, Span<float> out);
 
 // Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
 //
@@ -78,9 +79,9 @@ Status curve_velocity(const Curve& curve, float time_s, Span<float> out);
 // are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
 // tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
 // Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
-Status natural_spline(const Curve& keys, Span<float> out);
-Status clamped_spline(const Curve& keys, Span<const float> first_velocity, Span<const float> last_velocity,
-                      Span<float> out);
+MARROW_API Status natural_spline(const Curve& keys, Span<float> out);
+MARROW_API Status clamped_spline(const Curve& keys, Span<const float> first_velocity, Span<const float> last_velocity,
+                                 Span<float> out);
 
 // A Bézier curve of any degree at u, by de Casteljau's algorithm.
 //
@@ -88,10 +89,11 @@ Status clamped_spline(const Curve& keys, Span<const float> first_velocity, Span<
 // out: at least `components`. u outside [0, 1] extrapolates. Errors: bad_argument if there is no point, points.size is
 // no multiple of components, a span is too short, or u is not finite; bad_data if the result is not finite.
 // Cost: degree · (degree + 1) / 2 interpolations.
-Status bezier(Span<const float> points, std::uint32_t components, float u, Span<float> scratch, Span<float> out);
+MARROW_API Status bezier(Span<const float> points, std::uint32_t components, float u, Span<float> scratch,
+                         Span<float> out);
 // The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
 // result has no direction, or is too long to be squared.
-Status bezier_rotation(Span<const float> quaternions, float u, Span<float> scratch, Span<float> out);
+MARROW_API Status bezier_rotation(Span<const float> quaternions, float u, Span<float> scratch, Span<float> out);
 
 enum class PatchBasis : std::uint8_t {
   catmull_rom,  // through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
@@ -104,8 +106,8 @@ enum class PatchBasis : std::uint8_t {
 // `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
 // bad_data, with nothing written, if the result is not finite.
 // Cost: 20 blends of four points.
-Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t components, float u, float v,
-                     Span<float> out);
+MARROW_API Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t components, float u, float v,
+                                Span<float> out);
 
 // Arc length: where on a path to be for its speed to be even.
 //
@@ -123,14 +125,14 @@ constexpr std::size_t arc_length_count(std::size_t key_count, std::uint32_t step
 // Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
 // `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
 // linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
-Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out);
+MARROW_API Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out);
 
 // The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
 // Between two entries the length is taken as linear, so the point found is off along the path by at most
 // A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps,
 // a quarter of the error. Errors: bad_argument if the table is too short for this curve or `distance` is not a number.
 // Cost: a binary search.
-Status time_at_distance(const Curve& curve, const ArcLength& table, float distance, float& time_s);
+MARROW_API Status time_at_distance(const Curve& curve, const ArcLength& table, float distance, float& time_s);
 
 // R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
 enum class Easing : std::uint8_t { linear, quad, cubic, quart, quint, sine, expo, circ, back, elastic, bounce };
@@ -140,7 +142,7 @@ enum class EaseMode : std::uint8_t { in, out, in_out };
 // overshoot. out(u) = 1 - in(1 - u), in_out is the one, then the other at half size. As in Penner's, expo and elastic
 // leave 0 (out: reach 1) with a jump of 1e-3 or less; back's overshoot is 1.70158, 1.525 times that for in_out;
 // elastic's period is 0.3, 0.45 for in_out. Within 1e-6 of the closed forms. Unknown enumerators: linear.
-float ease(Easing easing, EaseMode mode, float u);
+MARROW_API float ease(Easing easing, EaseMode mode, float u);
 
 // The timing function of CSS Easing Functions Level 1: the cubic Bézier curve (0, 0), (x1, y1), (x2, y2), (1, 1), y
 // over x.
@@ -151,6 +153,6 @@ struct CubicBezierEase {
 // y at x = u, with u clamped to [0, 1]. The point lies on the curve within 3e-7 in x (4e-7 (1 + |y1| + |y2|) in y):
 // where the curve is steep, y is as uncertain as x is. Errors: bad_argument unless x1 and x2 are in [0, 1], y1 and y2
 // finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
-Status ease(const CubicBezierEase& curve, float u, float& out);
+MARROW_API Status ease(const CubicBezierEase& curve, float u, float& out);
 
 }  // namespace marrow

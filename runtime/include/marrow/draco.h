@@ -2,11 +2,12 @@
 // marrow::draco.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/unpack.h"
 
 namespace marrow {
 
 // For unpack(). Draco allocates while it decodes and frees all of it again.
-MeshDecoder draco_decoder();
+MARROW_API MeshDecoder draco_decoder();
 
 }  // namespace marrow

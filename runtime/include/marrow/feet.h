@@ -1,6 +1,7 @@
 // Stage 3½, feet on the ground: soles follow rays, planted feet stay where they are, the pelvis gives way.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -58,8 +59,8 @@ struct FeetFrame {
 
 // Where a ray for a foot is to go through: its sole as animated, in the world.
 // Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
-Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
-                 float (&sole_world)[3]);
+MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
+                            float (&sole_world)[3]);
 
 // Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
 // date. Call it after local_to_model(), and cast the rays before it, from the same pose.
@@ -79,7 +80,8 @@ Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Af
 // Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
 // up to three where joints are scaled unevenly: 8100 instructions a foot on x86-64, the skeleton having 27 joints. No
 // allocation; thread-safe on different motions and poses.
-Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
-                  Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> scene_from_joint);
+MARROW_API Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame,
+                             Span<const FootGround> ground, Span<FootMotion> motion, Span<SoaTransform> local,
+                             Span<Affine> scene_from_joint);
 
 }  // namespace marrow

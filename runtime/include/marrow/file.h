@@ -1,6 +1,7 @@
 // Stage 1, load: one validated block of memory, seen as skeletons, clips and meshes.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/pose.h"
 #include "marrow/span.h"
 #include "marrow/status.h"
@@ -65,7 +66,7 @@ struct JointLimit {
 static_assert(sizeof(JointLimit) == 68);
 
 // Whether a limit keeps these rules, as those of make_limit() and load() do.
-bool is_valid(const JointLimit& limit);
+MARROW_API bool is_valid(const JointLimit& limit);
 
 // The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 // comes before its children and the roots come first.
@@ -376,42 +377,42 @@ class File {
   std::uint32_t node_count() const { return counts_[7]; }
 
   // An index that is not below the count gives what is empty. Cost: a few loads.
-  Skeleton skeleton(std::uint32_t index) const;
-  SkeletonReference reference(std::uint32_t index) const;
-  Clip clip(std::uint32_t index) const;
+  MARROW_API Skeleton skeleton(std::uint32_t index) const;
+  MARROW_API SkeletonReference reference(std::uint32_t index) const;
+  MARROW_API Clip clip(std::uint32_t index) const;
   // level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
-  Mesh mesh(std::uint32_t index, std::uint32_t level = 0) const;
-  Material material(std::uint32_t index) const;
-  Image image(std::uint32_t index) const;
-  Node node(std::uint32_t index) const;
+  MARROW_API Mesh mesh(std::uint32_t index, std::uint32_t level = 0) const;
+  MARROW_API Material material(std::uint32_t index) const;
+  MARROW_API Image image(std::uint32_t index) const;
+  MARROW_API Node node(std::uint32_t index) const;
   // About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
   // deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
   // Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
   // pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
-  Bounds bounds(std::uint32_t clip, std::uint32_t mesh) const;
+  MARROW_API Bounds bounds(std::uint32_t clip, std::uint32_t mesh) const;
 
   // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
-  std::uint32_t find_skeleton(const char* name) const;
+  MARROW_API std::uint32_t find_skeleton(const char* name) const;
   // The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
   // frame.
-  std::uint32_t find_joint(const Skeleton& skeleton, const char* name) const;
+  MARROW_API std::uint32_t find_joint(const Skeleton& skeleton, const char* name) const;
   // Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
   // same name.
-  std::uint32_t find_mesh(const char* name) const;
+  MARROW_API std::uint32_t find_mesh(const char* name) const;
   // Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
   // of several skeletons is a clip each, with the same name and duration.
-  std::uint32_t find_clip(const char* name) const;
-  std::uint32_t find_clip(const char* name, std::uint32_t skeleton) const;
+  MARROW_API std::uint32_t find_clip(const char* name) const;
+  MARROW_API std::uint32_t find_clip(const char* name, std::uint32_t skeleton) const;
   // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
   // a frame.
-  std::uint32_t find_channel(const Clip& clip, const char* name) const;
+  MARROW_API std::uint32_t find_channel(const Clip& clip, const char* name) const;
   // Index of the first node with this name, or node_count().
-  std::uint32_t find_node(const char* name) const;
+  MARROW_API std::uint32_t find_node(const char* name) const;
   // The property of `node`, a node of this file, with this name; null if there is none.
-  const Property* node_property(const Node& node, const char* name) const;
+  MARROW_API const Property* node_property(const Node& node, const char* name) const;
   // A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
   // zero-terminated, never null.
-  const char* text(std::uint32_t name) const;
+  MARROW_API const char* text(std::uint32_t name) const;
 
   // For tools: the sections as they stand in the file.
   struct Section {
@@ -441,6 +442,6 @@ class File {
 // what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
 // are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
 // failure. Cost: one pass over the block; no allocation. Thread-safe.
-Status load(Span<const std::byte> block, File& out, DataError* error = nullptr);
+MARROW_API Status load(Span<const std::byte> block, File& out, DataError* error = nullptr);
 
 }  // namespace marrow

@@ -10,6 +10,7 @@
 // objects may only be deleted while their context is current, which the caller alone knows.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 #include "marrow/gles3_entry.h"
 #include "marrow/gles3_functions.h"
@@ -33,19 +34,19 @@ struct Api {
 // ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
 // and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
 // GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
-Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
+MARROW_API Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
 
 // Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
 // Then call on_context_lost() for each object that has it, destroy the context, make another, and call
 // on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
 // a reset (EGL_LOSE_CONTEXT_ON_RESET, as marrow::egl::HeadlessContext asks for); other contexts never tell, and
 // platforms have ways of their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
-bool context_was_reset(const Api& api);
+MARROW_API bool context_was_reset(const Api& api);
 
 // Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
 // lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For
 // debugging: without a watch a call costs a comparison more, with one two calls of glGetError.
-void watch_errors(Api& api, ErrorWatch* watch);
+MARROW_API void watch_errors(Api& api, ErrorWatch* watch);
 
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
 struct Caps {
@@ -57,7 +58,7 @@ struct Caps {
 };
 
 // Errors: unsupported below OpenGL ES 3.0; gl_error.
-Status query_caps(const Api& api, Caps& caps);
+MARROW_API Status query_caps(const Api& api, Caps& caps);
 
 enum class Deformer : std::uint8_t {
   none,   // vertices skinned elsewhere, in float: position, normal, tangent
@@ -165,7 +166,7 @@ struct PrepareOptions {
 };
 
 // Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
-std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options = {});
+MARROW_API std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options = {});
 
 // Uploads a mesh, and writes the bind matrices to build its palettes with:
 //   bind[i] = inverse_bind[i] · [h·I | c]
@@ -179,11 +180,11 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 // are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
 // unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
 // mesh.
-Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
-               Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);
+MARROW_API Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
+                          Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);
 
 // Deletes the GL objects and clears the struct.
-void destroy(const Api& api, GpuMesh& mesh);
+MARROW_API void destroy(const Api& api, GpuMesh& mesh);
 
 // Where a program finds its palettes.
 enum class Palettes : std::uint8_t {
@@ -238,10 +239,10 @@ struct Program {
 // Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
 // Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
 // words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
-Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
-                     Program& out, Span<char> log = {});
+MARROW_API Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source,
+                                std::uint32_t palette_binding, Program& out, Span<char> log = {});
 
-void destroy(const Api& api, Program& program);
+MARROW_API void destroy(const Api& api, Program& program);
 
 // One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
 // contents are orphaned, so the CPU never waits for the GPU.
@@ -254,19 +255,19 @@ struct PaletteRing {
 
 // Room for palettes of `joints` matrices altogether in `palettes` pieces.
 // Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
-Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes,
-                           PaletteRing& out);
-void destroy(const Api& api, PaletteRing& ring);
+MARROW_API Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes,
+                                      PaletteRing& out);
+MARROW_API void destroy(const Api& api, PaletteRing& ring);
 
 // Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
-void begin_frame(const Api& api, PaletteRing& ring);
+MARROW_API void begin_frame(const Api& api, PaletteRing& ring);
 
 // Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the
 // ring. Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
-Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset);
+MARROW_API Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset);
 
 // Ties the palette at `offset` to uniform buffer binding `binding`.
-void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding);
+MARROW_API void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding);
 
 // Texels a row of the texture: what GLES 3.0 promises.
 inline constexpr std::uint32_t kPaletteTextureWidth = 2048;
@@ -283,34 +284,34 @@ struct PaletteTexture {
 // Room for `joints` matrices: 48 B each, three times.
 // Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
 // gl_error. Leaves the active unit's 2D texture at 0.
-Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out);
-void destroy(const Api& api, PaletteTexture& texture);
+MARROW_API Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out);
+MARROW_API void destroy(const Api& api, PaletteTexture& texture);
 
 // Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
 // may write right there. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty); unsupported (more
 // than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
-Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes);
+MARROW_API Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes);
 
 // `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
 // `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
 // the texture bound to it. Errors: bad_argument (a program of another kind, a palette that reaches beyond what was
 // uploaded).
-Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
-                    std::uint32_t texture_unit, const Program& program);
+MARROW_API Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
+                               std::uint32_t texture_unit, const Program& program);
 
 // Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
 // animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
 // move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
 // targets, a program without kMorphs, too few weights, one that is not finite).
-Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
-                  std::uint32_t texture_unit, const Program& program);
+MARROW_API Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
+                             std::uint32_t texture_unit, const Program& program);
 
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
 // `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
 // say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
 // turns_inside_out() of the palette, see palette.h. So characters that mirror take a draw call of their own.
 // Errors: bad_argument if the mesh was not prepared for this deformer.
-Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program,
-            std::uint32_t instances = 1);
+MARROW_API Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program,
+                       std::uint32_t instances = 1);
 
 }  // namespace marrow::gles3

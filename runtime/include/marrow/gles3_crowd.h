@@ -17,6 +17,7 @@
 // The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/architecture.md, "Crowds".
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 #include "marrow/gles3_skinner.h"
 
@@ -51,13 +52,14 @@ inline constexpr std::uint32_t kMaxCrowdFrames = 1u << 20;
 // enough for most motion. out: at least as many as sources.
 // Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
 // unsupported (more than 65535 steps of a clip, or kMaxCrowdFrames). Written only on success.
-Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip> out, std::uint32_t& frame_count);
+MARROW_API Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip> out,
+                             std::uint32_t& frame_count);
 
 // Samples them. scratch: at least skeleton.soa_size(); matrices: at least frame_count × joint_count, the caller's to
 // keep, as are the clips, which must be those that plan_crowd() wrote for these sources; 48 B a joint and frame.
 // Errors: bad_argument (a span too short, a clip of another skeleton, clips that are not a plan).
-Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
-                  Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out);
+MARROW_API Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
+                             Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out);
 
 // Nothing to play.
 inline constexpr std::uint32_t kNoCrowdClip = 0xFFFFFFFF;
@@ -85,15 +87,15 @@ struct CrowdInstance {
 // is linear in the drawing too.
 // Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
 // scene_from_character beyond 1e12).
-Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s, std::uint32_t joint,
-                   Affine& scene_from_joint);
+MARROW_API Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
+                              std::uint32_t joint, Affine& scene_from_joint);
 
 // The same of all joints; out: at least frames.joint_count.
-Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
-                  Span<Affine> scene_from_joint);
+MARROW_API Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
+                             Span<Affine> scene_from_joint);
 
 // What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
-std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
+MARROW_API std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
 
 // A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
 // (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
@@ -116,7 +118,7 @@ struct CrowdMesh {
 };
 
 // Bytes of memory that create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and prepare_scratch_bytes().
-std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options = {});
+MARROW_API std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options = {});
 
 // Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
 //
@@ -127,9 +129,10 @@ std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options = {
 // crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
 // what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
 // the vertices, and 48 B a matrix and frame, go up, once.
-Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
-                         const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out);
-void destroy(const Api& api, CrowdMesh& mesh);
+MARROW_API Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
+                                    const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory,
+                                    CrowdMesh& out);
+MARROW_API void destroy(const Api& api, CrowdMesh& mesh);
 
 // Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
 struct Crowd {
@@ -147,30 +150,31 @@ inline constexpr std::size_t kCrowdInstanceBytes = 128;
 // Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
 // Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
 // 524 288); gl_error. Leaves the active unit's 2D texture at 0.
-Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory, Crowd& out);
-void destroy(const Api& api, Crowd& crowd);
+MARROW_API Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory,
+                               Crowd& out);
+MARROW_API void destroy(const Api& api, Crowd& crowd);
 
 // Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
 // they are kept, and there once it is restored. Errors: bad_argument (a gap before `first`, frames other than those of
 // the instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is
 // changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an
 // instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
-Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
-                     Span<const CrowdInstance> instances);
+MARROW_API Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
+                                Span<const CrowdInstance> instances);
 
 // The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
-Status build_crowd_program(const Api& api, Program& out, Span<char> log = {});
+MARROW_API Status build_crowd_program(const Api& api, Program& out, Span<char> log = {});
 
 // The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
 // compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
 // features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
 // unsupported (a full set); gl_error, with the driver's words in programs.log.
-Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
-                            std::uint8_t features, ProgramSet& programs);
+MARROW_API Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
+                                       std::uint8_t features, ProgramSet& programs);
 // What was built with the same arguments, never null.
-const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
-                                const ProgramSet& programs, std::uint32_t role);
-const Program& blending_program_of(const ProgramSet& programs);
+MARROW_API const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
+                                           const ProgramSet& programs, std::uint32_t role);
+MARROW_API const Program& blending_program_of(const ProgramSet& programs);
 
 // Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
 // scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
@@ -179,22 +183,22 @@ const Program& blending_program_of(const ProgramSet& programs);
 // and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
 // are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
 // has capacity for); gl_error (the context is lost).
-Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
-                   double time_s, std::uint32_t texture_unit, const Program& program);
+MARROW_API Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
+                              std::uint32_t count, double time_s, std::uint32_t texture_unit, const Program& program);
 
 // The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
 // use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
-Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
-                  std::uint32_t texture_unit, const Program& program);
+MARROW_API Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
+                             std::uint32_t count, std::uint32_t texture_unit, const Program& program);
 
 // After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
 // on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
-void on_context_lost(CrowdMesh& mesh);
-void on_context_lost(Crowd& crowd);
+MARROW_API void on_context_lost(CrowdMesh& mesh);
+MARROW_API void on_context_lost(Crowd& crowd);
 
 // Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
 // creation does. Errors: as creation, but for its arguments; then it may be tried again.
-Status on_context_restored(const Api& api, const Caps& caps, CrowdMesh& mesh);
-Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd);
+MARROW_API Status on_context_restored(const Api& api, const Caps& caps, CrowdMesh& mesh);
+MARROW_API Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd);
 
 }  // namespace marrow::gles3

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "marrow/api.h"
+
 namespace marrow::gles3 {
 
 // Told of every GL error by the call that caused it: for debugging, as each call is then between two of glGetError.
@@ -17,13 +19,13 @@ struct ErrorWatch {
 };
 
 // What the Api's GetError returns under a watch.
-unsigned take_error(ErrorWatch& watch);
+MARROW_API unsigned take_error(ErrorWatch& watch);
 
 // Errors from before are the caller's, and kept pending; those that it leaves behind are the call's.
 class WatchedCall {
  public:
-  WatchedCall(ErrorWatch& watch, const char* name);
-  ~WatchedCall();
+  MARROW_API WatchedCall(ErrorWatch& watch, const char* name);
+  MARROW_API ~WatchedCall();
   WatchedCall(const WatchedCall&) = delete;
   WatchedCall& operator=(const WatchedCall&) = delete;
 

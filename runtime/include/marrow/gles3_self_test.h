@@ -9,6 +9,7 @@
 // with skin_ssd() and skin_as(). The conventions are those of gles3.h.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/gles3_skinner.h"
 
 namespace marrow::gles3 {
@@ -26,7 +27,7 @@ enum class Verdict : std::uint8_t {
 };
 inline constexpr std::uint32_t kVerdictCount = 8;
 // Why a path is ruled out, in a few words; "" for usable.
-const char* to_string(Verdict verdict);
+MARROW_API const char* to_string(Verdict verdict);
 
 struct PathResult {
   Verdict verdict = Verdict::not_tried;
@@ -67,7 +68,7 @@ struct SelfTestOptions {
 };
 
 // Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
-std::size_t self_test_bytes(const SelfTestOptions& options);
+MARROW_API std::size_t self_test_bytes(const SelfTestOptions& options);
 
 // Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
 // afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
@@ -78,8 +79,8 @@ std::size_t self_test_bytes(const SelfTestOptions& options);
 // GL_UNIFORM_BUFFER, the pixel buffers, colour mask, scissor test and rasterizer discard. Leaves at 0 uniform buffer
 // binding 0 and what preskin() says.
 // Cost: some twenty programs compiled, and a wait for each frame; only where nothing is stored.
-Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<std::byte> memory,
-                 SelfTest& out);
+MARROW_API Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<std::byte> memory,
+                            SelfTest& out);
 
 // What a mesh is to be drawn for.
 struct PathNeed {
@@ -97,16 +98,16 @@ inline constexpr std::uint32_t kManyCharacters = 8;
 //
 // More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
 // Errors: unsupported (none is usable). `out` is written only on success.
-Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out);
+MARROW_API Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out);
 
 // A result as bytes that a game stores. Errors: bad_argument (too short).
 inline constexpr std::size_t kSavedSelfTestBytes = 104;
-Status save(const SelfTest& test, Span<std::byte> out);
+MARROW_API Status save(const SelfTest& test, Span<std::byte> out);
 
 // The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,
 // bad_checksum, bad_data; mismatch (another driver, version of it, library, or other caps or options): then test anew,
 // and with another driver without what had crashed. `out` is written only on success.
-Status restore(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<const std::byte> saved,
-               SelfTest& out);
+MARROW_API Status restore(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<const std::byte> saved,
+                          SelfTest& out);
 
 }  // namespace marrow::gles3

@@ -9,6 +9,7 @@
 // The conventions are those of gles3.h.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/gles3.h"
 #include "marrow/skin.h"
 
@@ -26,13 +27,13 @@ struct SkinnedMesh {
 
 // Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
 // array at 0.
-Status create_skinned(const Api& api, const GpuMesh& mesh, SkinnedMesh& out);
-void destroy(const Api& api, SkinnedMesh& mesh);
+MARROW_API Status create_skinned(const Api& api, const GpuMesh& mesh, SkinnedMesh& out);
+MARROW_API void destroy(const Api& api, SkinnedMesh& mesh);
 
 // What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
 // Errors: bad_argument (a span of another size than the mesh has; normals or tangents may be empty, then they are
 // undefined). Leaves GL_ARRAY_BUFFER at 0.
-Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices);
+MARROW_API Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices);
 
 enum class Preskin : std::uint8_t {
   feedback,  // transform feedback, OpenGL ES 3.0
@@ -43,16 +44,17 @@ enum class Preskin : std::uint8_t {
 // kSurfaceNormals. Those must be the mesh's.
 // Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
 // without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
-Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
-                     std::uint32_t palette_binding, Program& out, Span<char> log = {});
+MARROW_API Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
+                                std::uint32_t palette_binding, Program& out, Span<char> log = {});
 
 // Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it
 // leaves the vertex array, the default transform feedback object's bindings 0 … 2 and GL_TRANSFORM_FEEDBACK_BUFFER at
 // 0, and GL_RASTERIZER_DISCARD off; by compute shader GL_SHADER_STORAGE_BUFFER and its bindings 0 … 3 at 0.
 // Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
-Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, const SkinnedMesh& to);
+MARROW_API Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program,
+                          const SkinnedMesh& to);
 
 // Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
-void draw(const Api& api, const GpuMesh& mesh, const SkinnedMesh& skinned);
+MARROW_API void draw(const Api& api, const GpuMesh& mesh, const SkinnedMesh& skinned);
 
 }  // namespace marrow::gles3

@@ -9,6 +9,7 @@
 // gles3.h; what a call leaves changed is what the calls that it is made of do.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/gles3_skinned.h"
 #include "marrow/morph.h"
 
@@ -24,7 +25,7 @@ enum class SkinningPath : std::uint8_t {
 };
 inline constexpr std::uint32_t kPathCount = 5;
 // "ubo", …
-const char* to_string(SkinningPath path);
+MARROW_API const char* to_string(SkinningPath path);
 
 inline constexpr std::uint32_t kMostRoles = 4;
 inline constexpr std::uint32_t kMostPrograms = 192;
@@ -52,7 +53,7 @@ struct ProgramSet {
 };
 
 // Deletes all programs. Skinners that use the set must go first.
-void destroy(const Api& api, ProgramSet& programs);
+MARROW_API void destroy(const Api& api, ProgramSet& programs);
 
 struct SkinnerOptions {
   SkinningPath path = SkinningPath::ubo;
@@ -85,7 +86,7 @@ struct Skinner {
 };
 
 // Bytes of memory that create_skinner() wants.
-std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options);
+MARROW_API std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options);
 
 // Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
 // before the first update(). Compiles what `programs` lacks for it.
@@ -95,37 +96,37 @@ std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options);
 // Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
 // the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
 // written only on success.
-Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
-                      ProgramSet& programs, Span<std::byte> memory, Skinner& out);
-void destroy(const Api& api, Skinner& skinner);
+MARROW_API Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
+                                 ProgramSet& programs, Span<std::byte> memory, Skinner& out);
+MARROW_API void destroy(const Api& api, Skinner& skinner);
 
 // Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
 // another thread than the context's, different instances on different threads.
 // Errors: bad_argument (no such instance, a span too short).
-Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> scene_from_joint,
-            Span<const float> weights = {});
+MARROW_API Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> scene_from_joint,
+                       Span<const float> weights = {});
 
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
 // and nothing else; on path cpu the vertices.
 // Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
-Status update(const Api& api, Skinner& skinner, const ProgramSet& programs, std::uint32_t count);
+MARROW_API Status update(const Api& api, Skinner& skinner, const ProgramSet& programs, std::uint32_t count);
 
 // The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
-const Program& program_of(const Skinner& skinner, const ProgramSet& programs, std::uint32_t role);
+MARROW_API const Program& program_of(const Skinner& skinner, const ProgramSet& programs, std::uint32_t role);
 
 // Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
 // Errors: bad_argument (not all of them updated); gl_error (the context is lost).
-Status draw(const Api& api, const Skinner& skinner, const ProgramSet& programs, const Program& program,
-            std::uint32_t first, std::uint32_t count);
+MARROW_API Status draw(const Api& api, const Skinner& skinner, const ProgramSet& programs, const Program& program,
+                       std::uint32_t first, std::uint32_t count);
 
 // After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
 // on_context_restored() update() and draw() refuse. The set first or last, as one likes.
-void on_context_lost(ProgramSet& programs);
-void on_context_lost(Skinner& skinner);
+MARROW_API void on_context_lost(ProgramSet& programs);
+MARROW_API void on_context_lost(Skinner& skinner);
 
 // Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
 // create_skinner(); then it may be tried again.
-Status on_context_restored(const Api& api, const Caps& caps, ProgramSet& programs);
-Status on_context_restored(const Api& api, const Caps& caps, Skinner& skinner);
+MARROW_API Status on_context_restored(const Api& api, const Caps& caps, ProgramSet& programs);
+MARROW_API Status on_context_restored(const Api& api, const Caps& caps, Skinner& skinner);
 
 }  // namespace marrow::gles3

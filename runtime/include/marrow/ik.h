@@ -11,6 +11,7 @@
 // Thread-safe on different outputs; no allocation.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -60,11 +61,11 @@ struct TwoBoneJoints {
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent
 // the wrong way, the target more than 120° off or near the pole, or there is a twist.
-Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
+MARROW_API Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
 
 // Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.
 // Errors: as above, for all four if one is bad.
-Status two_bone_x4(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4], TwoBoneTurns (&out)[4]);
+MARROW_API Status two_bone_x4(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4], TwoBoneTurns (&out)[4]);
 
 // Joints of a skeleton; other joints may lie between them.
 struct TwoBoneLimb {
@@ -74,8 +75,8 @@ struct TwoBoneLimb {
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
 // 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
 // are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
-Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
-                      Span<Affine> scene_from_joint, bool* reached = nullptr);
+MARROW_API Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal,
+                                 Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached = nullptr);
 
 // What is asked of a joint that looks or points at something: an eye, a head, a gun.
 struct alignas(16) Aim {
@@ -102,19 +103,20 @@ struct alignas(16) AimTurn {
 // Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
 // Cost: 237 instructions on x86-64, 187 on AArch64.
-Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
+MARROW_API Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
 
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
 // 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
 // is written. Cost: the kernel's, and local_to_model_below(joint).
-Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
-                 Span<Affine> scene_from_joint, bool* reached = nullptr);
+MARROW_API Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
+                            Span<Affine> scene_from_joint, bool* reached = nullptr);
 
 // The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
 // looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
 // falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
 // Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
-Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
-                     Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached = nullptr);
+MARROW_API Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal,
+                                float falloff, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                                bool* reached = nullptr);
 
 }  // namespace marrow

@@ -2,6 +2,7 @@
 // methods.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -61,7 +62,7 @@ struct IkReport {
 };
 
 // Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
-std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem, const IkOptions& options);
+MARROW_API std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem, const IkOptions& options);
 
 // Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
 //
@@ -74,9 +75,9 @@ std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem,
 // there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
 // of range, or the pose not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
-Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
-                const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                IkReport* report = nullptr);
+MARROW_API Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                           const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                           IkReport* report = nullptr);
 
 // The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
 // the result jumps as goals move. A function of its own, so that what does not call it does not link it.
@@ -86,9 +87,9 @@ Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine>
 // with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
 // to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
 // Cost: docs/ik.md: tens of microseconds a generation.
-std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
-Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
-                        const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                        IkReport* report = nullptr);
+MARROW_API std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+MARROW_API Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                                   const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                                   IkReport* report = nullptr);
 
 }  // namespace marrow

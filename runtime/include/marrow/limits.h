@@ -1,6 +1,7 @@
 // Joint limits: how far a joint may turn from its parent, and the nearest rotation where it has turned farther.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -26,13 +27,13 @@ struct LimitDescription {
 
 // Angles least_rad … most_rad; all of them if that is a turn or more.
 // Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
-AngleRange angle_range(float least_rad, float most_rad);
+MARROW_API AngleRange angle_range(float least_rad, float most_rad);
 
 // `out` is written only on success.
 // Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
 // above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
 // euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
-Status make_limit(const LimitDescription& description, std::uint16_t joint, JointLimit& out);
+MARROW_API Status make_limit(const LimitDescription& description, std::uint16_t joint, JointLimit& out);
 
 // local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
 //
@@ -50,18 +51,18 @@ Status make_limit(const LimitDescription& description, std::uint16_t joint, Join
 //
 // Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
 // Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
-Status clamp_rotation(const JointLimit& limit, float (&local)[4]);
+MARROW_API Status clamp_rotation(const JointLimit& limit, float (&local)[4]);
 
 // By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
-float limit_excess(const JointLimit& limit, const float (&local)[4]);
+MARROW_API float limit_excess(const JointLimit& limit, const float (&local)[4]);
 
 // clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
 // local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
 // Cost: clamp_rotation() a limit. Thread-safe on different poses.
-Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local);
+MARROW_API Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local);
 
 // The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
-const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
+MARROW_API const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
 
 // Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
 // point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
@@ -102,14 +103,16 @@ struct PointFollower {
 // on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
 // quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
 // on different states.
-Status follow_rotation(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit);
-Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit);
+MARROW_API Status follow_rotation(RotationFollower& state, const float (&target)[4], float dt_s,
+                                  const RateLimit& limit);
+MARROW_API Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit);
 
 // follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
 // All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
 // way there may lead outside.
 // states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
 // finite; nothing is written. Joints whose rotation is not finite keep it.
-Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s, Span<SoaTransform> local);
+MARROW_API Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s,
+                              Span<SoaTransform> local);
 
 }  // namespace marrow

@@ -1,6 +1,7 @@
 // Stage 3, local to model: local transforms → one scene-space matrix a joint.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -12,15 +13,15 @@ namespace marrow {
 // Errors: bad_argument if a span is too short.
 // Cost: one quaternion-to-matrix (four joints at a time) and one affine product a joint: 70 instructions on x86-64, 49
 // on AArch64. Thread-safe on different outputs.
-Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out);
+MARROW_API Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out);
 
 // The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
 // whatever the count, parents are among them. The others' matrices are left as they are.
 //
 // local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
 // joints.
-Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint_count,
-                            Span<Affine> out);
+MARROW_API Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local,
+                                       std::uint32_t joint_count, Span<Affine> out);
 
 // The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
 // kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
@@ -28,7 +29,7 @@ Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> l
 // local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
 // such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
 // one comparison for each other joint from `joint` to the last generation.
-Status local_to_model_below(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint,
-                            Span<Affine> out);
+MARROW_API Status local_to_model_below(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint,
+                                       Span<Affine> out);
 
 }  // namespace marrow

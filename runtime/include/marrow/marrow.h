@@ -2,6 +2,7 @@
 #pragma once
 
 // clang-format off
+#include "marrow/version.h"         //    everywhere      which Marrow, which files
 #include "marrow/status.h"          //    everywhere      how calls fail
 #include "marrow/call_error.h"      //    everywhere      who is told of bad calls
 #include "marrow/block.h"          //    everywhere      memory on 16-byte boundaries

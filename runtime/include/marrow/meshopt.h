@@ -2,11 +2,12 @@
 // to be compressed once more by whatever packs the game's data. Library marrow::meshopt.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/unpack.h"
 
 namespace marrow {
 
 // For unpack(). Allocates nothing.
-MeshDecoder meshopt_decoder();
+MARROW_API MeshDecoder meshopt_decoder();
 
 }  // namespace marrow

@@ -9,6 +9,7 @@
 // normalised afterwards. Any finite weight is legal.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -18,13 +19,14 @@ inline constexpr std::uint32_t kNoChannel = 0xFFFFFFFF;
 // For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
 // `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
 // compares names; once a load.
-Status find_weight_channels(const File& file, const Mesh& mesh, const File& clips, const Clip& clip,
-                            Span<std::uint32_t> out);
+MARROW_API Status find_weight_channels(const File& file, const Mesh& mesh, const File& clips, const Clip& clip,
+                                       Span<std::uint32_t> out);
 
 // The weights of a moment: of each target its channel's value, or its default without. channels: from
 // find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
 // out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
-Status morph_weights(const Mesh& mesh, Span<const std::uint32_t> channels, Span<const float> values, Span<float> out);
+MARROW_API Status morph_weights(const Mesh& mesh, Span<const std::uint32_t> channels, Span<const float> values,
+                                Span<float> out);
 
 // An instance's vertices, in the caller's memory. Copies are views of the same vertices.
 struct MorphedGeometry {
@@ -37,18 +39,18 @@ struct MorphedGeometry {
 };
 
 // Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
-std::size_t morphed_bytes(const Geometry& geometry);
+MARROW_API std::size_t morphed_bytes(const Geometry& geometry);
 
 // The bind pose. memory: at least morphed_bytes(), 16-byte aligned (bad_argument otherwise); `out` keeps pointers into
 // it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
-Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeometry& out);
+MARROW_API Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeometry& out);
 
 // Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
 // cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
 // Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
 // moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
 // however many targets move it, 8, 20 or 29 to undo and normalise.
-Status morph(Span<const float> weights, MorphedGeometry& morphed);
+MARROW_API Status morph(Span<const float> weights, MorphedGeometry& morphed);
 
 // Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
 // Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
@@ -56,6 +58,6 @@ Status morph(Span<const float> weights, MorphedGeometry& morphed);
 //
 // coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
 // Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
-Status morph_coordinates(MorphedGeometry& morphed, Span<float> coordinates);
+MARROW_API Status morph_coordinates(MorphedGeometry& morphed, Span<float> coordinates);
 
 }  // namespace marrow

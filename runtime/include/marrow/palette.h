@@ -1,6 +1,7 @@
 // Stage 4, palette: scene-space joints → the matrices that skinning blends.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -20,21 +21,22 @@ namespace marrow {
 // The same palette serves SSD and animation space (docs/architecture.md, "One palette").
 // Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
 // Thread-safe on different outputs; out overlaps none of the inputs.
-Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
-                     Span<Affine> out, Span<const HalfJoint> half_joints = {});
+MARROW_API Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind,
+                                Span<const Affine> scene_from_joint, Span<Affine> out,
+                                Span<const HalfJoint> half_joints = {});
 
 // The palette of a mesh.
-Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out);
+MARROW_API Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out);
 
 // Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
 // are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
 // not finite do not.
-bool turns_inside_out(const Affine& map);
+MARROW_API bool turns_inside_out(const Affine& map);
 
 // The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
 // double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
 // turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
 // matrix.
-bool turns_inside_out(Span<const Affine> palette);
+MARROW_API bool turns_inside_out(Span<const Affine> palette);
 
 }  // namespace marrow

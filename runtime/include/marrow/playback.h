@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "marrow/api.h"
 #include "marrow/status.h"
 
 namespace marrow {
@@ -40,7 +41,7 @@ static_assert(sizeof(Playback) <= 128);
 // 2⁻⁵³ duration_s more where a loop passes its start backwards; finding the place of a time beyond an end is exact. So
 // after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the logarithm of the
 // turns where there are many. The same bits everywhere; thread-safe on different playbacks.
-Status advance(Playback& playback, float duration_s, float dt_s);
+MARROW_API Status advance(Playback& playback, float duration_s, float dt_s);
 
 // The time to sample: time_s as a float, which never goes beyond the clip.
 inline float clip_time(const Playback& playback) {
@@ -49,6 +50,6 @@ inline float clip_time(const Playback& playback) {
 
 // Whether a clip that plays once has reached the end towards which it runs; it stays true then. A clip at speed 0 runs
 // towards none.
-bool finished(const Playback& playback, float duration_s);
+MARROW_API bool finished(const Playback& playback, float duration_s);
 
 }  // namespace marrow

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "marrow/api.h"
 #include "marrow/span.h"
 #include "marrow/status.h"
 
@@ -45,7 +46,7 @@ struct JointTransform {
 
 // Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
 // is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
-Status get_joint(Span<const SoaTransform> local, std::uint32_t joint, JointTransform& out);
-Status set_joint(Span<SoaTransform> local, std::uint32_t joint, const JointTransform& transform);
+MARROW_API Status get_joint(Span<const SoaTransform> local, std::uint32_t joint, JointTransform& out);
+MARROW_API Status set_joint(Span<SoaTransform> local, std::uint32_t joint, const JointTransform& transform);
 
 }  // namespace marrow

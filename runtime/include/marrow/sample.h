@@ -1,6 +1,7 @@
 // Stage 2, sample: a clip at a time → local transforms of every joint.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -24,8 +25,8 @@ struct SampleOptions {
 // is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
 // float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
 // is. Stateless; thread-safe on different outputs.
-Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
-              const SampleOptions& options = {});
+MARROW_API Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+                         const SampleOptions& options = {});
 
 // Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
 // that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
@@ -34,7 +35,8 @@ Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<Soa
 //
 // out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
 // additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
-Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> out);
+MARROW_API Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
+                                  Span<AdditiveTransform> out);
 
 // Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
 //
@@ -42,6 +44,6 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
 // drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
 // changes. Errors: bad_argument if `out` is too short or time_s is not
 // a number. Cost: a binary search a distinct key-time list and a few operations a channel.
-Status sample_channels(const Clip& clip, float time_s, Span<float> out);
+MARROW_API Status sample_channels(const Clip& clip, float time_s, Span<float> out);
 
 }  // namespace marrow

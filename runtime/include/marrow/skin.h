@@ -6,6 +6,7 @@
 // Costs are instructions a vertex with four influences, in runs of about 150, x86-64 (SSE2) / AArch64 with g++ 12 -O3.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -37,7 +38,7 @@ struct SkinOutput {
 // palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
 // tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 51 / 32; with exact normals 78 / 49.
-Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
+MARROW_API Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
 
 // Skeletal subspace deformation, also called linear blend skinning.
 //   position = (Σ_j w_j M_j) (v, 1)
@@ -45,10 +46,10 @@ Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput
 // transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
 // or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
 // transpose.
-Status skin_ssd(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
+MARROW_API Status skin_ssd(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
 
 // How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
-std::size_t as_coordinate_count(const Geometry& geometry);
+MARROW_API std::size_t as_coordinate_count(const Geometry& geometry);
 
 // Animation-space coordinates of every slot, from lift and residual: q_j = (w_j v + d_j, w_j + δ_j), Σ_j (q_j)_w = 1.
 // In the notation of Merry, Marais and Gain (ACM TOG 25(4), 2006) p_j = B_j⁻¹ q_j; B_j⁻¹ stands in the palette here.
@@ -56,7 +57,7 @@ std::size_t as_coordinate_count(const Geometry& geometry);
 // As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
 // x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
 // out: as_coordinate_count() floats. Done once a mesh, not a frame.
-Status as_coordinates(const Geometry& geometry, Span<float> out);
+MARROW_API Status as_coordinates(const Geometry& geometry, Span<float> out);
 
 // A mesh in animation space, for as_tangents().
 struct AsPart {
@@ -66,10 +67,10 @@ struct AsPart {
 };
 
 // How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
-std::size_t as_tangent_count(const Geometry& geometry);
+MARROW_API std::size_t as_tangent_count(const Geometry& geometry);
 
 // Bytes of scratch memory that as_tangents() wants: about 32 a slot and 4 an index.
-std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts);
+MARROW_API std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts);
 
 // Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
 //   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
@@ -83,7 +84,7 @@ std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts);
 // the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
 // scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
 // no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex.
-Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch);
+MARROW_API Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch);
 
 // Animation space.
 //   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
@@ -97,8 +98,8 @@ Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch);
 // tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
 // t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
 // run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
-Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out,
-               Span<const float> tangents = {});
+MARROW_API Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette,
+                          const SkinOutput& out, Span<const float> tangents = {});
 
 // Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
 // animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
@@ -111,11 +112,11 @@ Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affin
 // Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
 // blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
 // four influences nine times as much as SSD.
-Status skin_mwe(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
+MARROW_API Status skin_mwe(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
 
 // How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
 // examples.
-std::size_t psd_distance_count(const Geometry& geometry);
+MARROW_API std::size_t psd_distance_count(const Geometry& geometry);
 
 // How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
 // k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
@@ -123,7 +124,7 @@ std::size_t psd_distance_count(const Geometry& geometry);
 // out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
 // bad_argument if a span is too short.
 // Cost: 34 instructions a palette entry and example, x86-64.
-Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<float> out);
+MARROW_API Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<float> out);
 
 // Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
 // weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
@@ -134,6 +135,7 @@ Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<
 // geometry without examples is SSD's.
 // Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
 // vertex for each example that moves its block.
-Status skin_psd(const Mesh& mesh, Span<const float> distances, Span<const Affine> palette, const SkinOutput& out);
+MARROW_API Status skin_psd(const Mesh& mesh, Span<const float> distances, Span<const Affine> palette,
+                           const SkinOutput& out);
 
 }  // namespace marrow

@@ -1,6 +1,7 @@
 // Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -53,20 +54,21 @@ struct Springs {
 };
 
 // What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
-std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chains);
+MARROW_API std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chains);
 
 // Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
 //
 // memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
 // Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
 // a chain has no bone, or the memory does not do; nothing is written.
-Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Span<std::byte> memory, Springs& out);
+MARROW_API Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Span<std::byte> memory,
+                               Springs& out);
 
 // New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
-Status set_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Springs& springs);
+MARROW_API Status set_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Springs& springs);
 
 // The next frame begins at rest in its pose.
-void reset_springs(Springs& springs);
+MARROW_API void reset_springs(Springs& springs);
 
 struct SpringFrame {
   float dt_s = 0;  // since the last frame
@@ -109,7 +111,7 @@ struct SpringFrame {
 // of its range, or there are more than kMaxSpringColliders; nothing is written.
 // Cost: at 60 frames/s 714 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
 // thread-safe on different springs and poses.
-Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs, Span<SoaTransform> local,
-                        Span<Affine> scene_from_joint);
+MARROW_API Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs,
+                                   Span<SoaTransform> local, Span<Affine> scene_from_joint);
 
 }  // namespace marrow

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "marrow/api.h"
+
 namespace marrow {
 
 enum class [[nodiscard]] Status : std::uint8_t{
@@ -20,7 +22,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
 };
 
 // One word or two in English, never null.
-const char* to_string(Status status) noexcept;
+MARROW_API const char* to_string(Status status) noexcept;
 
 // Where a block of data breaks the format, and which rule. `rule` is a static string.
 struct DataError {

@@ -2,6 +2,7 @@
 // new one is).
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -15,13 +16,13 @@ enum class Fade : std::uint8_t {
 
 // The new clip's weight, `time_s` after the fade began: exactly 0 at or before 0 and for what is not a number, exactly
 // 1 from duration_s on (at once if that is not above 0).
-float fade_weight(Fade shape, float time_s, float duration_s);
+MARROW_API float fade_weight(Fade shape, float time_s, float duration_s);
 
 // blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
 // from, to, out: at least skeleton.soa_size(); out may be either of the poses.
 // Errors: bad_argument if a span is too short or the weight not in 0 … 1.
-Status cross_fade(const Skeleton& skeleton, Span<const SoaTransform> from, Span<const SoaTransform> to, float weight,
-                  Span<SoaTransform> out);
+MARROW_API Status cross_fade(const Skeleton& skeleton, Span<const SoaTransform> from, Span<const SoaTransform> to,
+                             float weight, Span<SoaTransform> out);
 
 // How far four joints are from the new clip's pose, and how that fades. Each of the nine components of a joint, x y z
 // of the translation, of the rotation vector (axis times angle, in the parent's axes) and of the scale, fades by
@@ -61,12 +62,14 @@ struct InertialStart {
 // begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
 // short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
 // quaternions a joint, four joints at a time; no allocation.
-Status begin_inertia(const Skeleton& skeleton, const InertialStart& start, float duration_s, Inertia& inertia);
+MARROW_API Status begin_inertia(const Skeleton& skeleton, const InertialStart& start, float duration_s,
+                                Inertia& inertia);
 
 // pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
 // any begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
 // Errors: bad_argument if a span is too short or time_s not a number.
 // Cost: nine quintics and one exponential a joint, four joints at a time.
-Status apply_inertia(const Skeleton& skeleton, const Inertia& inertia, float time_s, Span<SoaTransform> pose);
+MARROW_API Status apply_inertia(const Skeleton& skeleton, const Inertia& inertia, float time_s,
+                                Span<SoaTransform> pose);
 
 }  // namespace marrow

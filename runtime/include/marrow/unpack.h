@@ -5,6 +5,7 @@
 // one it ships with: marrow/draco.h (smallest), marrow/meshopt.h (fastest).
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/span.h"
 #include "marrow/status.h"
 
@@ -26,12 +27,12 @@ struct UnpackSizes {
 };
 
 // Whether these are the first bytes of a packed file. Anything else is for load() to judge.
-bool is_packed(Span<const std::byte> bytes);
+MARROW_API bool is_packed(Span<const std::byte> bytes);
 
 // How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
 // else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
 // should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
-Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error = nullptr);
+MARROW_API Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error = nullptr);
 
 // Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
 // to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
@@ -42,8 +43,8 @@ Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* e
 // `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
 // order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
 // nothing else does.
-Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
-              Span<const std::byte>& file, DataError* error = nullptr);
+MARROW_API Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
+                         Span<const std::byte>& file, DataError* error = nullptr);
 
 // The same in steps, for a game that loads while it plays: as many a frame as its time allows.
 //
@@ -63,8 +64,8 @@ struct Unpacking {
 
 // Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
 // Cost: the checksum.
-Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
-                    Unpacking& out, DataError* error = nullptr);
+MARROW_API Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
+                               Unpacking& out, DataError* error = nullptr);
 
 // Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
 // last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
@@ -72,6 +73,6 @@ Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decode
 //
 // Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
 // at a time.
-Status unpack_step(Unpacking& unpacking, DataError* error = nullptr);
+MARROW_API Status unpack_step(Unpacking& unpacking, DataError* error = nullptr);
 
 }  // namespace marrow

@@ -42,7 +42,9 @@ TEST(CallError, NobodyIsTold) {
 TEST(CallError, TheHandlerBeforeIsGivenBack) {
   const CallErrorHandler one = [](const char*, const char*) {};
   const CallErrorHandler before = set_call_error_handler(one);
+  EXPECT_EQ(call_error_handler(), one);
   EXPECT_EQ(set_call_error_handler(before), one);
+  EXPECT_EQ(call_error_handler(), before);
 }
 
 TEST(CallError, DebugBuildsBeginWithALineOnStderr) {

@@ -18,10 +18,12 @@ namespace {
 std::set<std::string> declared(const std::function<bool(const std::string&)>& headers) {
   std::set<std::string> names;
   // No functions, what makes a class a range, what has no arguments, and private ones.
-  const std::set<std::string> none = {"alignas", "requires", "Span",          "begin",           "end",
-                                      "empty",   "operator", "draco_decoder", "meshopt_decoder", "geometry",
-                                      "section"};
-  const std::regex function(R"(^(?:  )?(?:(?:inline|constexpr|const) )*[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
+  const std::set<std::string> none = {"alignas",         "requires",      "Span",
+                                      "begin",           "end",           "empty",
+                                      "operator",        "draco_decoder", "call_error_handler",
+                                      "meshopt_decoder", "geometry",      "section"};
+  const std::regex function(R"(^(?:  )?(?:MARROW_API )?(?:(?:inline|constexpr|const) )*)"
+                            R"((?!MARROW_API)[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
   for (const auto& entry : std::filesystem::directory_iterator(in_source("runtime/include/marrow"))) {
     if (!headers(entry.path().filename())) continue;
     std::ifstream in(entry.path());

@@ -11,6 +11,7 @@
 #include "common/section_names.h"
 #include "cook/write/report_scene.h"
 #include "marrow/clip_pack.h"
+#include "marrow/version.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
@@ -194,7 +195,7 @@ ordered_json describe_clips(const LoadedFile& loaded) {
 ordered_json describe(const std::string& path, const LoadedFile& loaded) {
   ordered_json r;
   r["file"] = path;
-  r["version"] = 1;
+  r["version"] = kFileFormat;
   r["bytes"] = loaded.stored_bytes;
   r["packed"] = loaded.stored_bytes != loaded.bytes.size();
   r["totals"] = describe_totals(loaded);

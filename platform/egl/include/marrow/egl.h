@@ -1,6 +1,7 @@
 // An OpenGL ES 3.0 context without a window or a screen: what tools and tests render in.
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/status.h"
 
 namespace marrow::egl {
@@ -9,7 +10,7 @@ namespace marrow::egl {
 class HeadlessContext {
  public:
   HeadlessContext() = default;
-  ~HeadlessContext();
+  MARROW_API ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;
   HeadlessContext& operator=(const HeadlessContext&) = delete;
 
@@ -21,7 +22,7 @@ class HeadlessContext {
   // marrow::gles3::context_was_reset(); where that is refused, an ordinary one.
   // Errors: bad_argument if there is a context already; unsupported, with error() saying which step refused and EGL's
   // error code.
-  Status create(int major = 3, int minor = 0);
+  MARROW_API Status create(int major = 3, int minor = 0);
 
   // One line in English about the last create(); empty after success.
   const char* error() const { return error_; }
@@ -46,6 +47,6 @@ class HeadlessContext {
 };
 
 // Address of a GL function for marrow::gles3::load_api(); null if there is none.
-void* load_proc(const char* name);
+MARROW_API void* load_proc(const char* name);
 
 }  // namespace marrow::egl
