@@ -11,7 +11,7 @@ namespace marrow::cook::gltf {
 namespace {
 
 // Read in full.
-constexpr std::array<std::string_view, 12> kRead = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 15> kRead = {"KHR_mesh_quantization",
                                                     "KHR_draco_mesh_compression",
                                                     "EXT_meshopt_compression",
                                                     "KHR_meshopt_compression",
@@ -22,7 +22,10 @@ constexpr std::array<std::string_view, 12> kRead = {"KHR_mesh_quantization",
                                                     "MSFT_texture_dds",
                                                     "KHR_materials_unlit",
                                                     "KHR_materials_emissive_strength",
-                                                    "KHR_materials_pbrSpecularGlossiness"};
+                                                    "KHR_materials_pbrSpecularGlossiness",
+                                                    "VRM",
+                                                    "VRMC_vrm",
+                                                    "VRMC_springBone"};
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
 constexpr std::array<std::string_view, 20> kHarmless = {"KHR_materials_anisotropy",
