@@ -32,14 +32,14 @@ inline Builder avatar() {
     const int moved = b.positions({x, 0, 0, 0, x, 0, 0, 0, x, x, x, 0});
     targets.push_back({{"POSITION", moved}});
   }
-  b.root["meshes"] = {{{"primitives",
-                        {{{"attributes", {{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}},
-                          {"indices", indices}}}}},
-                      {{"name", "face"},
-                       {"extras", {{"targetNames", {"smile", "eyes shut", "brow"}}}},
-                       {"weights", {0, 0, 0.25}},
-                       {"primitives",
-                        {{{"attributes", {{"POSITION", positions}}}, {"indices", indices}, {"targets", targets}}}}}};
+  b.root["meshes"] = {
+      {{"primitives",
+        {{{"attributes", {{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}},
+          {"indices", indices}}}}},
+      {{"name", "face"},
+       {"extras", {{"targetNames", {"smile", "eyes shut", "brow"}}}},
+       {"weights", {0, 0, 0.25}},
+       {"primitives", {{{"attributes", {{"POSITION", positions}}}, {"indices", indices}, {"targets", targets}}}}}};
   const int inverse_bind = b.numbers<float>(kF32, "MAT4", 16, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
                                                                1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1});
   b.root["skins"] = {{{"joints", {kHips, kHead}}, {"inverseBindMatrices", inverse_bind}, {"skeleton", kHips}}};
@@ -107,7 +107,8 @@ inline Builder avatar_0() {
   const auto point = [](double x, double y, double z) { return Json{{"x", x}, {"y", y}, {"z", z}}; };
   b.root["extensions"]["VRM"] = {
       {"exporterVersion", "test"},
-      {"meta", {{"title", "Testa"}, {"author", "Ada"}, {"licenseName", "CC0"}, {"texture", -1}, {"reference", nullptr}}},
+      {"meta",
+       {{"title", "Testa"}, {"author", "Ada"}, {"licenseName", "CC0"}, {"texture", -1}, {"reference", nullptr}}},
       {"humanoid",
        {{"humanBones",
          {{{"bone", "hips"}, {"node", kHips}},
@@ -131,7 +132,10 @@ inline Builder avatar_0() {
            {"isBinary", true},
            {"binds", {{{"mesh", 1}, {"index", 0}, {"weight", 100}}, {{"mesh", 1}, {"index", 2}, {"weight", 50}}}}},
           {{"name", "Blink"}, {"presetName", "blink"}, {"binds", {{{"mesh", 1}, {"index", 1}, {"weight", 100}}}}},
-          {{"name", "glow"}, {"presetName", "unknown"}, {"binds", Json::array()}, {"materialValues", {Json::object()}}}}}}},
+          {{"name", "glow"},
+           {"presetName", "unknown"},
+           {"binds", Json::array()},
+           {"materialValues", {Json::object()}}}}}}},
       {"secondaryAnimation",
        {{"boneGroups",
          {{{"comment", ""},

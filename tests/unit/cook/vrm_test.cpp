@@ -201,14 +201,18 @@ struct Change {
 
 constexpr Change kRefused1[] = {
     {"a list", [](Json& e) { e["VRMC_vrm"] = Json::array(); }, "/extensions/VRMC_vrm", "wrong type"},
-    {"springs", [](Json& e) { e["VRMC_springBone"]["springs"] = 3; }, "/extensions/VRMC_springBone/springs", "wrong type"},
+    {"springs", [](Json& e) { e["VRMC_springBone"]["springs"] = 3; }, "/extensions/VRMC_springBone/springs",
+     "wrong type"},
     {"a node beyond", [](Json& e) { e["VRMC_springBone"]["springs"][0]["joints"][0]["node"] = 10; },
      "/extensions/VRMC_springBone/springs/0/joints/0/node", "reference to nothing"},
     {"no node", [](Json& e) { e["VRMC_springBone"]["springs"][0]["joints"][1].erase("node"); },
      "/extensions/VRMC_springBone/springs/0/joints/1/node", "missing"},
     {"a word", [](Json& e) { e["VRMC_springBone"]["springs"][0]["joints"][0]["stiffness"] = "soft"; },
      "/extensions/VRMC_springBone/springs/0/joints/0/stiffness", "wrong type"},
-    {"two numbers", [](Json& e) { e["VRMC_springBone"]["springs"][0]["joints"][0]["gravityDir"] = {0, 1}; },
+    {"two numbers",
+     [](Json& e) {
+       e["VRMC_springBone"]["springs"][0]["joints"][0]["gravityDir"] = {0, 1};
+     },
      "/extensions/VRMC_springBone/springs/0/joints/0/gravityDir", "wrong number of items"},
     {"a group beyond", [](Json& e) { e["VRMC_springBone"]["springs"][0]["colliderGroups"] = {2}; },
      "/extensions/VRMC_springBone/springs/0/colliderGroups", "reference to nothing"},
@@ -216,13 +220,18 @@ constexpr Change kRefused1[] = {
      "/extensions/VRMC_springBone/colliderGroups/1/colliders", "reference to nothing"},
     {"no shape", [](Json& e) { e["VRMC_springBone"]["colliders"][0].erase("shape"); },
      "/extensions/VRMC_springBone/colliders/0/shape", "missing"},
-    {"a bone beyond", [](Json& e) { e["VRMC_vrm"]["humanoid"]["humanBones"]["jaw"] = {{"node", 99}}; },
+    {"a bone beyond",
+     [](Json& e) {
+       e["VRMC_vrm"]["humanoid"]["humanBones"]["jaw"] = {{"node", 99}};
+     },
      "/extensions/VRMC_vrm/humanoid/humanBones/jaw/node", "reference to nothing"},
     {"a bone that is a number", [](Json& e) { e["VRMC_vrm"]["humanoid"]["humanBones"]["jaw"] = 4; },
      "/extensions/VRMC_vrm/humanoid/humanBones/jaw", "wrong type"},
-    {"an expression's node", [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["blink"]["morphTargetBinds"][0]["node"] = -1; },
+    {"an expression's node",
+     [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["blink"]["morphTargetBinds"][0]["node"] = -1; },
      "/extensions/VRMC_vrm/expressions/preset/blink/morphTargetBinds/0/node", "reference to nothing"},
-    {"an expression's index", [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["blink"]["morphTargetBinds"][0]["index"] = 0.5; },
+    {"an expression's index",
+     [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["blink"]["morphTargetBinds"][0]["index"] = 0.5; },
      "/extensions/VRMC_vrm/expressions/preset/blink/morphTargetBinds/0/index", "wrong type"},
     {"a range", [](Json& e) { e["VRMC_vrm"]["lookAt"]["rangeMapVerticalUp"]["outputScale"] = false; },
      "/extensions/VRMC_vrm/lookAt/rangeMapVerticalUp/outputScale", "wrong type"},
@@ -238,7 +247,10 @@ constexpr Change kRefused0[] = {
      "/extensions/VRM/secondaryAnimation/boneGroups/0/bones/0", "wrong type"},
     {"a collider's node", [](Json& e) { e["VRM"]["secondaryAnimation"]["colliderGroups"][0]["node"] = 77; },
      "/extensions/VRM/secondaryAnimation/colliderGroups/0/node", "reference to nothing"},
-    {"a direction", [](Json& e) { e["VRM"]["secondaryAnimation"]["boneGroups"][0]["gravityDir"] = {0, -1, 0}; },
+    {"a direction",
+     [](Json& e) {
+       e["VRM"]["secondaryAnimation"]["boneGroups"][0]["gravityDir"] = {0, -1, 0};
+     },
      "/extensions/VRM/secondaryAnimation/boneGroups/0/gravityDir", "wrong type"},
     {"binds", [](Json& e) { e["VRM"]["blendShapeMaster"]["blendShapeGroups"][0]["binds"] = 1; },
      "/extensions/VRM/blendShapeMaster/blendShapeGroups/0/binds", "wrong type"},
@@ -262,14 +274,21 @@ TEST(Vrm, WhatIsWrongIsRefusedWhereItStands) {
 // Left out with a warning; all else is there.
 constexpr Change kLeftOut1[] = {
     {"a chain in a circle",
-     [](Json& e) { e["VRMC_springBone"]["springs"][0]["joints"] = {{{"node", kHair}}, {{"node", kHairLower}}, {{"node", kHair}}}; },
+     [](Json& e) {
+       e["VRMC_springBone"]["springs"][0]["joints"] = {{{"node", kHair}}, {{"node", kHairLower}}, {{"node", kHair}}};
+     },
      "/extensions/VRMC_springBone/springs/0/joints/2", "spring-goes-up"},
     {"a chain that goes up",
-     [](Json& e) { e["VRMC_springBone"]["springs"][0]["joints"] = {{{"node", kHairLower}}, {{"node", kHair}}}; },
+     [](Json& e) {
+       e["VRMC_springBone"]["springs"][0]["joints"] = {{{"node", kHairLower}}, {{"node", kHair}}};
+     },
      "/extensions/VRMC_springBone/springs/0/joints/1", "spring-goes-up"},
     {"a joint twice", [](Json& e) { e["VRMC_springBone"]["springs"].push_back(e["VRMC_springBone"]["springs"][0]); },
      "/extensions/VRMC_springBone/springs/1/joints/0", "spring-shares-joint"},
-    {"one joint", [](Json& e) { e["VRMC_springBone"]["springs"][0]["joints"] = {{{"node", kHair}}}; },
+    {"one joint",
+     [](Json& e) {
+       e["VRMC_springBone"]["springs"][0]["joints"] = {{{"node", kHair}}};
+     },
      "/extensions/VRMC_springBone/springs/0", "spring-without-bone"},
     {"a huge radius", [](Json& e) { e["VRMC_springBone"]["colliders"][0]["shape"]["sphere"]["radius"] = 1e30; },
      "/extensions/VRMC_springBone/colliders/0", "collider-dropped"},
@@ -281,11 +300,14 @@ constexpr Change kLeftOut1[] = {
        joint["gravityDir"] = {1, 0, 0}, joint["gravityPower"] = 1;
      },
      "/extensions/VRMC_springBone/springs/0/joints/0", "spring-gravity-sideways"},
-    {"a target beyond", [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["happy"]["morphTargetBinds"][0]["index"] = 3; },
+    {"a target beyond",
+     [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["happy"]["morphTargetBinds"][0]["index"] = 3; },
      "/extensions/VRMC_vrm/expressions/preset/happy", "expression-bind-dropped"},
-    {"a node without a mesh", [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["happy"]["morphTargetBinds"][0]["node"] = kHead; },
+    {"a node without a mesh",
+     [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["happy"]["morphTargetBinds"][0]["node"] = kHead; },
      "/extensions/VRMC_vrm/expressions/preset/happy", "expression-bind-dropped"},
-    {"a huge weight", [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["happy"]["morphTargetBinds"][0]["weight"] = 1e30; },
+    {"a huge weight",
+     [](Json& e) { e["VRMC_vrm"]["expressions"]["preset"]["happy"]["morphTargetBinds"][0]["weight"] = 1e30; },
      "/extensions/VRMC_vrm/expressions/preset/happy", "expression-bind-dropped"},
     {"an annotation of a bone", [](Json& e) { e["VRMC_vrm"]["firstPerson"]["meshAnnotations"][0]["node"] = kHead; },
      "/extensions/VRMC_vrm/firstPerson/meshAnnotations/0", "annotation-dropped"},
@@ -293,11 +315,18 @@ constexpr Change kLeftOut1[] = {
 };
 
 constexpr Change kLeftOut0[] = {
-    {"a root twice", [](Json& e) { e["VRM"]["secondaryAnimation"]["boneGroups"][0]["bones"] = {kHair, kHair}; },
+    {"a root twice",
+     [](Json& e) {
+       e["VRM"]["secondaryAnimation"]["boneGroups"][0]["bones"] = {kHair, kHair};
+     },
      "/extensions/VRM/secondaryAnimation/boneGroups/0", "spring-shares-joint"},
-    {"a root below another", [](Json& e) { e["VRM"]["secondaryAnimation"]["boneGroups"][0]["bones"] = {kHairLower, kHair}; },
+    {"a root below another",
+     [](Json& e) {
+       e["VRM"]["secondaryAnimation"]["boneGroups"][0]["bones"] = {kHairLower, kHair};
+     },
      "/extensions/VRM/secondaryAnimation/boneGroups/0", "spring-shares-joint"},
-    {"a mesh that is not there", [](Json& e) { e["VRM"]["blendShapeMaster"]["blendShapeGroups"][0]["binds"][0]["mesh"] = 7; },
+    {"a mesh that is not there",
+     [](Json& e) { e["VRM"]["blendShapeMaster"]["blendShapeGroups"][0]["binds"][0]["mesh"] = 7; },
      "/extensions/VRM/blendShapeMaster/blendShapeGroups/0", "expression-bind-dropped"},
     {"nothing", [](Json&) {}, "/extensions/VRM/blendShapeMaster", "material-binds-dropped"},
 };

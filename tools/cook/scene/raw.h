@@ -153,10 +153,10 @@ struct RawScalar {
 };
 
 struct RawClip {
-  std::string name;       // may be empty
-  bool additive = false;  // over the rest pose, without --additive
+  std::string name;  // may be empty
   std::vector<RawChannel> channels;
   std::vector<RawScalar> scalars;
+  bool additive = false;  // over the rest pose, without --additive
 };
 
 // A chain of spring bones, each node somewhere below the one before it. No node is in two chains.
@@ -204,8 +204,8 @@ struct RawScene {
   std::vector<RawClip> clips;
   std::vector<RawSpring> springs;
   std::vector<RawCollider> colliders;  // at most kMaxSpringColliders
-  std::vector<RawWarning> warnings;  // of whoever read it
-  std::vector<RawRead> reads;        // the scene's own file first; empty for a scene in memory
+  std::vector<RawWarning> warnings;    // of whoever read it
+  std::vector<RawRead> reads;          // the scene's own file first; empty for a scene in memory
 };
 
 }  // namespace marrow::cook

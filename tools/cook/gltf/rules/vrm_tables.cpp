@@ -1,5 +1,5 @@
-// The tables of VRM's objects, versions 0 and 1 (github.com/vrm-c/vrm-specification). Only what is read is looked at, and
-// lists may be empty, as exporters write them so. Numbers of version 0 that name something may be -1: nothing.
+// The tables of VRM's objects, versions 0 and 1 (github.com/vrm-c/vrm-specification). Only what is read is looked at,
+// and lists may be empty, as exporters write them so. Numbers of version 0 that name something may be -1: nothing.
 #include "cook/gltf/rules/schema_tables.h"
 
 namespace marrow::cook::gltf {
@@ -46,14 +46,9 @@ constexpr Property kGroup0[] = {text("name"), text("presetName"), flag("isBinary
 constexpr Schema kGroup0Schema{kGroup0, true};
 constexpr Property kMaster0[] = {list("blendShapeGroups", kGroup0Schema)};
 constexpr Schema kMaster0Schema{kMaster0, true};
-constexpr Property kSpring0[] = {number("stiffiness"),
-                                 number("gravityPower"),
-                                 object("gravityDir", kPointSchema),
-                                 number("dragForce"),
-                                 count_of("center", -1),
-                                 number("hitRadius"),
-                                 references("bones"),
-                                 references("colliderGroups")};
+constexpr Property kSpring0[] = {number("stiffiness"), number("gravityPower"),      object("gravityDir", kPointSchema),
+                                 number("dragForce"),  count_of("center", -1),      number("hitRadius"),
+                                 references("bones"),  references("colliderGroups")};
 constexpr Schema kSpring0Schema{kSpring0, true};
 constexpr Property kCollider0[] = {object("offset", kPointSchema), number("radius")};
 constexpr Schema kCollider0Schema{kCollider0, true};
@@ -116,7 +111,7 @@ constexpr Property kCollider[] = {index_of("node", "nodes", true), object("shape
 constexpr Schema kColliderSchema{kCollider, true};
 constexpr Property kColliderGroup[] = {references("colliders")};
 constexpr Schema kColliderGroupSchema{kColliderGroup, true};
-constexpr Property kJoint[] = {index_of("node", "nodes", true), number("hitRadius"),       number("stiffness"),
+constexpr Property kJoint[] = {index_of("node", "nodes", true), number("hitRadius"),         number("stiffness"),
                                number("gravityPower"),          numbers("gravityDir", 3, 3), number("dragForce")};
 constexpr Schema kJointSchema{kJoint, true};
 constexpr Property kSpring[] = {list("joints", kJointSchema), references("colliderGroups"),

@@ -1,6 +1,6 @@
-// VRM adds to a bone's end, in each step of 1/60 s, what is left of its last step and a pull, and shortens the sum to the
-// bone's length. Small swings about where that rests are a linear recurrence of second order, whose roots are those of
-// our spring's differential equation.
+// VRM adds to a bone's end, in each step of 1/60 s, what is left of its last step and a pull, and shortens the sum to
+// the bone's length. Small swings about where that rests are a linear recurrence of second order, whose roots are those
+// of our spring's differential equation.
 #include "cook/gltf/vrm/spring_settings.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kStep_s = 1.0 / 60, kGravity = 9.81, kTwoPi = 6.28318530717958648;
 constexpr double kHighestOmega = 15 * kTwoPi, kMostDamping = 1.5, kMostDrag = 50, kMostGravity = 10;
-constexpr double kLeastPull = 1e-3;    // of VRM's forces: the limit of none
+constexpr double kLeastPull = 1e-3;     // of VRM's forces: the limit of none
 constexpr double kLeastInertia = 1e-3;  // of 1 - drag_force: its logarithm is taken
 
 // Of a number above 0, by Halley's steps on the exponential.

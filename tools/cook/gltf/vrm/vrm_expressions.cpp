@@ -75,8 +75,9 @@ class ExpressionImporter {
         e.name = name;
         for (const Json& bind : member_or_empty(expression, "morphTargetBinds"))
           add(e, bind.at("node"), bind.at("index"), bind.at("weight").get<double>());
-        finish(e, expression, !member_or_empty(expression, "materialColorBinds").empty() ||
-                                  !member_or_empty(expression, "textureTransformBinds").empty());
+        finish(e, expression,
+               !member_or_empty(expression, "materialColorBinds").empty() ||
+                   !member_or_empty(expression, "textureTransformBinds").empty());
       }
     }
   }

@@ -15,13 +15,13 @@ struct VrmImport {
   Budget& budget;
   Report& report;
   RawScene& scene;
-  bool is_0 = false;                    // VRM, not VRMC_vrm
-  Json vrm;                             // of whichever there is; an object
-  std::string where;                    // it stands
+  bool is_0 = false;  // VRM, not VRMC_vrm
+  Json vrm;           // of whichever there is; an object
+  std::string where;  // it stands
   std::vector<glm::dmat4> scene_from_node;
-  int head = kNone;                     // humanoid bones
-  int eyes[2] = {kNone, kNone};         // left, right
-  int avatar = kNone;                   // the node with what is said of all: the hips
+  int head = kNone;              // humanoid bones
+  int eyes[2] = {kNone, kNone};  // left, right
+  int avatar = kNone;            // the node with what is said of all: the hips
 };
 
 // A member, or what is empty.
