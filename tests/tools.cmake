@@ -6,7 +6,8 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
 marrow_test(marrow_input_tests input unit/cook/bvh_read_test.cpp unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_meshopt_test.cpp unit/cook/gltf_morphs_test.cpp
   unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp
-  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/unpack/tools_cap_test.cpp)
+  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/cook/vrm_settings_test.cpp unit/cook/vrm_test.cpp
+  unit/unpack/tools_cap_test.cpp)
 target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp

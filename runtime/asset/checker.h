@@ -104,6 +104,8 @@ class Checker {
   bool property(const Property& p);
   bool limits(const File::Section& s);
   bool bounds(const File::Section& s);
+  bool springs(const File::Section& s);
+  bool spring_chain(const format::SpringHeader& h, const format::SpringRecord& chain, const SpringJoint* joints);
 
   const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
 

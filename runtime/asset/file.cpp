@@ -246,6 +246,38 @@ Node File::node(std::uint32_t index) const {
   return n;
 }
 
+const std::byte* File::springs_of(std::uint32_t skeleton) const {
+  for (std::uint32_t i = 0; i < counts_[format::kSprings]; ++i) {
+    const std::byte* const base = section(format::kSprings, i);
+    if (at<format::SpringHeader>(base, 0)->skeleton == skeleton) return base;
+  }
+  return nullptr;
+}
+
+std::uint32_t File::spring_count(std::uint32_t of_skeleton) const {
+  const std::byte* const base = springs_of(of_skeleton);
+  return base != nullptr ? at<format::SpringHeader>(base, 0)->chain_count : 0;
+}
+
+SpringChain File::spring(std::uint32_t of_skeleton, std::uint32_t index) const {
+  if (index >= spring_count(of_skeleton)) return {};
+  const std::byte* const base = springs_of(of_skeleton);
+  const format::SpringLayout l = layout(*at<format::SpringHeader>(base, 0));
+  const auto& record = at<format::SpringRecord>(base, l.chains)[index];
+  SpringChain chain;
+  chain.joints = {at<SpringJoint>(base, l.joints) + record.first_joint, record.joint_count};
+  std::memcpy(chain.tip, record.tip, sizeof chain.tip);
+  chain.colliders = record.colliders;
+  return chain;
+}
+
+Span<const SpringCollider> File::spring_colliders(std::uint32_t of_skeleton) const {
+  const std::byte* const base = springs_of(of_skeleton);
+  if (base == nullptr) return {};
+  const auto& header = *at<format::SpringHeader>(base, 0);
+  return {at<SpringCollider>(base, layout(header).colliders), header.collider_count};
+}
+
 namespace {
 
 Bounds decoded(const format::BoundsCodes& codes) {

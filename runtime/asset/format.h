@@ -43,15 +43,16 @@ enum Kind : std::uint32_t {
   kNames,
   kLimits,
   kBounds,
+  kSprings,
   kKindCount
 };
 // The order in which they stand in a file.
 inline constexpr Kind kOrder[kKindCount] = {kSkeletons, kReferences, kClips,  kGeometries, kMeshes, kMaterials,
-                                            kImages,    kNodes,      kLimits, kBounds,     kNames};
+                                            kImages,    kNodes,      kLimits, kSprings,    kBounds, kNames};
 inline constexpr std::uint32_t kTypes[kKindCount] = {
     four_characters("SKEL"), four_characters("SREF"), four_characters("CLIP"), four_characters("GEOM"),
     four_characters("MESH"), four_characters("MATL"), four_characters("IMAG"), four_characters("NODE"),
-    four_characters("NAME"), four_characters("LIMI"), four_characters("BNDS")};
+    four_characters("NAME"), four_characters("LIMI"), four_characters("BNDS"), four_characters("SPRI")};
 
 struct Header {
   std::uint32_t magic;
@@ -242,6 +243,27 @@ struct LimitHeader {
   std::uint32_t limit_count;  // ≥ 1
 };
 static_assert(sizeof(LimitHeader) == 8);
+
+// Of one skeleton; behind it SpringRecords, SpringJoints and SpringColliders.
+struct SpringHeader {
+  std::uint32_t skeleton;
+  std::uint32_t chain_count;  // ≥ 1
+  std::uint32_t joint_count;  // of all chains
+  std::uint32_t collider_count;
+};
+static_assert(sizeof(SpringHeader) == 16);
+
+struct SpringRecord {
+  std::uint64_t colliders;    // as in SpringChain
+  std::uint32_t first_joint;  // joints of the chains before it
+  std::uint32_t joint_count;  // ≥ 1
+  float tip[3];
+  std::uint32_t reserved;  // 0
+};
+static_assert(sizeof(SpringRecord) == 32);
+
+// How many joints a bone may pass over, so that the way up to the joint before it has a bound.
+inline constexpr std::uint32_t kLongestSpringBone = 255;
 
 // Of one skeleton; behind it BoundsCodes, clip by clip, in each mesh by mesh, of those of the skeleton.
 struct BoundsHeader {
@@ -445,6 +467,18 @@ struct LimitLayout {
 };
 constexpr LimitLayout layout(const LimitHeader& h) {
   return {sizeof h, sizeof h + std::uint64_t{h.limit_count} * sizeof(JointLimit)};
+}
+
+struct SpringLayout {
+  std::uint64_t chains, joints, colliders, bytes;
+};
+constexpr SpringLayout layout(const SpringHeader& h) {
+  SpringLayout l{};
+  l.chains = sizeof h;
+  l.joints = l.chains + std::uint64_t{h.chain_count} * sizeof(SpringRecord);
+  l.colliders = l.joints + std::uint64_t{h.joint_count} * sizeof(SpringJoint);
+  l.bytes = l.colliders + std::uint64_t{h.collider_count} * sizeof(SpringCollider);
+  return l;
 }
 
 // How many values a track's key has in Clip::values.

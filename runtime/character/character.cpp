@@ -93,23 +93,32 @@ Status sample_skeleton(Character& c, std::uint32_t index, Span<const AnimationLa
   return blend(s.skeleton, {c.blended.data, layers.size}, s.local);
 }
 
-// Adds what an animation gives the mesh's targets, times `share`.
-Status add_weights(const AnimationLayer& layer, float share, CharacterMesh& m) {
+// Calls f(target, its weight in the animation, its default); driven: only for targets that a channel drives.
+template <class F>
+Status for_each_weight(const AnimationLayer& layer, const CharacterMesh& m, bool driven, F f) {
   const Animation& a = *layer.animation;
   const std::uint32_t index = a.clip_of_skeleton[m.mesh.skeleton];
   const Clip clip = index != kNoClip ? a.clips.clip(index) : Clip{};
   Clip alone = clip;  // with one channel, so that the others need no memory
   for (std::size_t t = 0; t < m.weights.size; ++t) {
     const std::uint32_t channel = index != kNoClip ? a.channels[m.first_target + t] : kNoChannel;
-    float weight = m.mesh.targets[t].weight;
+    const float rest = m.mesh.targets[t].weight;
+    float weight = rest;
     if (channel != kNoChannel) {
       alone.channels = {clip.channels.data + channel, 1};
       const Status status = sample_channels(alone, layer.time_s, {&weight, 1});
       if (status != Status::ok) return status;
+    } else if (driven) {
+      continue;
     }
-    m.weights[t] += share * weight;
+    f(t, weight, rest);
   }
   return Status::ok;
+}
+
+// Adds what an animation gives the mesh's targets, times `share`.
+Status add_weights(const AnimationLayer& layer, float share, CharacterMesh& m) {
+  return for_each_weight(layer, m, false, [&](std::size_t t, float weight, float) { m.weights[t] += share * weight; });
 }
 
 // Means by the rule of blend(): defaults join in below the threshold.
@@ -148,13 +157,16 @@ BadCall check_animation(const Character& c, const Animation* animation) {
   return {};
 }
 
+BadCall check_layer(const Character& c, const AnimationLayer& layer) {
+  MARROW_CHECK(within(layer.weight, 0.0f, kMaxBlendWeight));
+  MARROW_CHECK(layer.weight == 0 || layer.time_s == layer.time_s);  // else it is not read
+  return check_animation(c, layer.animation);
+}
+
 BadCall check_layers(const Character& c, Span<const AnimationLayer> layers) {
   MARROW_CHECK(holds(layers) && layers.size <= c.options.layers);
-  for (const AnimationLayer& layer : layers) {
-    MARROW_CHECK(within(layer.weight, 0.0f, kMaxBlendWeight));
-    MARROW_CHECK(layer.weight == 0 || layer.time_s == layer.time_s);  // else it is not read
-    if (const BadCall bad = check_animation(c, layer.animation)) return bad;
-  }
+  for (const AnimationLayer& layer : layers)
+    if (const BadCall bad = check_layer(c, layer)) return bad;
   return {};
 }
 
@@ -215,6 +227,18 @@ Status pose_character(Character& character, Span<const AnimationLayer> layers) {
   MARROW_REQUIRE_GOOD(check_layers(character, layers));
   const Status status = sample_layers(character, layers);
   return status == Status::ok ? local_to_model(character) : status;
+}
+
+Status add_expression(Character& character, const AnimationLayer& expression) {
+  MARROW_REQUIRE_GOOD(check_layer(character, expression));
+  for (CharacterMesh& m : character.meshes) {
+    if (expression.weight == 0.0f) break;
+    const Status status = for_each_weight(expression, m, true, [&](std::size_t t, float weight, float rest) {
+      m.weights[t] += expression.weight * (weight - rest);
+    });
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
 }
 
 Status finish_character(Character& character) {

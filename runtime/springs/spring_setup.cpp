@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "asset/spring_rules.h"
 #include "core/check.h"
 #include "marrow/block.h"
-#include "math/finite.h"
 #include "springs/spring_state.h"
 
 namespace marrow {
@@ -12,9 +12,6 @@ namespace {
 
 constexpr float kTwoPi = 6.28318531f;
 
-bool has_tip(const SpringChain& chain) {
-  return chain.tip[0] != 0.0f || chain.tip[1] != 0.0f || chain.tip[2] != 0.0f;
-}
 std::size_t bone_count(const SpringChain& chain) {
   const std::size_t joints = chain.joints.size;
   return joints == 0 ? 0 : has_tip(chain) ? joints : joints - 1;
@@ -33,12 +30,6 @@ bool is_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above
   return joint == above;
 }
 
-bool good_settings(const SpringJoint& j) {
-  return within(j.frequency_hz, 0.0f, 15.0f) && within(j.damping_ratio, 0.0f, 1.5f) &&
-         within(j.gravity, -10.0f, 10.0f) && within(j.drag, 0.0f, 50.0f) && within(j.radius_m, 0.0f, 1e6f) &&
-         within(j.weight, 0.0f, 1.0f);
-}
-
 BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
   MARROW_CHECK(holds(chains) && chains.size <= skeleton.joint_count);
   std::size_t joints = 0;
@@ -46,7 +37,7 @@ BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
     MARROW_CHECK(holds(chain.joints) && bone_count(chain) > 0);
     joints += chain.joints.size;
     MARROW_CHECK(joints <= skeleton.joint_count);
-    for (const float x : chain.tip) MARROW_CHECK(within(x, -1e6f, 1e6f));
+    MARROW_CHECK(good_point(chain.tip));
     for (std::size_t i = 0; i < chain.joints.size; ++i) {
       const SpringJoint& j = chain.joints[i];
       MARROW_CHECK(j.joint < skeleton.joint_count);
@@ -83,6 +74,7 @@ void set_roots(Span<const SpringChain> chains, SpringRoot* roots) {
   for (std::size_t c = 0; c < chains.size; ++c) {
     roots[c].first = chains[c].joints[0].joint;
     roots[c].shown = 0;
+    roots[c].colliders = chains[c].colliders;
     for (int i = 0; i < 3; ++i) roots[c].tip[i] = chains[c].tip[i];
   }
   for_each_bone(chains, [&](std::size_t, std::size_t c, const SpringJoint& j, const SpringJoint*) {

@@ -46,8 +46,11 @@ struct alignas(16) SpringRoot {
   std::uint32_t shown;     // whether any weight is above 0
   std::uint32_t moved;     // this frame: the chain is moved along, by `turn`
   float turn[3][3];
+  std::uint64_t colliders;               // SpringChain::colliders
   alignas(16) float air[2][4];           // wind - V at both ends of this frame
   alignas(16) float acceleration[2][4];  // at both ends of this frame
 };
+
+static_assert(sizeof(SpringRoot) == 272);
 
 }  // namespace marrow

@@ -1,7 +1,7 @@
 #include "marrow/springs.h"
 
+#include "asset/spring_rules.h"
 #include "core/check.h"
-#include "math/finite.h"
 #include "math/joint.h"
 #include "math/rotation.h"
 #include "pose/joint_range.h"
@@ -39,10 +39,6 @@ f32x4 sum_of(const Affine& a) {
   return load_aligned(a.rows[0]) + load_aligned(a.rows[1]) + load_aligned(a.rows[2]);
 }
 
-bool good_vector(const float (&v)[3]) {
-  return all_within(v, 3, -1e6f, 1e6f);
-}
-
 BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
                     Span<const SoaTransform> local, Span<const Affine> scene_from_joint) {
   MARROW_CHECK(springs.joint_count == skeleton.joint_count);
@@ -51,15 +47,13 @@ BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Sp
   MARROW_CHECK(within(frame.dt_s, 0.0f, 1e9f));
   MARROW_CHECK(within(frame.teleport_m, 0.0f, 1e6f));
   MARROW_CHECK(within(frame.weight, 0.0f, 1.0f));
-  MARROW_CHECK(good_vector(frame.gravity));
-  MARROW_CHECK(good_vector(frame.wind));
+  MARROW_CHECK(good_point(frame.gravity));
+  MARROW_CHECK(good_point(frame.wind));
   MARROW_CHECK(holds(frame.colliders) && frame.colliders.size <= kMaxSpringColliders);
   f32x4 sum = sum_of(frame.world_from_scene);
   for (const SpringCollider& c : frame.colliders) {
     MARROW_CHECK(c.joint < skeleton.joint_count);
-    MARROW_CHECK(good_vector(c.from));
-    MARROW_CHECK(good_vector(c.to));
-    MARROW_CHECK(within(c.radius_m, 0.0f, 1e6f));
+    MARROW_CHECK(good_collider(c));
     sum = sum + sum_of(scene_from_joint[c.joint]);
   }
   for (std::uint32_t r = 0; r < springs.root_count; ++r) {
@@ -280,8 +274,9 @@ void collide_four(const SpringCall& call, const SpringGroup& group, const FourBo
     const float bone = lengths[lane];
     Vector3 direction = {d[0][lane], d[1][lane], d[2][lane]}, velocity = {v[0][lane], v[1][lane], v[2][lane]}, out;
     if (bone > 0.0f) {
+      const std::uint64_t met = call.springs.roots[group.root[lane]].colliders;
       for (std::size_t c = 0; c < call.frame.colliders.size; ++c)
-        collide(call.colliders[c], at, bone, group.radius_m[lane], direction, velocity, out);
+        if ((met >> c & 1) != 0) collide(call.colliders[c], at, bone, group.radius_m[lane], direction, velocity, out);
     }
     at = at + direction * bone;
     d[0][lane] = direction.x, d[1][lane] = direction.y, d[2][lane] = direction.z;

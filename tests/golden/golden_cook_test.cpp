@@ -58,6 +58,10 @@ TEST(GoldenCook, GivesTheGoldenBytesOfLimits) {
   expect_golden(cook_file("limits.gltf", true), test::golden_limits_copy());
 }
 
+TEST(GoldenCook, GivesTheGoldenBytesOfSprings) {
+  expect_golden(cook_file("springs.gltf", true), test::golden_springs_copy());
+}
+
 TEST(GoldenCook, TwiceGivesTheSameBytes) {
   EXPECT_EQ(cook_file("dance.gltf", false).file, cook_file("dance.gltf", false).file);
 }

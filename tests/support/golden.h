@@ -24,6 +24,8 @@ extern const unsigned char lod_v1[];
 extern const unsigned long long lod_v1_size;
 extern const unsigned char limits_v1[];
 extern const unsigned long long limits_v1_size;
+extern const unsigned char springs_v1[];
+extern const unsigned long long springs_v1_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -70,6 +72,11 @@ inline AlignedBlock golden_lod_copy() {
 // A file whose joints have limits.
 inline AlignedBlock golden_limits_copy() {
   return AlignedBlock(embedded::limits_v1, static_cast<std::size_t>(embedded::limits_v1_size));
+}
+
+// A file with spring bones and colliders.
+inline AlignedBlock golden_springs_copy() {
+  return AlignedBlock(embedded::springs_v1, static_cast<std::size_t>(embedded::springs_v1_size));
 }
 
 }  // namespace marrow::test

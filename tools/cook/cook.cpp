@@ -20,6 +20,7 @@
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_nodes.h"
 #include "cook/skeleton/build_skeletons.h"
+#include "cook/skeleton/build_springs.h"
 #include "cook/write/report_scene.h"
 #include "cook/write/write_scene.h"
 
@@ -93,6 +94,8 @@ BuiltScene build_whole(const RawScene& scene, const CookOptions& options, Notes&
   BuiltScene out = build_skeletons(scene);
   std::vector<std::vector<JointLimit>> limits = build_limits(scene, out, notes);
   for (std::size_t s = 0; s < limits.size(); ++s) out.skeletons[s].limits = std::move(limits[s]);
+  std::vector<BuiltSprings> springs = build_springs(scene, out, notes);
+  for (std::size_t s = 0; s < springs.size(); ++s) out.skeletons[s].springs = std::move(springs[s]);
   // What learning and levels of detail look at.
   out.clips = build_raw_clips(scene, out, options.additive);
   BuiltMeshes meshes = build_meshes(scene, out, options, notes);

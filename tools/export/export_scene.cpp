@@ -20,6 +20,10 @@ Exported export_file(const File& file, const std::string& name) {
   scene.glb.json["scene"] = 0;
   export_skeletons(scene);
   export_limits(scene);
+  for (std::uint32_t s = 0; s < file.skeleton_count(); ++s)
+    if (file.spring_count(s) > 0)
+      scene.warnings.push_back({"skeleton " + std::to_string(s) + " \"" + file.skeleton(s).name + "\"", "",
+                                "glTF has no springs; they are left out"});
   export_meshes(scene);
   export_clips(scene);
   export_nodes(scene);

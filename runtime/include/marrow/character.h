@@ -129,6 +129,14 @@ MARROW_API Status local_to_model(Character& character);
 // Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
 MARROW_API Status pose_character(Character& character, Span<const AnimationLayer> layers);
 
+// Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
+// animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
+// bits, and so do poses. Between pose_character() and finish_character().
+//
+// Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
+// a number); nothing is written. Cost: sample_channels() of what drives morph targets.
+Status add_expression(Character& character, const AnimationLayer& expression);
+
 // Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
 // Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
 // mesh.

@@ -68,6 +68,38 @@ static_assert(sizeof(JointLimit) == 68);
 // Whether a limit keeps these rules, as those of make_limit() and load() do.
 MARROW_API bool is_valid(const JointLimit& limit);
 
+// A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
+struct SpringJoint {
+  std::uint16_t joint = 0;
+  std::uint16_t reserved = 0;
+  float frequency_hz = 2.0f;   // 0 … 15: of small swings about the animated direction, without damping and gravity
+  float damping_ratio = 0.5f;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+  float gravity = 1.0f;        // -10 … 10, times SpringFrame::gravity
+  float drag = 0.0f;           // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+  float radius_m = 0.0f;       // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+  float weight = 1.0f;         // 0 … 1, of what is shown; the motion itself goes on
+};
+static_assert(sizeof(SpringJoint) == 28);
+
+// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+struct SpringChain {
+  Span<const SpringJoint> joints = {};
+  float tip[3] = {0, 0, 0};  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+  std::uint64_t colliders = ~std::uint64_t{0};  // bit i, lowest first: it stays out of SpringFrame::colliders[i]
+};
+
+// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+// space is where that is most.
+struct SpringCollider {
+  std::uint16_t joint = 0;
+  std::uint16_t reserved = 0;
+  float from[3] = {0, 0, 0}, to[3] = {0, 0, 0};  // in the joint's space
+  float radius_m = 0.1f;                         // in the joint's space
+};
+static_assert(sizeof(SpringCollider) == 32);
+
+inline constexpr std::size_t kMaxSpringColliders = 64;  // as many as SpringChain::colliders has bits
+
 // The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 // comes before its children and the roots come first.
 struct Skeleton {
@@ -391,6 +423,12 @@ class File {
   // pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
   MARROW_API Bounds bounds(std::uint32_t clip, std::uint32_t mesh) const;
 
+  // Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+  // colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+  std::uint32_t spring_count(std::uint32_t skeleton) const;
+  SpringChain spring(std::uint32_t skeleton, std::uint32_t index) const;
+  Span<const SpringCollider> spring_colliders(std::uint32_t skeleton) const;
+
   // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
   MARROW_API std::uint32_t find_skeleton(const char* name) const;
   // The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
@@ -427,11 +465,12 @@ class File {
   friend Status load(Span<const std::byte>, File&, DataError*);
   Geometry geometry(std::uint32_t index) const;
   const std::byte* section(std::uint32_t kind, std::uint32_t index) const;
+  const std::byte* springs_of(std::uint32_t skeleton) const;  // null: none
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_ = {};
-  std::uint32_t first_[11] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[11] = {};
+  std::uint32_t first_[12] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[12] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

@@ -1,4 +1,7 @@
 // Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
+//
+// Chains and colliders are SpringChain and SpringCollider in file.h: a game's own, or those that an asset came with,
+// File::spring() and File::spring_colliders().
 #pragma once
 
 #include "marrow/api.h"
@@ -6,32 +9,6 @@
 
 namespace marrow {
 
-// A joint that swings, by the bone that goes from it to the next joint of its chain.
-struct SpringJoint {
-  std::uint16_t joint = 0;
-  float frequency_hz = 2.0f;   // 0 … 15: of small swings about the animated direction, without damping and gravity
-  float damping_ratio = 0.5f;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-  float gravity = 1.0f;        // -10 … 10, times SpringFrame::gravity
-  float drag = 0.0f;           // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-  float radius_m = 0.0f;       // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-  float weight = 1.0f;         // 0 … 1, of what is shown; the motion itself goes on
-};
-
-// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
-struct SpringChain {
-  Span<const SpringJoint> joints = {};
-  float tip[3] = {0, 0, 0};  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-};
-
-// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
-// space is where that is most.
-struct SpringCollider {
-  std::uint16_t joint = 0;
-  float from[3] = {0, 0, 0}, to[3] = {0, 0, 0};  // in the joint's space
-  float radius_m = 0.1f;                         // in the joint's space
-};
-
-inline constexpr std::size_t kMaxSpringColliders = 32;
 inline constexpr float kMaxSpringStep_s = 1.0f / 60;  // frames are cut into equal steps no longer than this …
 inline constexpr int kMaxSpringSteps = 8;             // … and time beyond so many is left out
 inline constexpr float kMinSpringFrame_s = 0.001f;    // shorter frames are saved up

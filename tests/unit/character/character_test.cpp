@@ -184,6 +184,28 @@ TEST(Character, BlendsWeightsOfMorphTargets) {
   }
 }
 
+TEST(Character, ExpressionsAreAddedToTheWeights) {
+  Loaded l(test::golden_channels_copy);
+  ASSERT_EQ(l.play({}), Status::ok);
+  const AnimationLayer speak = l.layer("speak", 0.7f, 0.5f);
+  const Span<float> weights = l.character.meshes[0].weights;
+  const std::vector<float> before(weights.begin(), weights.end());
+  ASSERT_EQ(add_expression(l.character, speak), Status::ok);
+  ASSERT_EQ(add_expression(l.character, speak), Status::ok);
+  const std::vector<float> after(weights.begin(), weights.end());
+  const AnimationLayer whole = l.layer("speak", 0.7f, 1);
+  ASSERT_EQ(l.play({&whole, 1}), Status::ok);
+  float moved = 0;
+  for (std::size_t t = 0; t < weights.size; ++t) {
+    EXPECT_NEAR(after[t], weights[t], 1e-6f) << "twice a half";
+    moved = std::max(moved, std::fabs(after[t] - before[t]));
+  }
+  EXPECT_GT(moved, 0.1f);
+  EXPECT_EQ(add_expression(l.character, {nullptr, 0, 1}), Status::bad_argument);
+  EXPECT_EQ(add_expression(l.character, {speak.animation, kNan, 1}), Status::bad_argument);
+  EXPECT_EQ(add_expression(l.character, {speak.animation, 0, -1}), Status::bad_argument);
+}
+
 TEST(Character, IsFinishedWithWhatTheGameDidToItsJoints) {
   Loaded l(test::golden_coded_copy);
   const AnimationLayer dance{&l.animations.all[0], 0.5f, 1};

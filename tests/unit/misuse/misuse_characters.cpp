@@ -121,6 +121,12 @@ std::vector<MisuseRow> rows_of_characters() {
          Character none;
          m.returned(local_to_model(m.truth(true) ? whole.character : none));
        }},
+      {"add_expression",
+       [](Misuse& m) {
+         Whole whole(golden_channels_copy);
+         const std::vector<AnimationLayer> layers = layers_of(m, whole.animations);
+         m.returned(add_expression(whole.character, layers.empty() ? AnimationLayer{} : layers.front()));
+       }},
       {"finish_character",
        [](Misuse& m) {
          Whole whole(golden_channels_copy);

@@ -45,6 +45,20 @@ marrow::Status swing_tail(const marrow::Skeleton& skeleton, const marrow::Affine
 }
 // [/springs]
 
+// [asset]
+marrow::Status load_springs(const marrow::File& file, std::uint32_t skeleton, std::vector<marrow::Affine>& memory,
+                            marrow::Springs& springs, marrow::SpringFrame& frame) {
+  std::vector<marrow::SpringChain> chains;
+  for (std::uint32_t i = 0; i < file.spring_count(skeleton); ++i) chains.push_back(file.spring(skeleton, i));
+  frame.colliders = file.spring_colliders(skeleton);
+  const marrow::Span<const marrow::SpringChain> all(chains.data(), chains.size());
+  memory.resize(marrow::springs_bytes(file.skeleton(skeleton), all) / sizeof(marrow::Affine) + 1);
+  return marrow::make_springs(file.skeleton(skeleton), all,
+                              {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(marrow::Affine)},
+                              springs);
+}
+// [/asset]
+
 // [feet]
 // The game's: a ray straight down; false if it hits nothing.
 using Ray = bool (*)(const float (&through)[3], float (&point)[3], float (&normal)[3]);
@@ -99,6 +113,15 @@ TEST(FollowingExamples, TheTailSags) {
   EXPECT_LT(scene[5].rows[1][3], 0.95f);
 }
 
+// load_springs_test.cpp has a file with some.
+TEST(FollowingExamples, AFileWithoutSpringsHasNone) {
+  std::vector<marrow::Affine> memory;
+  marrow::Springs springs;
+  marrow::SpringFrame frame;
+  EXPECT_EQ(load_springs(marrow::File(), 0, memory, springs, frame), marrow::Status::ok);
+  EXPECT_EQ(springs.group_count, 0u);
+}
+
 TEST(FollowingExamples, TheFootStandsOnTheStep) {
   const marrow::test::TestSkeleton c = creature();
   const marrow::Skeleton skeleton = c.view();
@@ -130,7 +153,7 @@ TEST(FollowingExamples, AreThoseOfTheDocumentation) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs"))
     if (entry.path().extension() == ".md") docs += text_of(entry.path());
   int found = 0;
-  for (const std::string name : {"springs", "feet"}) {
+  for (const std::string name : {"springs", "asset", "feet"}) {
     const std::string first = "// [" + name + "]\n", last = "// [/" + name + "]\n";
     const std::size_t begin = source.find(first), end = source.find(last);
     ASSERT_NE(begin, std::string::npos) << name;
@@ -139,7 +162,7 @@ TEST(FollowingExamples, AreThoseOfTheDocumentation) {
     EXPECT_NE(docs.find("```cpp\n" + example + "```"), std::string::npos) << name << " is printed otherwise";
     ++found;
   }
-  EXPECT_EQ(found, 2);
+  EXPECT_EQ(found, 3);
 }
 
 }  // namespace

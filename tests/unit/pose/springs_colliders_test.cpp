@@ -102,6 +102,32 @@ TEST(SpringColliders, EnergyDoesNotGrowOnABall) {
   EXPECT_GT(touches, 500);
 }
 
+TEST(SpringColliders, AreMetByTheChainsThatSaySo) {
+  SpringJoint s = soft();
+  s.radius_m = 0.02f;
+  SpringCollider balls[2];
+  balls[1].from[0] = balls[1].to[0] = 0.2f;  // in the bone's way
+  balls[1].radius_m = 0.1f;
+  balls[0].from[0] = balls[0].to[0] = -5;
+  for (const std::uint64_t met : {0u, 1u, 2u, 3u}) {
+    Rod rod(1, s);
+    SpringChain chain = rod.chain();
+    chain.colliders = met;
+    ASSERT_EQ(set_springs(rod.skeleton, {&chain, 1}, rod.springs), Status::ok);
+    rod.frame.gravity[1] = 0;
+    rod.frame.colliders = balls;
+    for (int i = 0; i < 60; ++i) {
+      rod.pose();
+      ASSERT_EQ(rod.step(1.0f / 60), Status::ok);
+    }
+    if ((met & 2) != 0) {
+      EXPECT_GT(distance_to(balls[1], rod.end(0)), 0.1199) << met;
+    } else {
+      EXPECT_NEAR(rod.direction(0)[0], 1, 1e-6) << met;
+    }
+  }
+}
+
 TEST(SpringColliders, MoveWithTheirJointAndScaleWithTheWorld) {
   SpringJoint s = soft();
   s.radius_m = 0.02f;

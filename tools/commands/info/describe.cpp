@@ -37,7 +37,7 @@ std::size_t bytes_of(const std::vector<File::Section>& sections) {
 ordered_json describe_totals(const LoadedFile& loaded) {
   const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH"));
   const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
-                                bytes_of(sections_of(loaded, "LIMI")),
+                                bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")),
                     clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS"));
   return {{"geometry", geometry},
           {"skeletons", skeletons},
@@ -111,6 +111,17 @@ ordered_json describe_joints(const File& file, const Joints& s) {
   return out;
 }
 
+// That swing: the last of a chain without a tip only ends it.
+std::size_t spring_joints(const File& file, std::uint32_t skeleton) {
+  std::size_t out = 0;
+  for (std::uint32_t c = 0; c < file.spring_count(skeleton); ++c) {
+    const SpringChain chain = file.spring(skeleton, c);
+    const bool has_tip = chain.tip[0] != 0 || chain.tip[1] != 0 || chain.tip[2] != 0;
+    out += chain.joints.size - (has_tip ? 0 : 1);
+  }
+  return out;
+}
+
 ordered_json describe_skeletons(const LoadedFile& loaded) {
   const File& file = loaded.file;
   const Character character(file);
@@ -122,6 +133,9 @@ ordered_json describe_skeletons(const LoadedFile& loaded) {
                    {"joints", s.joint_count},
                    {"roots", s.root_count},
                    {"limits", s.limits.size},
+                   {"spring_chains", file.spring_count(i)},
+                   {"spring_joints", spring_joints(file, i)},
+                   {"spring_colliders", file.spring_colliders(i).size},
                    {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
                    {"diagonal_m", diagonal(character, i)},
                    {"bytes", sections[i].bytes},

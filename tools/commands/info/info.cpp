@@ -42,6 +42,14 @@ std::string reach_of(const ordered_json& clip) {
   return fmt::format(", reaches {} × {} × {}", plain_number(size[0]), plain_number(size[1]), plain_number(size[2]));
 }
 
+// "12 springs in 3 chains, 4 colliders, ", or nothing.
+std::string springs_of(const ordered_json& skeleton) {
+  const auto chains = skeleton["spring_chains"].get<int>();
+  if (chains == 0) return "";
+  return fmt::format("{} springs in {} chains, {} colliders, ", skeleton["spring_joints"].get<int>(), chains,
+                     skeleton["spring_colliders"].get<int>());
+}
+
 // Branches in the order in which they are added; a branch's leaves are added behind it.
 class Tree {
  public:
@@ -130,9 +138,9 @@ class Tree {
       const auto& s = r_["skeletons"][i];
       leaf(i + 1 == r_["skeletons"].size(), fmt::format("skeleton {} \"{}\"", i, text(s["name"])), size_of(s["bytes"]),
            "",
-           fmt::format("{} joints, {} roots, {}{:.3g} m across", s["joints"].get<int>(), s["roots"].get<int>(),
+           fmt::format("{} joints, {} roots, {}{}{:.3g} m across", s["joints"].get<int>(), s["roots"].get<int>(),
                        s["limits"].get<int>() > 0 ? fmt::format("{} limits, ", s["limits"].get<int>()) : "",
-                       s["diagonal_m"].get<double>()));
+                       springs_of(s), s["diagonal_m"].get<double>()));
     }
   }
 

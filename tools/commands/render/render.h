@@ -15,6 +15,7 @@ struct RenderArguments : LookArguments {
   bool movie = false;
   bool held = false;  // a movie of the moment --time
   int fps = 15;
+  bool springs = false;
   std::optional<float> turn_deg;
 };
 

@@ -27,6 +27,7 @@ Sitting::Sitting(const RenderArguments& arguments)
       chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
       viewpoint_(make_viewpoint(arguments.file, loaded_.file, arguments.viewpoint)),
       reach_(loaded_.file, arguments.reach),
+      springs_(loaded_.file),
       character_(loaded_.file, normals_, arguments.lod),
       performance_(loaded_.file, reaching(), chosen_.play),
       textures_(gl_, arguments.file, loaded_.file, places_of_cooked(arguments.file, arguments.images_from)),
@@ -38,13 +39,36 @@ Sitting::Sitting(const RenderArguments& arguments)
 }
 
 Character& Sitting::reaching() {
-  if (reach_.empty()) return character_;
+  if (arguments_.springs && !springs_.has_any())
+    throw Failure(Exit::usage, "--springs", "", "the file has no springs", "draw without; marrow info lists them");
+  if (reach_.empty() && !arguments_.springs) return character_;
   if (manner_.path == SkinPath::crowd)
-    throw Failure(Exit::usage, "--ik", "", "crowds are baked, without inverse kinematics", "use another --path");
+    throw Failure(Exit::usage, reach_.empty() ? "--springs" : "--ik", "",
+                  "crowds are baked, without inverse kinematics and springs", "use another --path");
   character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
     reach_.apply(skeleton, local, scene_from_joint);
+    if (swung_s_ < 0 || !springs_.has(skeleton)) return;
+    SpringFrame frame;
+    frame.dt_s = dt_s_;
+    springs_.swing(skeleton, frame, local, scene_from_joint);
   });
   return character_;
+}
+
+// Step by step from where springs are, or from the clip's beginning; the next pose shows them.
+void Sitting::swing_to(float time_s) {
+  if (swung_s_ < 0 || time_s < swung_s_) {
+    springs_ = FileSprings(loaded_.file);
+    swung_s_ = dt_s_ = 0;
+    character_.pose(chosen_.play, 0);
+  }
+  while (swung_s_ < time_s) {
+    const float next = std::min(swung_s_ + kMaxSpringStep_s, time_s);
+    dt_s_ = next - swung_s_;
+    swung_s_ = next;
+    character_.pose(chosen_.play, next);
+  }
+  dt_s_ = 0;
 }
 
 void Sitting::agree_on_heat(std::span<const Instant> instants) {
@@ -111,6 +135,7 @@ void Sitting::warn_of_misses() const {
 }
 
 Image Sitting::shoot(const Instant& instant) {
+  if (arguments_.springs) swing_to(instant.time_s);
   character_.pose(chosen_.play, instant.time_s);
   note_misses();
   Shot shot = frame(instant);

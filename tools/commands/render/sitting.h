@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands/render/render.h"
+#include "pose/file_springs.h"
 #include "render/performance.h"
 
 namespace marrow::tools {
@@ -44,6 +45,7 @@ class Sitting {
     int pictures = 0;
   };
   Character& reaching();
+  void swing_to(float time_s);
   Shot frame(const Instant& instant) const;
   void note_misses();
   const RenderArguments& arguments_;
@@ -56,6 +58,9 @@ class Sitting {
   Reach reach_;
   std::vector<Misses> misses_;  // as reach_.goals()
   int pictures_ = 0;
+  FileSprings springs_;
+  float swung_s_ = -1;  // the moment that springs have come to; below 0: they have not begun
+  float dt_s_ = 0;      // of the next pose
   Character character_;
   Performance performance_;
   Gl gl_;

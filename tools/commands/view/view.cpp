@@ -92,6 +92,8 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   s.reach = arguments.reach;
   s.limits = arguments.limits;
   s.springs = arguments.springs;
+  if (s.springs && arguments.joint.empty() && !actor.rig().has_springs())
+    throw Failure(Exit::usage, "--springs", "", "the file has no springs", "say with --joint which joints swing");
   set_overlays(arguments, s);
   if (pair) {
     s.colours = Colours::distance;
@@ -124,7 +126,7 @@ void carry_over(const Actor& from, const Actor& to, Settings& s) {
   const bool known = joint != to.joints().end();
   s.joint = known ? static_cast<std::size_t>(joint - to.joints().begin()) : 0;
   s.picked &= known;
-  s.springs &= known;
+  s.springs &= known || to.rig().has_springs();
   if (!known && s.colours == Colours::weights) s.colours = Colours::surface;
 }
 

@@ -25,9 +25,8 @@ void add_view(CLI::App& app, int&) {
   command->add_option("--ghosts", a.ghosts, "so many poses before and after, see-through")
       ->type_name("N")
       ->check(CLI::Range(0, 4));
-  CLI::Option* const joint =
-      command->add_option("--joint", a.joint, "choose this joint: its transforms and curves")->type_name("JOINT");
-  command->add_flag("--springs", a.springs, "the joints below --joint swing")->needs(joint);
+  command->add_option("--joint", a.joint, "choose this joint: its transforms and curves")->type_name("JOINT");
+  command->add_flag("--springs", a.springs, "the file's springs swing; where it has none, the joints below --joint");
   command->add_flag("--limits", a.limits, "keep joints within the file's limits");
   command->add_option("--weights", a.weights, "colour the weights of this joint")
       ->type_name("JOINT")

@@ -122,7 +122,7 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
   }
   for (std::size_t i = 0; i < clips.size(); ++i) {
     add_channels(parts[i].clip, options.raw_clips, clips[i]);
-    clips[i].additive = references[i].name;
+    clips[i].additive = references[i].name.empty() && parts[i].clip.additive ? "rest" : references[i].name;
     clips[i].reference = references[i].pose;
   }
   return clips;

@@ -16,11 +16,14 @@
 #include "cook/gltf/import/import.h"
 #include "cook/gltf/rules/rules.h"
 #include "cook/gltf/rules/schema.h"
+#include "cook/gltf/vrm/vrm.h"
 
 namespace marrow::cook {
 namespace {
 
 using namespace gltf;
+
+constexpr const char* kVrmExtensions[] = {"VRM", "VRMC_vrm", "VRMC_springBone"};
 
 void warn_of_ignored(const Json& root, Report& report) {
   if (root.contains("cameras")) report.warn("/cameras", "cameras-dropped", "cameras are left out");
@@ -69,6 +72,9 @@ std::vector<std::vector<std::string>> read_target_names(const Json& root) {
 void set_aside(Json& root, Document& document) {
   for (const char* name : {"materials", "textures", "samplers", "images"})
     if (const auto member = root.find(name); member != root.end()) document.looks[name] = std::move(*member);
+  if (const auto all = root.find("extensions"); all != root.end())
+    for (const char* name : kVrmExtensions)
+      if (const auto member = all->find(name); member != all->end()) document.vrm[name] = std::move(*member);
   const auto nodes = root.find("nodes");
   if (nodes == root.end()) return;
   for (Json& node : *nodes) {
@@ -78,8 +84,23 @@ void set_aside(Json& root, Document& document) {
   }
 }
 
+// VRM's exporters write null for what there is not.
+void drop_nulls(Json& value) {
+  for (auto member = value.begin(); member != value.end();) {
+    if (value.is_object() && member->is_null()) {
+      member = value.erase(member);
+      continue;
+    }
+    if (member->is_structured()) drop_nulls(*member);
+    ++member;
+  }
+}
+
 Document read_document(const Container& container, const std::optional<std::string>& folder, Report& report) {
   Json root = parse_json(container, report);
+  if (const auto all = root.find("extensions"); all != root.end() && all->is_object())
+    for (const char* name : kVrmExtensions)
+      if (const auto member = all->find(name); member != all->end()) drop_nulls(*member);
   check_schema(root, report);
   check_asset_and_extensions(root, report);
   check_image_uris(root, report);
@@ -120,6 +141,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
   scene.materials = std::move(materials.raw);
   scene.instances = import_instances(document, scene.nodes, scene.meshes, scene.skins, report);
   scene.clips = import_clips(document, scene.nodes, budget, report);
+  import_vrm(document, budget, report, scene);
   scene.warnings = report.take_warnings();
   scene.reads = report.take_reads();
   return scene;

@@ -31,11 +31,13 @@ RawScene place_unplaced_meshes(RawScene scene, Notes& notes) {
 
 // Nodes that would be joints in a file without meshes.
 bool has_joints(const RawScene& scene) {
-  return !skins_in_use(scene).empty() || std::ranges::any_of(scene.clips, [&](const RawClip& clip) {
-    return std::ranges::any_of(clip.channels, [&](const RawChannel& channel) {
-      return scene.nodes[static_cast<std::size_t>(channel.node)].in_scene;
-    });
-  });
+  const auto moves = [](const RawNode& node) { return node.moved_by_game && node.in_scene; };
+  return !skins_in_use(scene).empty() || std::ranges::any_of(scene.nodes, moves) ||
+         std::ranges::any_of(scene.clips, [&](const RawClip& clip) {
+           return std::ranges::any_of(clip.channels, [&](const RawChannel& channel) {
+             return scene.nodes[static_cast<std::size_t>(channel.node)].in_scene;
+           });
+         });
 }
 
 bool has_triangles(const RawScene& scene) {

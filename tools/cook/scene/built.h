@@ -22,6 +22,13 @@ struct NearestJoint {
   glm::dmat4 joint_from_node{1.0};
 };
 
+// As a SPRI section has it.
+struct BuiltSprings {
+  std::vector<format::SpringRecord> chains;
+  std::vector<SpringJoint> joints;  // chain by chain
+  std::vector<SpringCollider> colliders;
+};
+
 struct BuiltSkeleton {
   std::string name;
   std::vector<std::string> joint_names;
@@ -30,6 +37,7 @@ struct BuiltSkeleton {
   std::vector<SoaTransform> rest;
   std::vector<int> node_of_joint;  // the way back to the source
   std::vector<JointLimit> limits;  // ascending by joint
+  BuiltSprings springs;
   // The rest pose as packed files hold it, see unpack/rest.h.
   std::int32_t translation_exponent = 0;
   std::vector<std::uint64_t> rotation_codes;

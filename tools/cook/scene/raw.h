@@ -49,6 +49,8 @@ struct RawNode {
   std::vector<RawProperty> extras;
   std::size_t dropped_extras = 0;  // what cannot be carried
   std::optional<RawLimit> limit;
+  bool moved_by_game = false;  // springs or a game move it: a joint, though no skin names it and no clip moves it
+  bool kept = false;           // without --keep, too
 };
 
 struct RawInfluence {
@@ -154,6 +156,21 @@ struct RawClip {
   std::string name;  // may be empty
   std::vector<RawChannel> channels;
   std::vector<RawScalar> scalars;
+  bool additive = false;  // over the rest pose, without --additive
+};
+
+// A chain of spring bones, each node somewhere below the one before it. No node is in two chains.
+struct RawSpring {
+  std::vector<int> nodes;
+  std::vector<SpringJoint> settings;  // a node; their `joint` means nothing
+  glm::dvec3 tip{0};                  // where the last node's bone ends, in its space; 0: it only ends the chain
+  std::uint64_t colliders = 0;        // bit i: RawScene::colliders[i]
+};
+
+struct RawCollider {
+  int node = kNone;
+  glm::dvec3 from{0}, to{0};  // in the node's space
+  double radius_m = 0;        // in the node's space
 };
 
 struct RawWarning {
@@ -186,8 +203,10 @@ struct RawScene {
   std::vector<RawSkin> skins;
   std::vector<RawInstance> instances;
   std::vector<RawClip> clips;
-  std::vector<RawWarning> warnings;  // of whoever read it
-  std::vector<RawRead> reads;        // the scene's own file first; empty for a scene in memory
+  std::vector<RawSpring> springs;
+  std::vector<RawCollider> colliders;  // at most kMaxSpringColliders
+  std::vector<RawWarning> warnings;    // of whoever read it
+  std::vector<RawRead> reads;          // the scene's own file first; empty for a scene in memory
 };
 
 }  // namespace marrow::cook

@@ -32,10 +32,10 @@ BuiltNodes build_nodes(const RawScene& scene, const BuiltScene& built, const std
                        Notes& notes) {
   BuiltNodes out;
   for (const std::string& glob : keep) out.kept.push_back({glob, {}});
-  for (std::size_t n = 0; n < scene.nodes.size() && !keep.empty(); ++n) {
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
     const RawNode& raw = scene.nodes[n];
     if (raw.name.empty() || !raw.in_scene) continue;
-    bool kept = false;
+    bool kept = raw.kept;
     for (Kept& rule : out.kept) {
       if (!tools::fits(rule.glob, raw.name)) continue;
       rule.nodes.push_back(raw.name);

@@ -14,7 +14,8 @@ struct BuiltNodes {
   std::vector<Kept> kept;        // a GLOB
 };
 
-// keep: names with wildcards. built: its skeletons. Notes what fits nothing and what cannot be carried.
+// Nodes that the source says to keep, and those that `keep` fits: names with wildcards. built: its skeletons. Notes
+// what fits nothing and what cannot be carried.
 BuiltNodes build_nodes(const RawScene& scene, const BuiltScene& built, const std::vector<std::string>& keep,
                        Notes& notes);
 

@@ -31,6 +31,8 @@ std::vector<char> named_or_moved(const RawScene& scene) {
     for (const RawChannel& channel : clip.channels)
       if (scene.nodes[static_cast<std::size_t>(channel.node)].in_scene)
         joint[static_cast<std::size_t>(channel.node)] = 1;
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+    if (scene.nodes[n].moved_by_game && scene.nodes[n].in_scene) joint[n] = 1;
   return joint;
 }
 

@@ -1,6 +1,6 @@
-// Which nodes become joints of which skeleton. A joint is a node that a skin names, that a clip moves, that lies
-// between two such nodes, or that carries a mesh with nothing of the kind above it. Nodes above the joints never move:
-// their product is kept a root.
+// Which nodes become joints of which skeleton. A joint is a node that a skin names, that a clip moves, that a game
+// or springs move, that lies between two such nodes, or that carries a mesh with nothing of the kind above it. Nodes
+// above the joints never move: their product is kept a root.
 #pragma once
 
 #include "cook/scene/built.h"

@@ -200,6 +200,17 @@ Section write_limits(const BuiltSkeleton& s, std::uint32_t skeleton) {
   return out;
 }
 
+Section write_springs(const BuiltSprings& s, std::uint32_t skeleton) {
+  Section out;
+  out.add(format::SpringHeader{skeleton, static_cast<std::uint32_t>(s.chains.size()),
+                               static_cast<std::uint32_t>(s.joints.size()),
+                               static_cast<std::uint32_t>(s.colliders.size())});
+  out.add_all(s.chains);
+  out.add_all(s.joints);
+  out.add_all(s.colliders);
+  return out;
+}
+
 Section write_bounds(const MeasuredBounds& b) {
   Section out;
   out.add(b.header);
@@ -302,7 +313,7 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   Names names;
   WrittenFile out;
   std::vector<Section> sections;  // their bytes stay where they are
-  sections.reserve(2 * scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
+  sections.reserve(3 * scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
                    scene.images.size() + scene.nodes.size() + 1);
   std::vector<Entry> entries;
   const bool is_packed = std::any_of(scene.geometries.begin(), scene.geometries.end(),
@@ -338,6 +349,9 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   for (std::size_t s = 0; s < scene.skeletons.size(); ++s)
     if (!scene.is_pack && !scene.skeletons[s].limits.empty())
       add(format::kLimits, write_limits(scene.skeletons[s], static_cast<std::uint32_t>(s)));
+  for (std::size_t s = 0; s < scene.skeletons.size(); ++s)
+    if (!scene.is_pack && !scene.skeletons[s].springs.chains.empty())
+      add(format::kSprings, write_springs(scene.skeletons[s].springs, static_cast<std::uint32_t>(s)));
   Section pool;
   pool.add_all(names.pool());
   pool.compact = compact_names(names.pool());

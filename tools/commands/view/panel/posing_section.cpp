@@ -34,11 +34,12 @@ void goals(const Actor& actor, float scale, Settings& s) {
   }
 }
 
-void springs(float scale, Settings& s) {
-  ImGui::BeginDisabled(!s.picked);
-  ImGui::Checkbox("springs below the joint", &s.springs);
+void springs(const Actor& actor, float scale, Settings& s) {
+  const bool has = actor.rig().has_springs();
+  ImGui::BeginDisabled(!s.picked && !has);
+  ImGui::Checkbox(has ? "the file's springs" : "springs below the joint", &s.springs);
   ImGui::EndDisabled();
-  if (!s.springs) return;
+  if (!s.springs || has) return;
   label("swings", scale);
   slider("##frequency", s.spring.frequency_hz, 0, 15, "%.2f Hz");
   label("damping", scale);
@@ -63,7 +64,7 @@ void pose_section(const Actor& actor, float scale, Settings& s) {
   ImGui::Checkbox(has_limits(actor.file()) ? "within the file's limits" : "the file has no limits", &s.limits);
   ImGui::EndDisabled();
   goals(actor, scale, s);
-  springs(scale, s);
+  springs(actor, scale, s);
   if (!actor.rig().trouble().empty()) quiet(actor.rig().trouble());
 }
 

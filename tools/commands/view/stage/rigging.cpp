@@ -26,7 +26,9 @@ void Rig::prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_
     reach_.reset();
     trouble_ = why.what();
   }
-  if (settings.springs) {
+  if (settings.springs && !swing_files_) file_springs_ = FileSprings(file_);  // at rest again
+  swing_files_ = settings.springs && has_springs();
+  if (settings.springs && !has_springs()) {
     make_springs(settings, skeleton, joint);
   } else {
     spring_joints_.clear();
@@ -58,6 +60,11 @@ void Rig::change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> 
     check(local_to_model(of, local, scene_from_joint));
   }
   if (reach_) reach_->apply(skeleton, local, scene_from_joint);
+  if (swing_files_ && file_springs_.has(skeleton)) {
+    SpringFrame frame;
+    frame.dt_s = dt_s_;
+    file_springs_.swing(skeleton, frame, local, scene_from_joint);
+  }
   if (spring_joints_.empty() || skeleton != spring_skeleton_) return;
   SpringFrame frame;
   frame.dt_s = dt_s_;

@@ -7,6 +7,7 @@
 #include "commands/view/stage/view_settings.h"
 #include "common/aligned_bytes.h"
 #include "pose/evaluate.h"
+#include "pose/file_springs.h"
 
 namespace marrow::tools {
 
@@ -16,7 +17,10 @@ std::vector<std::uint16_t> chain_below(const Skeleton& skeleton, std::uint32_t j
 class Rig {
  public:
   // `file` outlives it.
-  explicit Rig(const File& file) : file_(file) {}
+  explicit Rig(const File& file) : file_(file), file_springs_(file) {}
+
+  // Whether the file brings springs; then those swing, and none that begin at a joint.
+  bool has_springs() const { return file_springs_.has_any(); }
 
   // For the next pose. skeleton, joint: that springs begin at. dt_s: since the last pose; 0: the springs stand still.
   void prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s);
@@ -38,6 +42,8 @@ class Rig {
   std::map<std::size_t, float> weights_;
   std::uint32_t spring_skeleton_ = 0;
   std::vector<std::uint16_t> spring_joints_;  // empty: none swing
+  FileSprings file_springs_;
+  bool swing_files_ = false;
   AlignedBytes memory_;
   Springs springs_;
   float dt_s_ = 0;

@@ -18,6 +18,7 @@ struct Document {
   std::vector<std::vector<std::string>> target_names;  // by mesh and morph target; may be shorter
   UserNumbers user_numbers;
   Json looks;                       // the root's materials, textures, samplers and images
+  Json vrm;                         // the root's extensions VRM, VRMC_vrm and VRMC_springBone, those that there are
   std::vector<Json> node_extras;    // by node; null where there are none
   std::vector<Json> node_limits;    // by node: extras.marrow.limits, taken out of the above; null where there are none
   std::vector<Accessor> accessors;  // by the document's numbering

@@ -45,6 +45,9 @@ std::vector<std::string> weight_owners(const Document& document, const std::vect
 // Gives nodes what they carry for the game: nested members and elements get the path of their keys, escaped as in a
 // JSON pointer, as their name. Nulls, infinite numbers and texts with a zero character are left out and counted.
 void import_extras(const Document& document, std::vector<RawNode>& nodes, Budget& budget, Report& report);
+// Adds what `value` holds to a node's properties, in the same way; `name` comes before the keys.
+void add_properties(const Json& value, const std::string& name, const std::string& where, Budget& budget,
+                    const Report& report, RawNode& node);
 
 // Gives nodes their joint limits. Refuses what docs/limits.schema.json does.
 void import_limits(const Document& document, std::vector<RawNode>& nodes, const Report& report);

@@ -1,5 +1,6 @@
 // Imports what artists wrote on nodes for the game.
 #include <cmath>
+#include <iterator>
 
 #include "cook/gltf/import/import.h"
 
@@ -68,6 +69,15 @@ void import_extras(const Document& document, std::vector<RawNode>& nodes, Budget
     nodes[i].extras = std::move(flattener.properties);
     nodes[i].dropped_extras = flattener.dropped;
   }
+}
+
+void add_properties(const Json& value, const std::string& name, const std::string& where, Budget& budget,
+                    const Report& report, RawNode& node) {
+  Flattener flattener(budget, report, where);
+  flattener.add(value, '/' + name);
+  node.extras.insert(node.extras.end(), std::make_move_iterator(flattener.properties.begin()),
+                     std::make_move_iterator(flattener.properties.end()));
+  node.dropped_extras += flattener.dropped;
 }
 
 }  // namespace marrow::cook::gltf

@@ -11,7 +11,7 @@ namespace marrow::cook::gltf {
 namespace {
 
 // Read in full.
-constexpr std::array<std::string_view, 12> kRead = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 16> kRead = {"KHR_mesh_quantization",
                                                     "KHR_draco_mesh_compression",
                                                     "EXT_meshopt_compression",
                                                     "KHR_meshopt_compression",
@@ -22,10 +22,14 @@ constexpr std::array<std::string_view, 12> kRead = {"KHR_mesh_quantization",
                                                     "MSFT_texture_dds",
                                                     "KHR_materials_unlit",
                                                     "KHR_materials_emissive_strength",
-                                                    "KHR_materials_pbrSpecularGlossiness"};
+                                                    "KHR_materials_pbrSpecularGlossiness",
+                                                    "VRM",
+                                                    "VRMC_vrm",
+                                                    "VRMC_springBone",
+                                                    "VRMC_node_constraint"};  // says that it is left out
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
-constexpr std::array<std::string_view, 20> kHarmless = {"KHR_materials_anisotropy",
+constexpr std::array<std::string_view, 23> kHarmless = {"KHR_materials_anisotropy",
                                                         "KHR_materials_clearcoat",
                                                         "KHR_materials_diffuse_transmission",
                                                         "KHR_materials_dispersion",
@@ -44,7 +48,10 @@ constexpr std::array<std::string_view, 20> kHarmless = {"KHR_materials_anisotrop
                                                         "KHR_node_selectability",
                                                         "EXT_lights_image_based",
                                                         "FB_ngon_encoding",
-                                                        "EXT_texture_avif"};
+                                                        "EXT_texture_avif",
+                                                        "VRMC_materials_mtoon",
+                                                        "VRMC_materials_hdr_emissiveMultiplier",
+                                                        "VRMC_springBone_extended_collider"};
 
 struct Version {
   int major = 0;

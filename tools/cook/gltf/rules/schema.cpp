@@ -100,6 +100,11 @@ class Walker {
       case Kind::object:
         check_object(value, *property.schema, path);
         break;
+      case Kind::object_map:
+        if (!value.is_object()) wrong_kind(path, "an object");
+        for (const auto& member : value.items())
+          check_object(member.value(), *property.schema, path.step(member.key()));
+        break;
       case Kind::indices:
         check_indices(value, property, path);
         break;

@@ -8,36 +8,8 @@ namespace {
 
 constexpr double kLargestEnum = 65535;
 
-constexpr Property index_of(std::string_view name, std::string_view collection, bool required = false) {
-  return {.name = name, .kind = Kind::index, .required = required, .of = collection};
-}
-
-constexpr Property count_of(std::string_view name, double min, bool required = false) {
-  return {.name = name, .kind = Kind::integer, .required = required, .min = min, .max = kLargestInteger};
-}
-
-constexpr Property text(std::string_view name, bool required = false, std::string_view words = {}) {
-  return {.name = name, .kind = Kind::text, .required = required, .of = words};
-}
-
-constexpr Property object(std::string_view name, const Schema& schema, bool required = false) {
-  return {.name = name, .kind = Kind::object, .required = required, .schema = &schema};
-}
-
-constexpr Property objects(std::string_view name, const Schema& schema, bool required = false) {
-  return {.name = name, .kind = Kind::objects, .required = required, .schema = &schema};
-}
-
-constexpr Property numbers(std::string_view name, std::size_t shortest, std::size_t longest) {
-  return {.name = name, .kind = Kind::numbers, .shortest = shortest, .longest = longest};
-}
-
 constexpr Property code(std::string_view name, bool required) {
   return {.name = name, .kind = Kind::integer, .required = required, .min = 0, .max = kLargestEnum};
-}
-
-constexpr Property flag(std::string_view name) {
-  return {.name = name, .kind = Kind::boolean};
 }
 
 constexpr Schema kOpen{{}, true};
@@ -197,6 +169,7 @@ constexpr Property kRoot[] = {{.name = "extensionsUsed", .kind = Kind::texts},
                               objects("buffers", kBufferSchema),
                               objects("bufferViews", kBufferViewSchema),
                               objects("cameras", kOpen),
+                              object("extensions", kRootExtensionsSchema),
                               objects("images", kImageSchema),
                               objects("materials", kMaterialSchema),
                               objects("meshes", kMeshSchema),

@@ -21,6 +21,7 @@ enum class Kind {
   index_maps,  // array of them
   object,      // of `schema`
   objects,     // array of them
+  object_map,  // an object whose members are objects of `schema`, called as the file likes
 };
 
 inline constexpr double kLargestFloat = std::numeric_limits<float>::max();
@@ -48,5 +49,36 @@ struct Schema {
 };
 
 extern const Schema kRootSchema;
+// What the root may have of VRM: VRM, VRMC_vrm and VRMC_springBone.
+extern const Schema kRootExtensionsSchema;
+
+// Rows of the tables.
+constexpr Property index_of(std::string_view name, std::string_view collection, bool required = false) {
+  return {.name = name, .kind = Kind::index, .required = required, .of = collection};
+}
+
+constexpr Property count_of(std::string_view name, double min, bool required = false) {
+  return {.name = name, .kind = Kind::integer, .required = required, .min = min, .max = kLargestInteger};
+}
+
+constexpr Property text(std::string_view name, bool required = false, std::string_view words = {}) {
+  return {.name = name, .kind = Kind::text, .required = required, .of = words};
+}
+
+constexpr Property object(std::string_view name, const Schema& schema, bool required = false) {
+  return {.name = name, .kind = Kind::object, .required = required, .schema = &schema};
+}
+
+constexpr Property objects(std::string_view name, const Schema& schema, bool required = false) {
+  return {.name = name, .kind = Kind::objects, .required = required, .schema = &schema};
+}
+
+constexpr Property numbers(std::string_view name, std::size_t shortest, std::size_t longest) {
+  return {.name = name, .kind = Kind::numbers, .shortest = shortest, .longest = longest};
+}
+
+constexpr Property flag(std::string_view name) {
+  return {.name = name, .kind = Kind::boolean};
+}
 
 }  // namespace marrow::cook::gltf
