@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <marrow/c.h>
 
@@ -124,6 +125,51 @@ static void skin(const mrw_character_mesh* m, float* positions, float* normals) 
   add(positions, floats);
 }
 
+static int told;
+static void on_call_error(const char* function, const char* condition) {
+  told += function[0] != 0 && condition[0] != 0;
+}
+
+static void expect(mrw_status status, mrw_status wanted, const char* what) {
+  if (status == wanted) return;
+  fprintf(stderr, "%s: %s\n", what, mrw_status_text(status));
+  exit(1);
+}
+
+// What is refused, and why; the bindings' tests ask the same.
+static void refuse(mrw_bytes bytes, const mrw_file* file) {
+  const mrw_block copy = block_of(bytes.size + 4);
+  mrw_skeleton skeleton, zeros;
+  mrw_clip clip;
+  mrw_mesh mesh;
+  mrw_file other;
+  mrw_skin_output out;
+  mrw_two_bone step;
+  mrw_two_bone_limb limb = {0, 0, 0};
+  mrw_soa_transform* const pose = block_of(sizeof *pose * 64).data;
+  TRY(mrw_file_skeleton(file, 0, &skeleton));
+  TRY(mrw_file_clip(file, 0, &clip));
+  TRY(mrw_file_mesh(file, 0, 0, &mesh));
+  mrw_skin_output_init(&out);
+  mrw_two_bone_init(&step);
+  memset(&zeros, 0, sizeof zeros);
+  mrw_set_call_error_handler(on_call_error);
+  expect(mrw_load(NULL, 0, &other, NULL), MRW_BAD_ARGUMENT, "no file");
+  expect(mrw_load(NULL, 64, &other, NULL), MRW_BAD_ARGUMENT, "null with a size");
+  expect(mrw_load(bytes.data, bytes.size, NULL, NULL), MRW_BAD_ARGUMENT, "nowhere to load to");
+  expect(mrw_sample(&skeleton, &clip, 0, pose, mrw_skeleton_soa_size(&skeleton) - 1, NULL), MRW_BAD_ARGUMENT, "short");
+  expect(mrw_solve_two_bone(&zeros, &limb, &step, NULL, 0, NULL, 0, NULL), MRW_BAD_ARGUMENT, "zeros");
+  expect(mrw_skin_ssd(&mesh, NULL, 3, &out), MRW_BAD_ARGUMENT, "a null palette");
+  memcpy((char*)copy.data + 4, bytes.data, bytes.size);
+  expect(mrw_load((char*)copy.data + 4, bytes.size, &other, NULL), MRW_BAD_ARGUMENT, "off its boundary");
+  memcpy(copy.data, bytes.data, bytes.size);
+  expect(mrw_load(copy.data, bytes.size - 16, &other, NULL), MRW_TRUNCATED, "cut");
+  ++((unsigned char*)copy.data)[4];
+  expect(mrw_load(copy.data, bytes.size, &other, NULL), MRW_BAD_VERSION, "another version");
+  mrw_set_call_error_handler(NULL);
+  printf("9 refused, %d told\n", told);
+}
+
 int main(int argc, char** argv) {
   const float dt_s = 1.0f / 60;
   const mrw_bytes bytes = unpacked(read_file(argc > 1 ? argv[1] : "newt.mrw"));
@@ -141,6 +187,7 @@ int main(int argc, char** argv) {
 
   if (mrw_abi() != MRW_ABI) exit((fprintf(stderr, "the library is of another ABI\n"), 1));
   TRY(mrw_load(bytes.data, bytes.size, &file, NULL));
+  refuse(bytes, &file);
   size = mrw_animations_bytes(&file, &file);
   TRY(mrw_make_animations(&file, &file, block_of(size).data, size, &animations));
   walk = mrw_find_animation(&animations, "walk");

@@ -10,6 +10,9 @@ import zlib
 import description
 import to_c
 import to_cpp
+import to_csharp
+import to_rust
+import to_script
 import to_tests
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -50,6 +53,11 @@ def made():
         'runtime/c/c_draco.cpp': writer.source('c_draco.cpp'),
         'runtime/c/c_meshopt.cpp': writer.source('c_meshopt.cpp'),
         'runtime/c/layouts.cpp': writer.layouts(),
+        'runtime/c/exports.txt': to_script.exports(rows),
+        'runtime/c/bindings/rust/marrow.rs': to_rust.made(rows, abi),
+        'runtime/c/bindings/csharp/Marrow.cs': to_csharp.made(rows, abi),
+        'runtime/c/bindings/typescript/tables.mjs': to_script.tables(rows, abi),
+        'runtime/c/bindings/typescript/marrow.d.ts': to_script.types(rows),
         'tests/c/bad_calls.h': to_tests.rows_of_calls(rows, lambda r: r.source == 'wrappers.cpp'),
     }
 
