@@ -110,6 +110,10 @@ def has_pointers(row, layout):
     return any(t.form in ('*', '[]') or t.name in ('text', 'size', 'code') for _, t in row.fields)
 
 
+def structs_in_order(rows):
+    return [r.name for r in rows if r.kind == 'struct']
+
+
 def constant(row):
     if row.type.name == 'f32':
         return f'    public const float {camel(row.name)} = {row.value};'
@@ -147,6 +151,9 @@ def made(rows, abi):
             out += import_text(row.name + '_init', 'void', [f'{camel(row.name)}* @out'])
         if row.kind == 'fn':
             out += docs(row.doc, '    ') + import_text(row.name, returned(row, structs), parameters(row, structs))
+    sizes = [f'sizeof({camel(n)}) == {wide.of(n)[0]}' for n in structs_in_order(rows)]
+    out += ['', '    /// <summary>Whether structs are laid out as those of a library of 64 bits.</summary>',
+            '    public static bool IsLaidOut() {', '        return ' + ' &&\n            '.join(sizes) + ';', '    }']
     out += ['', '    /// <summary>Bytes on a boundary of 16, which are to be freed by FreeBlock().</summary>',
             '    public static void* Block(ulong bytes) {',
             '        byte* all = (byte*)Marshal.AllocHGlobal(new IntPtr((long)bytes + 32));',

@@ -1,6 +1,7 @@
 """bindings/rust/marrow.rs: extern "C" functions and #[repr(C)] structs."""
 import re
 
+from layout import Layout
 from names import camel, comment, count_of
 from to_cpp import MADE
 
@@ -56,7 +57,6 @@ def returned(row, structs):
 
 
 def docs(lines, indent=''):
-    # Backquotes and brackets are links and code to rustdoc; as text these words are better off.
     return comment(lines, '///', indent)
 
 
@@ -69,7 +69,7 @@ def enum_text(row):
     return out + ['}']
 
 
-def struct_text(row):
+def struct_text(row, layout):
     name = camel(row.name)
     out = docs(row.doc) + [f'#[repr(C{", align(16)" if "align16" in row.flags else ""})]', '#[derive(Clone, Copy)]',
                            f'pub struct {name} {{']
@@ -82,7 +82,8 @@ def struct_text(row):
                 f'            {row.name}_init(&mut new);', '            new', '        }']
     else:
         out.append('        unsafe { std::mem::zeroed() }')
-    return out + ['    }', '}']
+    return out + ['    }', '}', '#[cfg(target_pointer_width = "64")]',
+                  f'const _: () = assert!(std::mem::size_of::<{name}>() == {layout.of(row.name)[0]});']
 
 
 def constant_text(row):
@@ -93,7 +94,7 @@ def constant_text(row):
 
 
 def made(rows, abi):
-    structs = {r.name for r in rows if r.kind == 'struct'}
+    structs, layout = {r.name for r in rows if r.kind == 'struct'}, Layout(rows, 8)
     out = [MADE + '// The runtime for Rust, as C has it: see docs/c.md. Link marrow_c, marrow_unpack and marrow_runtime.',
            '#![allow(dead_code, clippy::all)]', 'use std::os::raw::{c_char, c_void};', '',
            f'/// What abi() must give.\npub const ABI: u32 = 0x{abi:08x};', '',
@@ -104,7 +105,7 @@ def made(rows, abi):
         if row.kind == 'enum':
             out += enum_text(row) + ['']
         if row.kind == 'struct':
-            out += struct_text(row) + ['']
+            out += struct_text(row, layout) + ['']
         if row.kind == 'opaque':
             out += ['#[repr(C)]', f'pub struct {camel(row.name)} {{', '    _private: [u8; 0],', '}', '']
     out += ['extern "C" {', '    #[link_name = "mrw_abi"]', '    pub fn abi() -> u32;']

@@ -3654,6 +3654,91 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_finish_character", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FinishCharacter(Character* character);
 
+    /// <summary>Whether structs are laid out as those of a library of 64 bits.</summary>
+    public static bool IsLaidOut() {
+        return sizeof(DataError) == 16 &&
+            sizeof(Block) == 16 &&
+            sizeof(Bytes) == 16 &&
+            sizeof(MeshDecoder) == 16 &&
+            sizeof(UnpackSizes) == 8 &&
+            sizeof(SoaTransform) == 160 &&
+            sizeof(AdditiveTransform) == 160 &&
+            sizeof(Affine) == 48 &&
+            sizeof(JointTransform) == 40 &&
+            sizeof(AngleRange) == 8 &&
+            sizeof(RateLimit) == 8 &&
+            sizeof(JointLimit) == 68 &&
+            sizeof(Skeleton) == 64 &&
+            sizeof(SkeletonReference) == 48 &&
+            sizeof(Track) == 16 &&
+            sizeof(GroupMasks) == 4 &&
+            sizeof(Channel) == 24 &&
+            sizeof(CodedTracks) == 64 &&
+            sizeof(Clip) == 144 &&
+            sizeof(Run) == 8 &&
+            sizeof(MorphTarget) == 32 &&
+            sizeof(PoseSpace) == 56 &&
+            sizeof(Geometry) == 248 &&
+            sizeof(MeshTarget) == 12 &&
+            sizeof(Texture) == 8 &&
+            sizeof(Material) == 48 &&
+            sizeof(Image) == 48 &&
+            sizeof(Property) == 16 &&
+            sizeof(Node) == 40 &&
+            sizeof(HalfJoint) == 8 &&
+            sizeof(MeshLod) == 8 &&
+            sizeof(Bounds) == 28 &&
+            sizeof(Mesh) == 368 &&
+            sizeof(File) == 112 &&
+            sizeof(JointMisfit) == 8 &&
+            sizeof(Playback) == 24 &&
+            sizeof(SampleOptions) == 24 &&
+            sizeof(Curve) == 40 &&
+            sizeof(ArcLength) == 24 &&
+            sizeof(CubicBezierEase) == 16 &&
+            sizeof(BlendLayer) == 40 &&
+            sizeof(AdditiveLayer) == 40 &&
+            sizeof(InertialOffset) == 432 &&
+            sizeof(Inertia) == 24 &&
+            sizeof(InertialStart) == 72 &&
+            sizeof(LimitDescription) == 76 &&
+            sizeof(RotationFollower) == 52 &&
+            sizeof(PointFollower) == 44 &&
+            sizeof(TwoBone) == 64 &&
+            sizeof(TwoBoneTurns) == 48 &&
+            sizeof(TwoBoneJoints) == 24 &&
+            sizeof(TwoBoneLimb) == 12 &&
+            sizeof(Aim) == 80 &&
+            sizeof(AimTurn) == 32 &&
+            sizeof(IkGoal) == 52 &&
+            sizeof(IkProblem) == 88 &&
+            sizeof(IkOptions) == 24 &&
+            sizeof(IkReport) == 12 &&
+            sizeof(Foot) == 40 &&
+            sizeof(Feet) == 40 &&
+            sizeof(FootGround) == 32 &&
+            sizeof(FootMotion) == 128 &&
+            sizeof(FeetFrame) == 96 &&
+            sizeof(SpringJoint) == 28 &&
+            sizeof(SpringChain) == 32 &&
+            sizeof(SpringCollider) == 32 &&
+            sizeof(Springs) == 48 &&
+            sizeof(SpringFrame) == 128 &&
+            sizeof(MorphedGeometry) == 528 &&
+            sizeof(JointReach) == 24 &&
+            sizeof(MorphReach) == 24 &&
+            sizeof(Reach) == 56 &&
+            sizeof(SkinOutput) == 56 &&
+            sizeof(AsPart) == 40 &&
+            sizeof(Animation) == 152 &&
+            sizeof(Animations) == 16 &&
+            sizeof(CharacterOptions) == 12 &&
+            sizeof(CharacterSkeleton) == 96 &&
+            sizeof(CharacterMesh) == 968 &&
+            sizeof(Character) == 216 &&
+            sizeof(AnimationLayer) == 16;
+    }
+
     /// <summary>Bytes on a boundary of 16, which are to be freed by FreeBlock().</summary>
     public static void* Block(ulong bytes) {
         byte* all = (byte*)Marshal.AllocHGlobal(new IntPtr((long)bytes + 32));

@@ -54,6 +54,8 @@ impl Default for DataError {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<DataError>() == 16);
 
 pub const BLOCK_BOUNDARY: usize = 16;
 
@@ -68,6 +70,8 @@ impl Default for Block {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Block>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -84,6 +88,8 @@ impl Default for Bytes {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Bytes>() == 16);
 
 /// One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
 #[repr(C)]
@@ -98,6 +104,8 @@ impl Default for MeshDecoder {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MeshDecoder>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -112,6 +120,8 @@ impl Default for UnpackSizes {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<UnpackSizes>() == 8);
 
 /// Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
 /// Rotations are unit quaternions. Lanes past the last joint hold the identity.
@@ -130,6 +140,8 @@ impl Default for SoaTransform {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SoaTransform>() == 160);
 
 /// The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
 /// translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
@@ -143,6 +155,8 @@ impl Default for AdditiveTransform {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AdditiveTransform>() == 160);
 
 /// An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
 #[repr(C, align(16))]
@@ -155,6 +169,8 @@ impl Default for Affine {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Affine>() == 48);
 
 /// The local transform of one joint.
 #[repr(C)]
@@ -175,6 +191,8 @@ impl Default for JointTransform {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointTransform>() == 40);
 
 /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
 pub const MAX_JOINTS: u32 = 32767;
@@ -353,6 +371,8 @@ impl Default for AngleRange {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AngleRange>() == 8);
 
 /// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
 #[repr(C)]
@@ -370,6 +390,8 @@ impl Default for RateLimit {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<RateLimit>() == 8);
 
 /// How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
 ///
@@ -413,6 +435,8 @@ impl Default for JointLimit {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointLimit>() == 68);
 
 /// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 /// comes before its children and the roots come first.
@@ -440,6 +464,8 @@ impl Default for Skeleton {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Skeleton>() == 64);
 
 /// In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
 #[repr(C)]
@@ -461,6 +487,8 @@ impl Default for SkeletonReference {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SkeletonReference>() == 48);
 
 /// One channel of a clip stored without loss: the source's own keys at the source's own times.
 #[repr(C)]
@@ -481,6 +509,8 @@ impl Default for Track {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Track>() == 16);
 
 /// Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
 /// stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
@@ -495,6 +525,8 @@ impl Default for GroupMasks {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<GroupMasks>() == 4);
 
 /// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
 /// that keys on a straight line between others may have been left out (docs/architecture.md).
@@ -519,6 +551,8 @@ impl Default for Channel {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Channel>() == 24);
 
 /// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
 /// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
@@ -550,6 +584,8 @@ impl Default for CodedTracks {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CodedTracks>() == 64);
 
 /// An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
 #[repr(C)]
@@ -579,6 +615,8 @@ impl Default for Clip {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Clip>() == 144);
 
 /// Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
 /// fill up its last block repeat its last vertex.
@@ -595,6 +633,8 @@ impl Default for Run {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Run>() == 8);
 
 /// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
 /// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
@@ -619,6 +659,8 @@ impl Default for MorphTarget {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MorphTarget>() == 32);
 
 /// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
 /// the deltas of some blocks.
@@ -644,6 +686,8 @@ impl Default for PoseSpace {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<PoseSpace>() == 56);
 
 /// Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
 /// (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
@@ -702,6 +746,8 @@ impl Default for Geometry {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Geometry>() == 248);
 
 /// A morph target of a mesh: what it is called and what drives it.
 #[repr(C)]
@@ -719,6 +765,8 @@ impl Default for MeshTarget {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MeshTarget>() == 12);
 
 /// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
 /// are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
@@ -740,6 +788,8 @@ impl Default for Texture {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Texture>() == 8);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -760,6 +810,8 @@ impl Default for Material {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Material>() == 48);
 
 /// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
 #[repr(C)]
@@ -780,6 +832,8 @@ impl Default for Image {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Image>() == 48);
 
 /// A number, a truth or a text that an artist gave a node.
 #[repr(C)]
@@ -798,6 +852,8 @@ impl Default for Property {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Property>() == 16);
 
 /// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
 /// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
@@ -817,6 +873,8 @@ impl Default for Node {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Node>() == 40);
 
 /// A helper between two joints of a palette, for what bends or twists there: see build_palette().
 #[repr(C)]
@@ -837,6 +895,8 @@ impl Default for HalfJoint {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<HalfJoint>() == 8);
 
 /// A level of detail: another geometry over the same palette.
 #[repr(C)]
@@ -852,6 +912,8 @@ impl Default for MeshLod {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MeshLod>() == 8);
 
 /// A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
 #[repr(C)]
@@ -867,6 +929,8 @@ impl Default for Bounds {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Bounds>() == 28);
 
 /// Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 #[repr(C)]
@@ -909,6 +973,8 @@ impl Default for Mesh {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Mesh>() == 368);
 
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 #[repr(C)]
@@ -928,6 +994,8 @@ impl Default for File {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<File>() == 112);
 
 /// Why a joint keeps a clip pack from fitting a skeleton.
 #[repr(transparent)]
@@ -958,6 +1026,8 @@ impl Default for JointMisfit {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointMisfit>() == 8);
 
 /// What happens at the ends of a clip.
 #[repr(transparent)]
@@ -997,6 +1067,8 @@ impl Default for Playback {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Playback>() == 24);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1019,6 +1091,8 @@ impl Default for SampleOptions {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SampleOptions>() == 24);
 
 /// How values run between two keys, and what a key holds. N is Curve::components, u goes 0 … 1 from one key to the next.
 #[repr(transparent)]
@@ -1110,6 +1184,8 @@ impl Default for Curve {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Curve>() == 40);
 
 /// Arc length: where on a path to be for its speed to be even.
 ///
@@ -1131,6 +1207,8 @@ impl Default for ArcLength {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<ArcLength>() == 24);
 
 /// The timing function of CSS Easing Functions Level 1: the cubic Bézier curve (0, 0), (x1, y1), (x2, y2), (1, 1), y
 /// over x.
@@ -1152,6 +1230,8 @@ impl Default for CubicBezierEase {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CubicBezierEase>() == 16);
 
 /// The largest weight of a layer; results stay far from the limits of float.
 pub const MAX_BLEND_WEIGHT: f32 = 1e6;
@@ -1182,6 +1262,8 @@ impl Default for BlendLayer {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<BlendLayer>() == 40);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1204,6 +1286,8 @@ impl Default for AdditiveLayer {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AdditiveLayer>() == 40);
 
 /// How a weight goes from 0 to 1; u = time / duration. curve.h has more shapes.
 #[repr(transparent)]
@@ -1235,6 +1319,8 @@ impl Default for InertialOffset {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<InertialOffset>() == 432);
 
 /// A transition under way; the memory is the caller's and can be used again for the next one.
 #[repr(C)]
@@ -1255,6 +1341,8 @@ impl Default for Inertia {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Inertia>() == 24);
 
 /// What was shown in the last two frames, and what the new clip would show.
 #[repr(C)]
@@ -1284,6 +1372,8 @@ impl Default for InertialStart {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<InertialStart>() == 72);
 
 /// Rotations no farther outside than this keep their bits.
 pub const LIMIT_TOLERANCE_RAD: f32 = 1e-5;
@@ -1318,6 +1408,8 @@ impl Default for LimitDescription {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<LimitDescription>() == 76);
 
 /// Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
 /// point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
@@ -1344,6 +1436,8 @@ impl Default for RotationFollower {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<RotationFollower>() == 52);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1363,6 +1457,8 @@ impl Default for PointFollower {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<PointFollower>() == 44);
 
 /// What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
 #[repr(C, align(16))]
@@ -1398,6 +1494,8 @@ impl Default for TwoBone {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBone>() == 64);
 
 /// Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
 #[repr(C, align(16))]
@@ -1415,6 +1513,8 @@ impl Default for TwoBoneTurns {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBoneTurns>() == 48);
 
 /// The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
 #[repr(C)]
@@ -1433,6 +1533,8 @@ impl Default for TwoBoneJoints {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBoneJoints>() == 24);
 
 /// Joints of a skeleton; other joints may lie between them.
 #[repr(C)]
@@ -1451,6 +1553,8 @@ impl Default for TwoBoneLimb {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBoneLimb>() == 12);
 
 /// What is asked of a joint that looks or points at something: an eye, a head, a gun.
 #[repr(C, align(16))]
@@ -1481,6 +1585,8 @@ impl Default for Aim {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Aim>() == 80);
 
 #[repr(C, align(16))]
 #[derive(Clone, Copy)]
@@ -1496,6 +1602,8 @@ impl Default for AimTurn {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AimTurn>() == 32);
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -1547,6 +1655,8 @@ impl Default for IkGoal {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkGoal>() == 52);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1580,6 +1690,8 @@ impl Default for IkProblem {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkProblem>() == 88);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1608,6 +1720,8 @@ impl Default for IkOptions {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkOptions>() == 24);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1622,6 +1736,8 @@ impl Default for IkReport {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkReport>() == 12);
 
 /// A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
 /// its angle.
@@ -1647,6 +1763,8 @@ impl Default for Foot {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Foot>() == 40);
 
 /// Two legs or more. The clips have been made for level ground, through the scene's origin.
 #[repr(C)]
@@ -1674,6 +1792,8 @@ impl Default for Feet {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Feet>() == 40);
 
 /// What the game knows of a foot in this frame; world.
 #[repr(C)]
@@ -1697,6 +1817,8 @@ impl Default for FootGround {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<FootGround>() == 32);
 
 /// The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
 /// the animation has the foot. World; on a moving platform, let the world be the platform.
@@ -1737,6 +1859,8 @@ impl Default for FootMotion {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<FootMotion>() == 128);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1761,6 +1885,8 @@ impl Default for FeetFrame {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<FeetFrame>() == 96);
 
 pub const MAX_SPRING_COLLIDERS: usize = 32;
 
@@ -1800,6 +1926,8 @@ impl Default for SpringJoint {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringJoint>() == 28);
 
 /// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
 #[repr(C)]
@@ -1819,6 +1947,8 @@ impl Default for SpringChain {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringChain>() == 32);
 
 /// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
 /// space is where that is most.
@@ -1841,6 +1971,8 @@ impl Default for SpringCollider {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringCollider>() == 32);
 
 #[repr(C)]
 pub struct SpringGroup {
@@ -1881,6 +2013,8 @@ impl Default for Springs {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Springs>() == 48);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1911,6 +2045,8 @@ impl Default for SpringFrame {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringFrame>() == 128);
 
 pub const NO_CHANNEL: u32 = 0xFFFFFFFF;
 
@@ -1935,6 +2071,8 @@ impl Default for MorphedGeometry {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MorphedGeometry>() == 528);
 
 /// The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
 #[repr(C)]
@@ -1949,6 +2087,8 @@ impl Default for JointReach {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointReach>() == 24);
 
 /// What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
 /// and about 0, in mesh space.
@@ -1963,6 +2103,8 @@ impl Default for MorphReach {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MorphReach>() == 24);
 
 /// Views into the caller's memory.
 #[repr(C)]
@@ -1982,6 +2124,8 @@ impl Default for Reach {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Reach>() == 56);
 
 /// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
 #[repr(transparent)]
@@ -2023,6 +2167,8 @@ impl Default for SkinOutput {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SkinOutput>() == 56);
 
 /// A mesh in animation space, for as_tangents().
 #[repr(C)]
@@ -2045,6 +2191,8 @@ impl Default for AsPart {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AsPart>() == 40);
 
 pub const NO_CLIP: u32 = 0xFFFFFFFF;
 
@@ -2069,6 +2217,8 @@ impl Default for Animation {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Animation>() == 152);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -2083,6 +2233,8 @@ impl Default for Animations {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Animations>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -2105,6 +2257,8 @@ impl Default for CharacterOptions {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CharacterOptions>() == 12);
 
 /// A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
 /// the other alike; all calls of stage 3½ do.
@@ -2124,6 +2278,8 @@ impl Default for CharacterSkeleton {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CharacterSkeleton>() == 96);
 
 /// A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
 #[repr(C)]
@@ -2153,6 +2309,8 @@ impl Default for CharacterMesh {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CharacterMesh>() == 968);
 
 /// Views into the caller's memory. A copy is the same character.
 #[repr(C)]
@@ -2180,6 +2338,8 @@ impl Default for Character {
         unsafe { std::mem::zeroed() }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Character>() == 216);
 
 /// An animation at a time, and how much of it.
 #[repr(C)]
@@ -2201,6 +2361,8 @@ impl Default for AnimationLayer {
         }
     }
 }
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AnimationLayer>() == 16);
 
 extern "C" {
     #[link_name = "mrw_abi"]
