@@ -1,9 +1,7 @@
 // Made by tools/c_api from runtime/c/api.txt: one line of C++ a function. Do not edit.
-#include "marrow/c.h"
+#include "c/twin.h"
 
 #include "marrow/meshopt.h"
-
-#include "c/twin.h"
 
 // clang-format off
 using namespace marrow;

@@ -5,9 +5,16 @@
 #include <cstdint>
 
 #include "core/check.h"
-#include "marrow/c.h"
 #include "marrow/span.h"
 #include "marrow/status.h"
+// A shared library gives the functions of C away, and nothing else.
+#if defined(MARROW_BUILDS_SHARED) && defined(__GNUC__)
+#pragma GCC visibility push(default)
+#include "marrow/c.h"
+#pragma GCC visibility pop
+#else
+#include "marrow/c.h"
+#endif
 
 // Returns `nothing` from a wrapper, and says why to the handler of bad calls, unless `condition` holds.
 #define MRW_NEEDS(condition, nothing)               \

@@ -1,5 +1,5 @@
 // Made by tools/c_api from runtime/c/api.txt: one line of C++ a function. Do not edit.
-#include "marrow/c.h"
+#include "c/twin.h"
 
 #include "marrow/blend.h"
 #include "marrow/block.h"
@@ -25,8 +25,6 @@
 #include "marrow/transition.h"
 #include "marrow/unpack.h"
 
-#include "c/twin.h"
-
 // clang-format off
 using namespace marrow;
 using namespace marrow::c;
@@ -45,6 +43,11 @@ void mrw_data_error_init(mrw_data_error* out) {
 void mrw_bytes_init(mrw_bytes* out) {
   MRW_NEEDS(leads_to<Span<const std::byte>>(out), );
   to<Span<const std::byte>>(out) = Span<const std::byte>{};
+}
+
+void mrw_unpacking_init(mrw_unpacking* out) {
+  MRW_NEEDS(leads_to<Unpacking>(out), );
+  to<Unpacking>(out) = Unpacking{};
 }
 
 void mrw_joint_transform_init(mrw_joint_transform* out) {
@@ -274,6 +277,17 @@ mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_de
     void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error) {
   MRW_NEEDS(is_list(packed, packed_bytes) && is_list(decoders, decoder_count) && is_list(memory, memory_bytes) && leads_to<Span<const std::byte>>(file) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
   return code(marrow::unpack(span<const std::byte>(packed, packed_bytes), span<const MeshDecoder>(decoders, decoder_count), span<std::byte>(memory, memory_bytes), to<Span<const std::byte>>(file), static_cast<DataError*>(static_cast<void*>(error))));
+}
+
+mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
+    size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error) {
+  MRW_NEEDS(is_list(packed, packed_bytes) && is_list(decoders, decoder_count) && is_list(memory, memory_bytes) && leads_to<Unpacking>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  return code(marrow::begin_unpack(span<const std::byte>(packed, packed_bytes), span<const MeshDecoder>(decoders, decoder_count), span<std::byte>(memory, memory_bytes), to<Unpacking>(out), static_cast<DataError*>(static_cast<void*>(error))));
+}
+
+mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error) {
+  MRW_NEEDS(leads_to<Unpacking>(unpacking) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  return code(marrow::unpack_step(to<Unpacking>(unpacking), static_cast<DataError*>(static_cast<void*>(error))));
 }
 
 size_t mrw_soa_count(size_t joint_count) {

@@ -41,6 +41,18 @@ static int call_unpack(const Round* r) {
   (void)r;
   return mrw_unpack(list(r, 0), count(r), list(r, 1), count(r), list(r, 2), count(r), at(r, 3), at(r, 4));
 }
+static int call_unpacking_init(const Round* r) {
+  mrw_unpacking_init(at(r, 0));
+  return -1;
+}
+static int call_begin_unpack(const Round* r) {
+  (void)r;
+  return mrw_begin_unpack(list(r, 0), count(r), list(r, 1), count(r), list(r, 2), count(r), at(r, 3), at(r, 4));
+}
+static int call_unpack_step(const Round* r) {
+  (void)r;
+  return mrw_unpack_step(at(r, 0), at(r, 1));
+}
 static int call_joint_transform_init(const Round* r) {
   mrw_joint_transform_init(at(r, 0));
   return -1;
@@ -754,6 +766,9 @@ static const Row rows[] = {
     {"mrw_is_packed", call_is_packed, 0, 1},
     {"mrw_find_unpack_sizes", call_find_unpack_sizes, 1, 1},
     {"mrw_unpack", call_unpack, 1, 1},
+    {"mrw_unpacking_init", call_unpacking_init, 0, 0},
+    {"mrw_begin_unpack", call_begin_unpack, 1, 1},
+    {"mrw_unpack_step", call_unpack_step, 1, 0},
     {"mrw_joint_transform_init", call_joint_transform_init, 0, 0},
     {"mrw_soa_count", call_soa_count, 0, 0},
     {"mrw_get_joint", call_get_joint, 1, 1},

@@ -49,6 +49,10 @@ class Row:
     doc: list = field(default_factory=list)
     docs: dict = field(default_factory=dict)  # of fields and enumerators
 
+    def boundary(self):
+        """The boundary that a struct asks for, or 1."""
+        return max([int(flag[5:]) for flag in self.flags if flag.startswith('align')], default=1)
+
 
 def read_parameters(text):
     parts = [p for p in text.split(', ') if p]
@@ -158,7 +162,7 @@ def add_docs(rows, read_header):
         pattern = {
             'const': rf'inline constexpr .*\b{row.cpp}\b|.*\b{row.cpp} = ',
             'enum': rf'enum class (\[\[.*?\]\] )?{row.cpp}\b',
-            'struct': rf'(struct|class) (alignas\(16\) )?{re.escape(row.cpp)} \{{',
+            'struct': rf'(struct|class) ((alignas\(\d+\)|[A-Z_]+) )*{re.escape(row.cpp)} \{{',
             'opaque': rf'struct {row.cpp};',
             'fn': rf'  (?!return|if|for)[\w:&*<> ]+[ *&]{row.cpp}\(' if row.method else rf'[a-zA-Z][\w:&*<> ]*[ *&]{row.cpp}\(',
         }[row.kind]

@@ -28,14 +28,13 @@ class Layout:
     def of(self, struct):
         """Size, alignment, and the place of each member; of T[] the place of the pointer."""
         if struct not in self.made:
-            row, end, boundary, places = self.structs[struct], 0, 1, []
+            row, end, places = self.structs[struct], 0, []
+            boundary = row.boundary()
             for _, t in row.fields:
                 size, align = self.of_type(t)
                 end += -end % align
                 places.append(end)
                 end += size + (self.pointer if t.form == '[]' else 0)
                 boundary = max(boundary, align)
-            if 'align16' in row.flags:
-                boundary = 16
             self.made[struct] = (end + -end % boundary, boundary, places)
         return self.made[struct]

@@ -75,10 +75,10 @@ OPENING = '''// The whole runtime for C99, and for all languages that call C: se
 
 // clang-format off
 #if defined(__GNUC__)
-#define MRW_ALIGN16 __attribute__((aligned(16)))
+#define MRW_ALIGN(bytes) __attribute__((aligned(bytes)))
 #define MRW_NODISCARD __attribute__((warn_unused_result))
 #elif defined(_MSC_VER)
-#define MRW_ALIGN16 __declspec(align(16))
+#define MRW_ALIGN(bytes) __declspec(align(bytes))
 #define MRW_NODISCARD
 #endif
 
@@ -94,7 +94,7 @@ uint32_t mrw_abi(void);
 
 
 def struct_text(row):
-    align = ' MRW_ALIGN16' if 'align16' in row.flags else ''
+    align = f' MRW_ALIGN({row.boundary()})' if row.boundary() > 1 else ''
     out = [f'struct{align} mrw_{row.name} {{']
     for name, t in row.fields:
         doc = row.docs.get(name, [])

@@ -84,8 +84,8 @@ class Writer:
     def source(self, name):
         rows = [r for r in self.rows if r.kind == 'fn' and r.source == name]
         headers = sorted({r.header for r in rows})
-        out = [MADE.replace('do not', 'one line of C++ a function. Do not') + '#include "marrow/c.h"\n']
-        out += [f'#include "marrow/{h}"' for h in headers] + ['', '#include "c/twin.h"', '', '// clang-format off',
+        out = [MADE.replace('do not', 'one line of C++ a function. Do not') + '#include "c/twin.h"\n']
+        out += [f'#include "marrow/{h}"' for h in headers] + ['', '// clang-format off',
                                                               'using namespace marrow;', 'using namespace marrow::c;', '',
                                                               'extern "C" {', '']
         if name == 'wrappers.cpp':

@@ -71,7 +71,7 @@ def enum_text(row):
 
 def struct_text(row, layout):
     name = camel(row.name)
-    out = docs(row.doc) + [f'#[repr(C{", align(16)" if "align16" in row.flags else ""})]', '#[derive(Clone, Copy)]',
+    out = docs(row.doc) + [f'#[repr(C{f", align({row.boundary()})" if row.boundary() > 1 else ""})]', '#[derive(Clone, Copy)]',
                            f'pub struct {name} {{']
     for field, t in row.fields:
         out += docs(row.docs.get(field, []), '    ')

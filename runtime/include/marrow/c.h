@@ -16,10 +16,10 @@
 
 // clang-format off
 #if defined(__GNUC__)
-#define MRW_ALIGN16 __attribute__((aligned(16)))
+#define MRW_ALIGN(bytes) __attribute__((aligned(bytes)))
 #define MRW_NODISCARD __attribute__((warn_unused_result))
 #elif defined(_MSC_VER)
-#define MRW_ALIGN16 __declspec(align(16))
+#define MRW_ALIGN(bytes) __declspec(align(bytes))
 #define MRW_NODISCARD
 #endif
 
@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x196f06a1u
+#define MRW_ABI 0xa5e48feeu
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -123,6 +123,8 @@ struct mrw_mesh_decoder {
   void (*decode)(void);
 };
 
+#define MRW_UNPACK_STATE_BYTES 512u
+
 typedef struct mrw_unpack_sizes mrw_unpack_sizes;
 struct mrw_unpack_sizes {
   uint32_t file_bytes;  // of the unpacked file
@@ -150,6 +152,38 @@ MRW_NODISCARD mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed
 MRW_NODISCARD mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
     size_t decoder_count, void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error);
 
+// The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+//
+//   Unpacking loading;
+//   begin_unpack(packed, decoders, memory, loading);
+//   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
+//   then          load(loading.file, file)
+//
+// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+// step. Stopping half way is forgetting it: nothing is to be freed.
+typedef struct mrw_unpacking mrw_unpacking;
+struct MRW_ALIGN(8) mrw_unpacking {
+  const void* file;  // empty until the last step is done; then as of unpack()
+  size_t file_bytes;
+  uint32_t done_bytes;  // of total_bytes, for a bar
+  uint32_t total_bytes;  // of the unpacked file
+  uint8_t state[512];  // unpack_step()'s own
+};
+void mrw_unpacking_init(mrw_unpacking* out);
+
+// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+// Cost: the checksum.
+MRW_NODISCARD mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
+    size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error);
+
+// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+// meshopt's is short. A clip takes a copy of its bytes.
+//
+// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+// at a time.
+MRW_NODISCARD mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error);
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Meshes compressed with Google's Draco: the smallest files, about a microsecond a vertex to decode. Library
 // marrow::draco.
@@ -170,7 +204,7 @@ MRW_NODISCARD mrw_status mrw_meshopt_decoder(mrw_mesh_decoder* out);
 // Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
 // Rotations are unit quaternions. Lanes past the last joint hold the identity.
 typedef struct mrw_soa_transform mrw_soa_transform;
-struct MRW_ALIGN16 mrw_soa_transform {
+struct MRW_ALIGN(16) mrw_soa_transform {
   float translation[3][4];  // x, y, z; metres
   float rotation[4][4];  // x, y, z, w
   float scale[3][4];  // x, y, z
@@ -185,7 +219,7 @@ struct mrw_additive_transform {
 
 // An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
 typedef struct mrw_affine mrw_affine;
-struct MRW_ALIGN16 mrw_affine {
+struct MRW_ALIGN(16) mrw_affine {
   float rows[3][4];
 };
 
@@ -1139,7 +1173,7 @@ enum {
 // itself:
 //   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
 typedef struct mrw_inertial_offset mrw_inertial_offset;
-struct MRW_ALIGN16 mrw_inertial_offset {
+struct MRW_ALIGN(16) mrw_inertial_offset {
   float start[9][4];
   float slope[9][4];
   float rate[9][4];  // 1 / seconds
@@ -1369,7 +1403,7 @@ MRW_NODISCARD mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t l
 
 // What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
 typedef struct mrw_two_bone mrw_two_bone;
-struct MRW_ALIGN16 mrw_two_bone {
+struct MRW_ALIGN(16) mrw_two_bone {
   float target[3];  // where the end joint is to be; scene, metres
   float weight;  // 0 … 1: 0 changes no bit, 1 reaches; between, both turns are blended
   // The direction, from the start joint, to whose side the middle joint points; scene. Zero: the side it has in the
@@ -1391,7 +1425,7 @@ void mrw_two_bone_init(mrw_two_bone* out);
 
 // Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
 typedef struct mrw_two_bone_turns mrw_two_bone_turns;
-struct MRW_ALIGN16 mrw_two_bone_turns {
+struct MRW_ALIGN(16) mrw_two_bone_turns {
   float start[4];
   float mid[4];
   float stretch;  // for the translations of all joints from below start down to end; 1: unless max_stretch > 1
@@ -1418,7 +1452,7 @@ void mrw_two_bone_limb_init(mrw_two_bone_limb* out);
 
 // What is asked of a joint that looks or points at something: an eye, a head, a gun.
 typedef struct mrw_aim mrw_aim;
-struct MRW_ALIGN16 mrw_aim {
+struct MRW_ALIGN(16) mrw_aim {
   float target[3];  // scene, metres
   float weight;  // 0 … 1: 0 changes no bit, 1 aims
   // The scene direction to whose side of the target's direction `up` is turned. Zero: nothing is; the shortest way to
@@ -1432,7 +1466,7 @@ struct MRW_ALIGN16 mrw_aim {
 void mrw_aim_init(mrw_aim* out);
 
 typedef struct mrw_aim_turn mrw_aim_turn;
-struct MRW_ALIGN16 mrw_aim_turn {
+struct MRW_ALIGN(16) mrw_aim_turn {
   float turn[4];  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
   // The target can be seen: at weight 1 the ray from the offset along forward goes through it. It cannot where the
   // target is nearer to the joint than the ray ever gets, or than the offset, or where forward has no length.

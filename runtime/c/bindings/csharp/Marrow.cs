@@ -113,6 +113,43 @@ public unsafe struct UnpackSizes {
 }
 
 /// <summary>
+/// The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+///
+///   Unpacking loading;
+///   begin_unpack(packed, decoders, memory, loading);
+///   every frame   while (loading.file.empty() &amp;&amp; there is time) unpack_step(loading);
+///   then          load(loading.file, file)
+///
+/// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+/// step. Stopping half way is forgetting it: nothing is to be freed.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Unpacking {
+    /// <summary>
+    /// empty until the last step is done; then as of unpack()
+    /// </summary>
+    public void* file;
+    public UIntPtr file_bytes;
+    /// <summary>
+    /// of total_bytes, for a bar
+    /// </summary>
+    public uint done_bytes;
+    /// <summary>
+    /// of the unpacked file
+    /// </summary>
+    public uint total_bytes;
+    /// <summary>
+    /// unpack_step()'s own
+    /// </summary>
+    public fixed byte state[512];
+    public static Unpacking New() {
+        Unpacking made;
+        Marrow.UnpackingInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
 /// Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
 /// Rotations are unit quaternions. Lanes past the last joint hold the identity.
 /// </summary>
@@ -2379,9 +2416,10 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x196f06a1;
+    public const uint AbiNumber = 0xa5e48fee;
 
     public const int BlockBoundary = 16;
+    public const int UnpackStateBytes = 512;
     /// <summary>
     /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
     /// </summary>
@@ -2524,6 +2562,24 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_unpack", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Unpack(void* packed, UIntPtr packed_bytes, MeshDecoder* decoders, UIntPtr decoder_count, void* memory, UIntPtr memory_bytes, Bytes* file, DataError* error);
+    [DllImport(Library, EntryPoint = "mrw_unpacking_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void UnpackingInit(Unpacking* @out);
+    /// <summary>
+    /// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+    /// Cost: the checksum.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_begin_unpack", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BeginUnpack(void* packed, UIntPtr packed_bytes, MeshDecoder* decoders, UIntPtr decoder_count, void* memory, UIntPtr memory_bytes, Unpacking* @out, DataError* error);
+    /// <summary>
+    /// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+    /// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+    /// meshopt's is short. A clip takes a copy of its bytes.
+    ///
+    /// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+    /// at a time.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_unpack_step", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status UnpackStep(Unpacking* unpacking, DataError* error);
     /// <summary>
     /// For unpack(). Draco allocates while it decodes and frees all of it again.
     /// </summary>
@@ -3661,6 +3717,7 @@ public static unsafe class Marrow {
             sizeof(Bytes) == 16 &&
             sizeof(MeshDecoder) == 16 &&
             sizeof(UnpackSizes) == 8 &&
+            sizeof(Unpacking) == 536 &&
             sizeof(SoaTransform) == 160 &&
             sizeof(AdditiveTransform) == 160 &&
             sizeof(Affine) == 48 &&

@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0x196f06a1;
+pub const ABI: u32 = 0xa5e48fee;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
@@ -107,6 +107,8 @@ impl Default for MeshDecoder {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<MeshDecoder>() == 16);
 
+pub const UNPACK_STATE_BYTES: usize = 512;
+
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct UnpackSizes {
@@ -122,6 +124,40 @@ impl Default for UnpackSizes {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<UnpackSizes>() == 8);
+
+/// The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+///
+///   Unpacking loading;
+///   begin_unpack(packed, decoders, memory, loading);
+///   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
+///   then          load(loading.file, file)
+///
+/// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+/// step. Stopping half way is forgetting it: nothing is to be freed.
+#[repr(C, align(8))]
+#[derive(Clone, Copy)]
+pub struct Unpacking {
+    /// empty until the last step is done; then as of unpack()
+    pub file: *const c_void,
+    pub file_bytes: usize,
+    /// of total_bytes, for a bar
+    pub done_bytes: u32,
+    /// of the unpacked file
+    pub total_bytes: u32,
+    /// unpack_step()'s own
+    pub state: [u8; 512],
+}
+impl Default for Unpacking {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            unpacking_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Unpacking>() == 536);
 
 /// Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
 /// Rotations are unit quaternions. Lanes past the last joint hold the identity.
@@ -2413,6 +2449,20 @@ extern "C" {
     /// nothing else does.
     #[link_name = "mrw_unpack"]
     pub fn unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, file: *mut Bytes, error: *mut DataError) -> Status;
+    #[link_name = "mrw_unpacking_init"]
+    pub fn unpacking_init(out: *mut Unpacking);
+    /// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+    /// Cost: the checksum.
+    #[link_name = "mrw_begin_unpack"]
+    pub fn begin_unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, out: *mut Unpacking, error: *mut DataError) -> Status;
+    /// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+    /// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+    /// meshopt's is short. A clip takes a copy of its bytes.
+    ///
+    /// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+    /// at a time.
+    #[link_name = "mrw_unpack_step"]
+    pub fn unpack_step(unpacking: *mut Unpacking, error: *mut DataError) -> Status;
     /// For unpack(). Draco allocates while it decodes and frees all of it again.
     #[link_name = "mrw_draco_decoder"]
     pub fn draco_decoder(out: *mut MeshDecoder) -> Status;

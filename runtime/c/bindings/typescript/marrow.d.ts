@@ -3,6 +3,7 @@
 
 export const ABI: number;
 export const BLOCK_BOUNDARY: number;
+export const UNPACK_STATE_BYTES: number;
 export const MAX_JOINTS: number;
 export const MAX_INFLUENCES: number;
 export const NO_PARENT: number;
@@ -430,6 +431,36 @@ export interface UnpackSizes extends View {
    * what unpack() wants: the file and, behind it, room to work in
    */
   memory_bytes: number;
+}
+
+/**
+ * The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+ *
+ *   Unpacking loading;
+ *   begin_unpack(packed, decoders, memory, loading);
+ *   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
+ *   then          load(loading.file, file)
+ *
+ * A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+ * step. Stopping half way is forgetting it: nothing is to be freed.
+ */
+export interface Unpacking extends View {
+  /**
+   * empty until the last step is done; then as of unpack()
+   */
+  file: List<number>;
+  /**
+   * of total_bytes, for a bar
+   */
+  done_bytes: number;
+  /**
+   * of the unpacked file
+   */
+  total_bytes: number;
+  /**
+   * unpack_step()'s own
+   */
+  readonly state: TypedArray;
 }
 
 /**
@@ -2078,6 +2109,7 @@ export interface Structs {
   Bytes: Bytes;
   MeshDecoder: MeshDecoder;
   UnpackSizes: UnpackSizes;
+  Unpacking: Unpacking;
   SoaTransform: SoaTransform;
   AdditiveTransform: AdditiveTransform;
   Affine: Affine;
@@ -2211,6 +2243,20 @@ export class Marrow {
    * nothing else does.
    */
   unpack(packed: List<number> | null, decoders: List<MeshDecoder> | null, memory: List<number> | null, file: Bytes | null, error: DataError | null): Status;
+  /**
+   * Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+   * Cost: the checksum.
+   */
+  begin_unpack(packed: List<number> | null, decoders: List<MeshDecoder> | null, memory: List<number> | null, out: Unpacking | null, error: DataError | null): Status;
+  /**
+   * Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+   * last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+   * meshopt's is short. A clip takes a copy of its bytes.
+   *
+   * Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+   * at a time.
+   */
+  unpack_step(unpacking: Unpacking | null, error: DataError | null): Status;
   /**
    * How many SoaTransforms hold a pose of `joint_count` joints.
    */

@@ -1,9 +1,10 @@
 // Made by tools/c_api from runtime/c/api.txt: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x196f06a1;
+export const ABI = 0xa5e48fee;
 
 export const BLOCK_BOUNDARY = 16;
+export const UNPACK_STATE_BYTES = 512;
 export const MAX_JOINTS = 32767;
 export const MAX_INFLUENCES = 8;
 export const NO_PARENT = 0xFFFF;
@@ -56,6 +57,7 @@ export const structs = {
   Bytes: { size: 8, align: 4, init: "bytes_init", fields: {"data": [0, "pointer", "void"], "size": [4, "value", "u32"]} },
   MeshDecoder: { size: 8, align: 4, init: "", fields: {"codec": [0, "value", "u32"], "decode": [4, "pointer", "code"]} },
   UnpackSizes: { size: 8, align: 4, init: "", fields: {"file_bytes": [0, "value", "u32"], "memory_bytes": [4, "value", "u32"]} },
+  Unpacking: { size: 528, align: 8, init: "unpacking_init", fields: {"file": [0, "list", "byte"], "done_bytes": [8, "value", "u32"], "total_bytes": [12, "value", "u32"], "state": [16, "array", "u8", 512]} },
   SoaTransform: { size: 160, align: 16, init: "", fields: {"translation": [0, "array", "f32", 12], "rotation": [48, "array", "f32", 16], "scale": [112, "array", "f32", 12]} },
   AdditiveTransform: { size: 160, align: 16, init: "", fields: {"change": [0, "struct", "SoaTransform"]} },
   Affine: { size: 48, align: 16, init: "", fields: {"rows": [0, "array", "f32", 12]} },
@@ -147,6 +149,9 @@ export const functions = {
   is_packed: [["list"], "bool"],
   find_unpack_sizes: [["list", "pointer", "pointer"], "number"],
   unpack: [["list", "list", "list", "pointer", "pointer"], "number"],
+  unpacking_init: [['pointer'], 'void'],
+  begin_unpack: [["list", "list", "list", "pointer", "pointer"], "number"],
+  unpack_step: [["pointer", "pointer"], "number"],
   draco_decoder: [["pointer"], "number"],
   meshopt_decoder: [["pointer"], "number"],
   joint_transform_init: [['pointer'], 'void'],
