@@ -62,6 +62,11 @@ check_fbx() {
   [ $? -eq 3 ] && echo "SKIPPED: FBX, by Blender" >&2
 }
 
+check_bindings() {
+  tools/check_bindings.sh build/release/tools/marrow && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: calls from some of Rust, C# and JavaScript" >&2
+}
+
 fuzz() {
   tools/fuzz.sh 30 && return 0
   [ $? -eq 3 ] && echo "SKIPPED: libFuzzer" >&2
@@ -101,6 +106,7 @@ case "${1:-}" in
     for preset in release asan tsan scalar aarch64; do test_preset $preset; done
     timed "same bytes everywhere" compare_bytes
     timed "FBX, by Blender" check_fbx
+    timed "Rust, C# and JavaScript" check_bindings
     timed "libFuzzer, 30 s a target" fuzz
     ;;
   *)

@@ -728,15 +728,15 @@ mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joint
 
 size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem,
     const mrw_ik_options* options) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<IkProblem>(problem) && leads_to<IkOptions>(options), 0);
-  return marrow::ik_scratch_bytes(of<Skeleton>(skeleton), of<IkProblem>(problem), of<IkOptions>(options));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options), 0);
+  return marrow::ik_scratch_bytes(of<Skeleton>(skeleton), of<IkProblem>(problem), or_default<IkOptions>(options));
 }
 
 mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to<IkOptions>(options) && is_list(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), of<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem) {
@@ -747,8 +747,8 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
 mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to<IkOptions>(options) && is_list(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik_genetic(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), of<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_genetic(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene, const mrw_affine* scene_from_joint,
@@ -948,14 +948,14 @@ const mrw_animation* mrw_find_animation(const mrw_animations* animations, const 
 }
 
 size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* options) {
-  MRW_NEEDS(leads_to<File>(file) && leads_to<CharacterOptions>(options), 0);
-  return marrow::character_bytes(of<File>(file), of<CharacterOptions>(options));
+  MRW_NEEDS(leads_to<File>(file) && leads_to_if_any<CharacterOptions>(options), 0);
+  return marrow::character_bytes(of<File>(file), or_default<CharacterOptions>(options));
 }
 
 mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
     size_t memory_bytes, mrw_character* out) {
-  MRW_NEEDS(leads_to<File>(file) && leads_to<CharacterOptions>(options) && is_list(memory, memory_bytes) && leads_to<Character>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::make_character(of<File>(file), of<CharacterOptions>(options), span<std::byte>(memory, memory_bytes), to<Character>(out)));
+  MRW_NEEDS(leads_to<File>(file) && leads_to_if_any<CharacterOptions>(options) && is_list(memory, memory_bytes) && leads_to<Character>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::make_character(of<File>(file), or_default<CharacterOptions>(options), span<std::byte>(memory, memory_bytes), to<Character>(out)));
 }
 
 mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers, size_t layer_count) {

@@ -2416,7 +2416,7 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xa5e48fee;
+    public const uint AbiNumber = 0x340c2e10;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;

@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xa5e48fee;
+pub const ABI: u32 = 0x340c2e10;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
