@@ -7,11 +7,6 @@ use std::ffi::{c_char, c_void, CStr, CString};
 use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-extern "C" {
-    fn mrw_draco_decoder(out: *mut MeshDecoder) -> Status;
-    fn mrw_meshopt_decoder(out: *mut MeshDecoder) -> Status;
-}
-
 fn must(status: Status) {
     if status != Status::OK {
         let text = unsafe { CStr::from_ptr(status_text(status)) };
@@ -120,8 +115,8 @@ unsafe fn road(name: &str) -> u32 {
     if is_packed(bytes.as_ptr() as *const c_void, bytes.len()) {
         let mut decoders = [MeshDecoder::default(); 2];
         let (mut sizes, mut out) = (UnpackSizes::default(), Bytes::default());
-        must(mrw_draco_decoder(&mut decoders[0]));
-        must(mrw_meshopt_decoder(&mut decoders[1]));
+        must(draco_decoder(&mut decoders[0]));
+        must(meshopt_decoder(&mut decoders[1]));
         must(find_unpack_sizes(bytes.as_ptr() as *const c_void, bytes.len(), &mut sizes, null_mut()));
         unpacked = block(sizes.memory_bytes as usize);
         must(unpack(bytes.as_ptr() as *const c_void, bytes.len(), decoders.as_ptr(), 2,

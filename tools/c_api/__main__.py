@@ -44,6 +44,10 @@ def made():
             lines[name] = (INCLUDE / name).read_text().splitlines()
         return lines[name]
     description.add_docs(rows, read_header)
+    for row in rows:
+        may_be_null = [name for name, t in row.fields if t.optional and t.form != '[]' and row.kind == 'fn' and t.name != 'f32']
+        if may_be_null:
+            row.doc = row.doc + ['May be null: ' + ', '.join(may_be_null) + '.']
     headings = {name: heading(read_header(name)) for name in {r.header for r in rows}}
     abi = abi_of(text)
     writer = to_cpp.Writer(rows)

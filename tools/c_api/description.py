@@ -153,6 +153,20 @@ def body_docs(lines, at, names):
     return docs
 
 
+def expect_all_fields(row, lines, at, known):
+    """A field that only fills what was padding would change no size: so names are compared, too."""
+    for line in lines[at + 1:]:
+        if re.match(r'};', line):
+            return
+        code = trailing_comment(line)[0].strip()
+        if code.startswith(('return', 'friend', 'using', 'static_assert')) or '(' in code.split('=')[0]:
+            continue
+        code = re.sub(r'=[^,;]*', '', re.sub(r'\{[^}]*\}', '', code))
+        for name in re.findall(r'([A-Za-z_]\w*)(?:\[[^\]]*\])*\s*(?=[,;])', re.sub(r'<[^>]*>', '', code)):
+            if name not in known:
+                raise SystemExit(f'{row.header}: {row.cpp}::{name} is not in api.txt')
+
+
 def add_docs(rows, read_header):
     seen = {}
     for row in rows:
@@ -180,4 +194,6 @@ def add_docs(rows, read_header):
         if row.kind == 'enum':
             row.docs = body_docs(lines, at, row.values)
         if row.kind == 'struct' and 'private' not in row.flags:
-            row.docs = body_docs(lines, at, [name for name, _ in row.fields])
+            names = [name for name, _ in row.fields]
+            row.docs = body_docs(lines, at, names)
+            expect_all_fields(row, lines, at, names + [r.cpp for r in rows if r.is_member and r.method == row.name])

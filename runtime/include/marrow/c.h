@@ -137,6 +137,7 @@ bool mrw_is_packed(const void* bytes, size_t byte_count);
 // How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
 // else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
 // should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+// May be null: error.
 MRW_NODISCARD mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
     mrw_data_error* error);
 
@@ -149,6 +150,7 @@ MRW_NODISCARD mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed
 // `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
 // order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
 // nothing else does.
+// May be null: error.
 MRW_NODISCARD mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
     size_t decoder_count, void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error);
 
@@ -173,6 +175,7 @@ void mrw_unpacking_init(mrw_unpacking* out);
 
 // Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
 // Cost: the checksum.
+// May be null: error.
 MRW_NODISCARD mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
     size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error);
 
@@ -182,6 +185,7 @@ MRW_NODISCARD mrw_status mrw_begin_unpack(const void* packed, size_t packed_byte
 //
 // Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
 // at a time.
+// May be null: error.
 MRW_NODISCARD mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -709,6 +713,7 @@ void mrw_file_init(mrw_file* out);
 // what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
 // are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
 // failure. Cost: one pass over the block; no allocation. Thread-safe.
+// May be null: error.
 MRW_NODISCARD mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error);
 
 uint32_t mrw_file_skeleton_count(const mrw_file* file);
@@ -812,6 +817,7 @@ uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton);
 // out. What stands above the roots may differ: it does not concern clips.
 // Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
 // skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+// May be null: misfits_there.
 MRW_NODISCARD mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character,
     uint32_t skeleton, mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there);
 
@@ -887,6 +893,7 @@ void mrw_sample_options_init(mrw_sample_options* out);
 // is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
 // float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
 // is. Stateless; thread-safe on different outputs.
+// May be null: options.
 MRW_NODISCARD mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
     mrw_soa_transform* out, size_t out_count, const mrw_sample_options* options);
 
@@ -1493,6 +1500,7 @@ MRW_NODISCARD mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
 // 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
 // are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+// May be null: reached.
 MRW_NODISCARD mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb,
     const mrw_two_bone* goal, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, bool* reached);
@@ -1507,6 +1515,7 @@ MRW_NODISCARD mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* go
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
 // 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
 // is written. Cost: the kernel's, and local_to_model_below(joint).
+// May be null: reached.
 MRW_NODISCARD mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal,
     mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
     bool* reached);
@@ -1515,6 +1524,7 @@ MRW_NODISCARD mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t jo
 // looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
 // falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
 // Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+// May be null: reached.
 MRW_NODISCARD mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
     const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, bool* reached);
@@ -1596,6 +1606,7 @@ struct mrw_ik_report {
 };
 
 // Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+// May be null: options.
 size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem, const mrw_ik_options* options);
 
 // Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
@@ -1609,6 +1620,7 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
 // there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
 // of range, or the pose not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
+// May be null: options, report.
 MRW_NODISCARD mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report);
@@ -1622,6 +1634,16 @@ MRW_NODISCARD mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_tran
 // to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
 // Cost: docs/ik.md: tens of microseconds a generation.
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem);
+
+// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+//
+// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+// Cost: docs/ik.md: tens of microseconds a generation.
+// May be null: options, report.
 MRW_NODISCARD mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local,
     size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report);
@@ -2284,6 +2306,7 @@ MRW_NODISCARD mrw_status mrw_make_animations(const mrw_file* file, const mrw_fil
 const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name);
 
 // Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+// May be null: options.
 size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* options);
 
 // A character in its rest pose, finished.
@@ -2291,6 +2314,7 @@ size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* op
 // `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
 // Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
 // meshes with morph targets, and as_coordinates().
+// May be null: options.
 MRW_NODISCARD mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
     size_t memory_bytes, mrw_character* out);
 

@@ -2546,6 +2546,7 @@ public static unsafe class Marrow {
     /// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
     /// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
     /// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+    /// May be null: error.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_find_unpack_sizes", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FindUnpackSizes(void* packed, UIntPtr packed_bytes, UnpackSizes* @out, DataError* error);
@@ -2559,6 +2560,7 @@ public static unsafe class Marrow {
     /// `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
     /// order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
     /// nothing else does.
+    /// May be null: error.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_unpack", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Unpack(void* packed, UIntPtr packed_bytes, MeshDecoder* decoders, UIntPtr decoder_count, void* memory, UIntPtr memory_bytes, Bytes* file, DataError* error);
@@ -2567,6 +2569,7 @@ public static unsafe class Marrow {
     /// <summary>
     /// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
     /// Cost: the checksum.
+    /// May be null: error.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_begin_unpack", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status BeginUnpack(void* packed, UIntPtr packed_bytes, MeshDecoder* decoders, UIntPtr decoder_count, void* memory, UIntPtr memory_bytes, Unpacking* @out, DataError* error);
@@ -2577,6 +2580,7 @@ public static unsafe class Marrow {
     ///
     /// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
     /// at a time.
+    /// May be null: error.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_unpack_step", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status UnpackStep(Unpacking* unpacking, DataError* error);
@@ -2631,6 +2635,7 @@ public static unsafe class Marrow {
     /// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
     /// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
     /// failure. Cost: one pass over the block; no allocation. Thread-safe.
+    /// May be null: error.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_load", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Load(void* block, UIntPtr block_bytes, File* @out, DataError* error);
@@ -2773,6 +2778,7 @@ public static unsafe class Marrow {
     /// out. What stands above the roots may differ: it does not concern clips.
     /// Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
     /// skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+    /// May be null: misfits_there.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_bind_clips", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status BindClips(File* pack, uint reference, File* character, uint skeleton, JointMisfit* misfits, UIntPtr misfit_count, UIntPtr* misfits_there);
@@ -2818,6 +2824,7 @@ public static unsafe class Marrow {
     /// is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
     /// float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
     /// is. Stateless; thread-safe on different outputs.
+    /// May be null: options.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_sample", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Sample(Skeleton* skeleton, Clip* clip, float time_s, SoaTransform* @out, UIntPtr out_count, SampleOptions* options);
@@ -3227,6 +3234,7 @@ public static unsafe class Marrow {
     /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
     /// 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
     /// are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+    /// May be null: reached.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_solve_two_bone", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status SolveTwoBone(Skeleton* skeleton, TwoBoneLimb* limb, TwoBone* goal, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, byte* reached);
@@ -3243,6 +3251,7 @@ public static unsafe class Marrow {
     /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
     /// 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
     /// is written. Cost: the kernel's, and local_to_model_below(joint).
+    /// May be null: reached.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_solve_aim", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status SolveAim(Skeleton* skeleton, uint joint, Aim* goal, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, byte* reached);
@@ -3251,6 +3260,7 @@ public static unsafe class Marrow {
     /// looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
     /// falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
     /// Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+    /// May be null: reached.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_solve_look_at", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status SolveLookAt(Skeleton* skeleton, uint* joints, UIntPtr joint_count, Aim* goal, float falloff, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, byte* reached);
@@ -3262,6 +3272,7 @@ public static unsafe class Marrow {
     public static extern void IkOptionsInit(IkOptions* @out);
     /// <summary>
     /// Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+    /// May be null: options.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_ik_scratch_bytes", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr IkScratchBytes(Skeleton* skeleton, IkProblem* problem, IkOptions* options);
@@ -3277,6 +3288,7 @@ public static unsafe class Marrow {
     /// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
     /// of range, or the pose not finite on the way to a goal.
     /// Cost: docs/ik.md. Thread-safe on different poses and scratch.
+    /// May be null: options, report.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_solve_ik", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status SolveIk(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, IkProblem* problem, IkOptions* options, void* scratch, UIntPtr scratch_bytes, IkReport* report);
@@ -3301,6 +3313,7 @@ public static unsafe class Marrow {
     /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
     /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
     /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// May be null: options, report.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_solve_ik_genetic", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status SolveIkGenetic(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, IkProblem* problem, IkOptions* options, void* scratch, UIntPtr scratch_bytes, IkReport* report);
@@ -3669,6 +3682,7 @@ public static unsafe class Marrow {
     public static extern Animation* FindAnimation(Animations* animations, byte* name);
     /// <summary>
     /// Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+    /// May be null: options.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_character_bytes", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr CharacterBytes(File* file, CharacterOptions* options);
@@ -3678,6 +3692,7 @@ public static unsafe class Marrow {
     /// `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
     /// Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
     /// meshes with morph targets, and as_coordinates().
+    /// May be null: options.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_make_character", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status MakeCharacter(File* file, CharacterOptions* options, void* memory, UIntPtr memory_bytes, Character* @out);

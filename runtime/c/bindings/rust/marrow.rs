@@ -2436,6 +2436,7 @@ extern "C" {
     /// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
     /// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
     /// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+    /// May be null: error.
     #[link_name = "mrw_find_unpack_sizes"]
     pub fn find_unpack_sizes(packed: *const c_void, packed_bytes: usize, out: *mut UnpackSizes, error: *mut DataError) -> Status;
     /// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
@@ -2447,12 +2448,14 @@ extern "C" {
     /// `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
     /// order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
     /// nothing else does.
+    /// May be null: error.
     #[link_name = "mrw_unpack"]
     pub fn unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, file: *mut Bytes, error: *mut DataError) -> Status;
     #[link_name = "mrw_unpacking_init"]
     pub fn unpacking_init(out: *mut Unpacking);
     /// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
     /// Cost: the checksum.
+    /// May be null: error.
     #[link_name = "mrw_begin_unpack"]
     pub fn begin_unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, out: *mut Unpacking, error: *mut DataError) -> Status;
     /// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
@@ -2461,6 +2464,7 @@ extern "C" {
     ///
     /// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
     /// at a time.
+    /// May be null: error.
     #[link_name = "mrw_unpack_step"]
     pub fn unpack_step(unpacking: *mut Unpacking, error: *mut DataError) -> Status;
     /// For unpack(). Draco allocates while it decodes and frees all of it again.
@@ -2501,6 +2505,7 @@ extern "C" {
     /// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
     /// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
     /// failure. Cost: one pass over the block; no allocation. Thread-safe.
+    /// May be null: error.
     #[link_name = "mrw_load"]
     pub fn load(block: *const c_void, block_bytes: usize, out: *mut File, error: *mut DataError) -> Status;
     #[link_name = "mrw_file_skeleton_count"]
@@ -2601,6 +2606,7 @@ extern "C" {
     /// out. What stands above the roots may differ: it does not concern clips.
     /// Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
     /// skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+    /// May be null: misfits_there.
     #[link_name = "mrw_bind_clips"]
     pub fn bind_clips(pack: *const File, reference: u32, character: *const File, skeleton: u32, misfits: *mut JointMisfit, misfit_count: usize, misfits_there: *mut usize) -> Status;
     #[link_name = "mrw_playback_init"]
@@ -2638,6 +2644,7 @@ extern "C" {
     /// is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
     /// float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
     /// is. Stateless; thread-safe on different outputs.
+    /// May be null: options.
     #[link_name = "mrw_sample"]
     pub fn sample(skeleton: *const Skeleton, clip: *const Clip, time_s: f32, out: *mut SoaTransform, out_count: usize, options: *const SampleOptions) -> Status;
     /// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
@@ -2971,6 +2978,7 @@ extern "C" {
     /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
     /// 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
     /// are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+    /// May be null: reached.
     #[link_name = "mrw_solve_two_bone"]
     pub fn solve_two_bone(skeleton: *const Skeleton, limb: *const TwoBoneLimb, goal: *const TwoBone, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, reached: *mut bool) -> Status;
     /// Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
@@ -2983,12 +2991,14 @@ extern "C" {
     /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
     /// 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
     /// is written. Cost: the kernel's, and local_to_model_below(joint).
+    /// May be null: reached.
     #[link_name = "mrw_solve_aim"]
     pub fn solve_aim(skeleton: *const Skeleton, joint: u32, goal: *const Aim, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, reached: *mut bool) -> Status;
     /// The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
     /// looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
     /// falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
     /// Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+    /// May be null: reached.
     #[link_name = "mrw_solve_look_at"]
     pub fn solve_look_at(skeleton: *const Skeleton, joints: *const u32, joint_count: usize, goal: *const Aim, falloff: f32, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, reached: *mut bool) -> Status;
     #[link_name = "mrw_ik_goal_init"]
@@ -2998,6 +3008,7 @@ extern "C" {
     #[link_name = "mrw_ik_options_init"]
     pub fn ik_options_init(out: *mut IkOptions);
     /// Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+    /// May be null: options.
     #[link_name = "mrw_ik_scratch_bytes"]
     pub fn ik_scratch_bytes(skeleton: *const Skeleton, problem: *const IkProblem, options: *const IkOptions) -> usize;
     /// Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
@@ -3011,6 +3022,7 @@ extern "C" {
     /// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
     /// of range, or the pose not finite on the way to a goal.
     /// Cost: docs/ik.md. Thread-safe on different poses and scratch.
+    /// May be null: options, report.
     #[link_name = "mrw_solve_ik"]
     pub fn solve_ik(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;
     /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
@@ -3031,6 +3043,7 @@ extern "C" {
     /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
     /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
     /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// May be null: options, report.
     #[link_name = "mrw_solve_ik_genetic"]
     pub fn solve_ik_genetic(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;
     #[link_name = "mrw_foot_init"]
@@ -3327,6 +3340,7 @@ extern "C" {
     #[link_name = "mrw_find_animation"]
     pub fn find_animation(animations: *const Animations, name: *const c_char) -> *const Animation;
     /// Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+    /// May be null: options.
     #[link_name = "mrw_character_bytes"]
     pub fn character_bytes(file: *const File, options: *const CharacterOptions) -> usize;
     /// A character in its rest pose, finished.
@@ -3334,6 +3348,7 @@ extern "C" {
     /// `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
     /// Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
     /// meshes with morph targets, and as_coordinates().
+    /// May be null: options.
     #[link_name = "mrw_make_character"]
     pub fn make_character(file: *const File, options: *const CharacterOptions, memory: *mut c_void, memory_bytes: usize, out: *mut Character) -> Status;
     /// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as

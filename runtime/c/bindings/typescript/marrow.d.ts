@@ -2229,6 +2229,7 @@ export class Marrow {
    * How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
    * else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
    * should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+   * May be null: error.
    */
   find_unpack_sizes(packed: List<number> | null, out: UnpackSizes | null, error: DataError | null): Status;
   /**
@@ -2241,11 +2242,13 @@ export class Marrow {
    * `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
    * order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
    * nothing else does.
+   * May be null: error.
    */
   unpack(packed: List<number> | null, decoders: List<MeshDecoder> | null, memory: List<number> | null, file: Bytes | null, error: DataError | null): Status;
   /**
    * Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
    * Cost: the checksum.
+   * May be null: error.
    */
   begin_unpack(packed: List<number> | null, decoders: List<MeshDecoder> | null, memory: List<number> | null, out: Unpacking | null, error: DataError | null): Status;
   /**
@@ -2255,6 +2258,7 @@ export class Marrow {
    *
    * Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
    * at a time.
+   * May be null: error.
    */
   unpack_step(unpacking: Unpacking | null, error: DataError | null): Status;
   /**
@@ -2284,6 +2288,7 @@ export class Marrow {
    * what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
    * are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
    * failure. Cost: one pass over the block; no allocation. Thread-safe.
+   * May be null: error.
    */
   load(block: List<number> | null, out: File | null, error: DataError | null): Status;
   file_skeleton_count(file: File | null): number;
@@ -2396,6 +2401,7 @@ export class Marrow {
    * out. What stands above the roots may differ: it does not concern clips.
    * Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
    * skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+   * May be null: misfits_there.
    */
   bind_clips(pack: File | null, reference: number, character: File | null, skeleton: number, misfits: List<JointMisfit> | null, misfits_there: View | number | null): Status;
   /**
@@ -2433,6 +2439,7 @@ export class Marrow {
    * is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
    * float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
    * is. Stateless; thread-safe on different outputs.
+   * May be null: options.
    */
   sample(skeleton: Skeleton | null, clip: Clip | null, time_s: number, out: List<SoaTransform> | null, options: SampleOptions | null): Status;
   /**
@@ -2775,6 +2782,7 @@ export class Marrow {
    * The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
    * 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
    * are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+   * May be null: reached.
    */
   solve_two_bone(skeleton: Skeleton | null, limb: TwoBoneLimb | null, goal: TwoBone | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, reached: View | number | null): Status;
   /**
@@ -2789,6 +2797,7 @@ export class Marrow {
    * The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
    * 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
    * is written. Cost: the kernel's, and local_to_model_below(joint).
+   * May be null: reached.
    */
   solve_aim(skeleton: Skeleton | null, joint: number, goal: Aim | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, reached: View | number | null): Status;
   /**
@@ -2796,10 +2805,12 @@ export class Marrow {
    * looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
    * falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
    * Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+   * May be null: reached.
    */
   solve_look_at(skeleton: Skeleton | null, joints: List<number> | null, goal: Aim | null, falloff: number, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, reached: View | number | null): Status;
   /**
    * Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+   * May be null: options.
    */
   ik_scratch_bytes(skeleton: Skeleton | null, problem: IkProblem | null, options: IkOptions | null): number;
   /**
@@ -2814,6 +2825,7 @@ export class Marrow {
    * there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
    * of range, or the pose not finite on the way to a goal.
    * Cost: docs/ik.md. Thread-safe on different poses and scratch.
+   * May be null: options, report.
    */
   solve_ik(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;
   /**
@@ -2836,6 +2848,7 @@ export class Marrow {
    * with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
    * to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
    * Cost: docs/ik.md: tens of microseconds a generation.
+   * May be null: options, report.
    */
   solve_ik_genetic(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;
   /**
@@ -3140,6 +3153,7 @@ export class Marrow {
   find_animation(animations: Animations | null, name: string | null): Animation | null;
   /**
    * Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+   * May be null: options.
    */
   character_bytes(file: File | null, options: CharacterOptions | null): number;
   /**
@@ -3148,6 +3162,7 @@ export class Marrow {
    * `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
    * Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
    * meshes with morph targets, and as_coordinates().
+   * May be null: options.
    */
   make_character(file: File | null, options: CharacterOptions | null, memory: List<number> | null, out: Character | null): Status;
   /**
