@@ -61,6 +61,12 @@ if has em++ node; then
   quietly emcmake cmake -S "$here" -B "$work/wasm" -G Ninja "${runtime_alone[@]}"
   quietly cmake --build "$work/wasm" --target marrow_wasm
   compare JavaScript none node "$here/tests/bindings/road.mjs" "$work/wasm/runtime/c/marrow.wasm"
+  # A library of another release is refused, and says so.
+  cp "$here"/runtime/c/bindings/typescript/*.mjs "$work"
+  sed -i 's/^export const ABI = .*/export const ABI = 1;/' "$work/tables.mjs"
+  node -e 'import(process.argv[1]).then((b) => b.Marrow.load(require("fs").readFileSync(process.argv[2])))' \
+    "$work/marrow.mjs" "$work/wasm/runtime/c/marrow.wasm" 2>&1 | grep '^Error: marrow: the library has ABI' ||
+    { echo "check_bindings: JavaScript takes a library of another ABI" >&2; exit 1; }
 else
   skip "JavaScript: there is no em++ or node"
 fi
