@@ -45,39 +45,22 @@ const fs::path kRuntime = marrow::test::in_source("runtime");
 const fs::path kTools = marrow::test::in_source("tools");
 
 // Which folder stands behind a public header: where its functions are implemented.
-const std::map<std::string, std::string> kHeaders = {{"marrow/status.h", "core"},
-                                                     {"marrow/span.h", "core"},
-                                                     {"marrow/pose.h", "core"},
-                                                     {"marrow/glm.h", "math"},
-                                                     {"marrow/file.h", "asset"},
-                                                     {"marrow/curve.h", "curve"},
-                                                     {"marrow/sample.h", "pose"},
-                                                     {"marrow/local_to_model.h", "pose"},
-                                                     {"marrow/blend.h", "pose"},
-                                                     {"marrow/limits.h", "limits"},
-                                                     {"marrow/transition.h", "pose"},
-                                                     {"marrow/playback.h", "pose"},
-                                                     {"marrow/ik.h", "ik"},
-                                                     {"marrow/palette.h", "skin"},
-                                                     {"marrow/skin.h", "skin"},
-                                                     {"marrow/morph.h", "skin"},
-                                                     {"marrow/clip_pack.h", "asset"},
-                                                     {"marrow/unpack.h", "unpack"},
-                                                     {"marrow/draco.h", "draco"},
-                                                     {"marrow/meshopt.h", "meshopt"},
-                                                     {"marrow/springs.h", "springs"},
-                                                     {"marrow/feet.h", "ik"},
-                                                     {"marrow/ik_solve.h", "ik"},
-                                                     {"marrow/call_error.h", "core"},
-                                                     {"marrow/bounds.h", "skin"},
-                                                     {"marrow/block.h", "core"},
-                                                     {"marrow/character.h", "character"},
-                                                     {"marrow/c.h", "c"}};
+const std::map<std::string, std::string> kHeaders = {
+    {"marrow/status.h", "core"},   {"marrow/span.h", "core"},           {"marrow/pose.h", "core"},
+    {"marrow/glm.h", "math"},      {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
+    {"marrow/sample.h", "pose"},   {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
+    {"marrow/limits.h", "limits"}, {"marrow/transition.h", "pose"},     {"marrow/playback.h", "pose"},
+    {"marrow/ik.h", "ik"},         {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
+    {"marrow/morph.h", "skin"},    {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
+    {"marrow/draco.h", "draco"},   {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "springs"},
+    {"marrow/feet.h", "ik"},       {"marrow/ik_solve.h", "ik"},         {"marrow/call_error.h", "core"},
+    {"marrow/bounds.h", "skin"},   {"marrow/block.h", "core"},          {"marrow/character.h", "character"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
   if (header != kHeaders.end()) return header->second;
   if (include.rfind("marrow/gles3", 0) == 0) return "gles3";
+  if (include == "marrow/c.h") return "c";
   if (include.rfind("marrow/", 0) == 0) return "a public header that this test does not know: " + include;
   const std::size_t slash = include.find('/');
   return slash == std::string::npos ? "" : include.substr(0, slash);
@@ -98,8 +81,8 @@ TEST(Includes, PointOneWay) {
       {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
       {"unpack", {"core", "math", "asset", "pose", "unpack"}},
       {"c",
-       {"core", "math", "asset", "pose", "limits", "ik", "springs", "curve", "skin", "character", "unpack", "draco",
-        "meshopt", "c"}},
+       {"core", "asset", "pose", "limits", "ik", "springs", "curve", "skin", "character", "unpack", "draco", "meshopt",
+        "c"}},
       {"draco", {"core", "asset", "unpack", "draco"}},
       {"meshopt", {"core", "asset", "unpack", "meshopt"}}};
   int checked = 0;

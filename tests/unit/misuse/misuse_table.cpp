@@ -14,6 +14,25 @@
 namespace marrow::test {
 namespace {
 
+// Names of all functions that the headers declare, members too.
+std::set<std::string> declared(const std::function<bool(const std::string&)>& headers) {
+  std::set<std::string> names;
+  // No functions, what makes a class a range, what has no arguments, and private ones.
+  const std::set<std::string> none = {"alignas", "requires", "Span",          "begin",           "end",
+                                      "empty",   "operator", "draco_decoder", "meshopt_decoder", "geometry",
+                                      "section"};
+  const std::regex function(R"(^(?:  )?(?:(?:inline|constexpr|const) )*[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
+  for (const auto& entry : std::filesystem::directory_iterator(in_source("runtime/include/marrow"))) {
+    if (!headers(entry.path().filename())) continue;
+    std::ifstream in(entry.path());
+    std::smatch found;
+    for (std::string line; std::getline(in, line);)
+      if (std::regex_search(line, found, function) && line.find("return ") != 2 && !none.count(found[1]))
+        names.insert(found[1]);
+  }
+  return names;
+}
+
 int complaints() {
   return testing::UnitTest::GetInstance()->current_test_info()->result()->total_part_count();
 }
@@ -37,25 +56,11 @@ void misuse(const MisuseRow& row, const std::string& name, std::uint64_t rounds)
 }  // namespace
 
 std::set<std::string> declared_functions(const std::function<bool(const std::string&)>& headers) {
-  std::set<std::string> names;
-  // No functions, what makes a class a range, what has no arguments, and private ones.
-  const std::set<std::string> none = {"alignas", "requires", "Span",          "begin",           "end",
-                                      "empty",   "operator", "draco_decoder", "meshopt_decoder", "geometry",
-                                      "section"};
-  const std::regex function(R"(^(?:  )?(?:(?:inline|constexpr|const) )*[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
-  for (const auto& entry : std::filesystem::directory_iterator(in_source("runtime/include/marrow"))) {
-    if (!headers(entry.path().filename())) continue;
-    std::ifstream in(entry.path());
-    std::smatch found;
-    for (std::string line; std::getline(in, line);)
-      if (std::regex_search(line, found, function) && line.find("return ") != 2 && !none.count(found[1]))
-        names.insert(found[1]);
-  }
-  return names;
+  return declared(headers);
 }
 
 void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::function<bool(const std::string&)>& headers) {
-  const std::set<std::string> all = declared_functions(headers);
+  const std::set<std::string> all = declared(headers);
   EXPECT_GT(all.size(), 40u);
   std::set<std::string> there;
   for (const MisuseRow& row : rows) there.insert(row.function);
@@ -66,7 +71,7 @@ void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::functio
 void expect_each_named_in(const char* document, const std::function<bool(const std::string&)>& headers) {
   std::ifstream in(in_source(document));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  for (const std::string& name : declared_functions(headers))
+  for (const std::string& name : declared(headers))
     EXPECT_NE(text.find("`" + name + "`"), std::string::npos) << document << " does not name " << name;
 }
 
