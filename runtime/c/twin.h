@@ -37,9 +37,10 @@ bool leads_to(const void* p) {
   return p != nullptr && leads_to_if_any<T>(p);
 }
 
-// Whether a pointer and a count may be a list: null is one of nothing only. What else it needs C++ asks for.
-inline bool is_list(const void* first, std::size_t count) {
-  return first != nullptr || count == 0;
+// Whether a pointer and a count may be a list.
+template <class T>
+bool is_list(const void* first, std::size_t count) {
+  return count == 0 || leads_to<T>(first);
 }
 
 // A pointer without its type.

@@ -257,31 +257,31 @@ bool mrw_is_on_boundary(const void* first) {
 }
 
 mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out) {
-  MRW_NEEDS(is_list(memory, memory_bytes) && leads_to<Span<std::byte>>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<std::byte>(memory, memory_bytes) && leads_to<Span<std::byte>>(out), MRW_BAD_ARGUMENT);
   give<Span<std::byte>>(out, marrow::block_in(span<std::byte>(memory, memory_bytes)));
   return MRW_OK;
 }
 
 bool mrw_is_packed(const void* bytes, size_t byte_count) {
-  MRW_NEEDS(is_list(bytes, byte_count), false);
+  MRW_NEEDS(is_list<std::byte>(bytes, byte_count), false);
   return marrow::is_packed(span<const std::byte>(bytes, byte_count));
 }
 
 mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
     mrw_data_error* error) {
-  MRW_NEEDS(is_list(packed, packed_bytes) && leads_to<UnpackSizes>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<std::byte>(packed, packed_bytes) && leads_to<UnpackSizes>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
   return code(marrow::unpack_sizes(span<const std::byte>(packed, packed_bytes), to<UnpackSizes>(out), static_cast<DataError*>(static_cast<void*>(error))));
 }
 
 mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders, size_t decoder_count,
     void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error) {
-  MRW_NEEDS(is_list(packed, packed_bytes) && is_list(decoders, decoder_count) && is_list(memory, memory_bytes) && leads_to<Span<const std::byte>>(file) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<std::byte>(packed, packed_bytes) && is_list<MeshDecoder>(decoders, decoder_count) && is_list<std::byte>(memory, memory_bytes) && leads_to<Span<const std::byte>>(file) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
   return code(marrow::unpack(span<const std::byte>(packed, packed_bytes), span<const MeshDecoder>(decoders, decoder_count), span<std::byte>(memory, memory_bytes), to<Span<const std::byte>>(file), static_cast<DataError*>(static_cast<void*>(error))));
 }
 
 mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
     size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error) {
-  MRW_NEEDS(is_list(packed, packed_bytes) && is_list(decoders, decoder_count) && is_list(memory, memory_bytes) && leads_to<Unpacking>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<std::byte>(packed, packed_bytes) && is_list<MeshDecoder>(decoders, decoder_count) && is_list<std::byte>(memory, memory_bytes) && leads_to<Unpacking>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
   return code(marrow::begin_unpack(span<const std::byte>(packed, packed_bytes), span<const MeshDecoder>(decoders, decoder_count), span<std::byte>(memory, memory_bytes), to<Unpacking>(out), static_cast<DataError*>(static_cast<void*>(error))));
 }
 
@@ -295,13 +295,13 @@ size_t mrw_soa_count(size_t joint_count) {
 }
 
 mrw_status mrw_get_joint(const mrw_soa_transform* local, size_t local_count, uint32_t joint, mrw_joint_transform* out) {
-  MRW_NEEDS(is_list(local, local_count) && leads_to<JointTransform>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<SoaTransform>(local, local_count) && leads_to<JointTransform>(out), MRW_BAD_ARGUMENT);
   return code(marrow::get_joint(span<const SoaTransform>(local, local_count), joint, to<JointTransform>(out)));
 }
 
 mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t joint,
     const mrw_joint_transform* transform) {
-  MRW_NEEDS(is_list(local, local_count) && leads_to<JointTransform>(transform), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<SoaTransform>(local, local_count) && leads_to<JointTransform>(transform), MRW_BAD_ARGUMENT);
   return code(marrow::set_joint(span<SoaTransform>(local, local_count), joint, of<JointTransform>(transform)));
 }
 
@@ -311,7 +311,7 @@ bool mrw_is_valid(const mrw_joint_limit* limit) {
 }
 
 mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error) {
-  MRW_NEEDS(is_list(block, block_bytes) && leads_to<File>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<std::byte>(block, block_bytes) && leads_to<File>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
   return code(marrow::load(span<const std::byte>(block, block_bytes), to<File>(out), static_cast<DataError*>(static_cast<void*>(error))));
 }
 
@@ -470,7 +470,7 @@ uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton) {
 
 mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character, uint32_t skeleton,
     mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there) {
-  MRW_NEEDS(leads_to<File>(pack) && leads_to<File>(character) && is_list(misfits, misfit_count) && leads_to_if_any<std::size_t>(misfits_there), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<File>(pack) && leads_to<File>(character) && is_list<JointMisfit>(misfits, misfit_count) && leads_to_if_any<std::size_t>(misfits_there), MRW_BAD_ARGUMENT);
   return code(marrow::bind_clips(of<File>(pack), reference, of<File>(character), skeleton, span<JointMisfit>(misfits, misfit_count), misfits_there));
 }
 
@@ -491,18 +491,18 @@ bool mrw_finished(const mrw_playback* playback, float duration_s) {
 
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, const mrw_sample_options* options) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Clip>(clip) && is_list(out, out_count) && leads_to_if_any<SampleOptions>(options), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Clip>(clip) && is_list<SoaTransform>(out, out_count) && leads_to_if_any<SampleOptions>(options), MRW_BAD_ARGUMENT);
   return code(marrow::sample(of<Skeleton>(skeleton), of<Clip>(clip), time_s, span<SoaTransform>(out, out_count), or_default<SampleOptions>(options)));
 }
 
 mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
     mrw_additive_transform* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Clip>(clip) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Clip>(clip) && is_list<AdditiveTransform>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::sample_additive(of<Skeleton>(skeleton), of<Clip>(clip), time_s, span<AdditiveTransform>(out, out_count)));
 }
 
 mrw_status mrw_sample_channels(const mrw_clip* clip, float time_s, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Clip>(clip) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Clip>(clip) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::sample_channels(of<Clip>(clip), time_s, span<float>(out, out_count)));
 }
 
@@ -516,41 +516,41 @@ mrw_status mrw_check_curve(const mrw_curve* curve) {
 }
 
 mrw_status mrw_evaluate_curve(const mrw_curve* curve, float time_s, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Curve>(curve) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Curve>(curve) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::evaluate_curve(of<Curve>(curve), time_s, span<float>(out, out_count)));
 }
 
 mrw_status mrw_curve_velocity(const mrw_curve* curve, float time_s, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Curve>(curve) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Curve>(curve) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::curve_velocity(of<Curve>(curve), time_s, span<float>(out, out_count)));
 }
 
 mrw_status mrw_natural_spline(const mrw_curve* keys, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Curve>(keys) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Curve>(keys) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::natural_spline(of<Curve>(keys), span<float>(out, out_count)));
 }
 
 mrw_status mrw_clamped_spline(const mrw_curve* keys, const float* first_velocity, size_t first_velocity_count,
     const float* last_velocity, size_t last_velocity_count, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Curve>(keys) && is_list(first_velocity, first_velocity_count) && is_list(last_velocity, last_velocity_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Curve>(keys) && is_list<float>(first_velocity, first_velocity_count) && is_list<float>(last_velocity, last_velocity_count) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::clamped_spline(of<Curve>(keys), span<const float>(first_velocity, first_velocity_count), span<const float>(last_velocity, last_velocity_count), span<float>(out, out_count)));
 }
 
 mrw_status mrw_bezier(const float* points, size_t point_count, uint32_t components, float u, float* scratch,
     size_t scratch_count, float* out, size_t out_count) {
-  MRW_NEEDS(is_list(points, point_count) && is_list(scratch, scratch_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<float>(points, point_count) && is_list<float>(scratch, scratch_count) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::bezier(span<const float>(points, point_count), components, u, span<float>(scratch, scratch_count), span<float>(out, out_count)));
 }
 
 mrw_status mrw_bezier_rotation(const float* quaternions, size_t quaternion_count, float u, float* scratch,
     size_t scratch_count, float* out, size_t out_count) {
-  MRW_NEEDS(is_list(quaternions, quaternion_count) && is_list(scratch, scratch_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<float>(quaternions, quaternion_count) && is_list<float>(scratch, scratch_count) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::bezier_rotation(span<const float>(quaternions, quaternion_count), u, span<float>(scratch, scratch_count), span<float>(out, out_count)));
 }
 
 mrw_status mrw_bicubic_patch(mrw_patch_basis basis, const float* points, size_t point_count, uint32_t components,
     float u, float v, float* out, size_t out_count) {
-  MRW_NEEDS(is_list(points, point_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<float>(points, point_count) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::bicubic_patch(static_cast<PatchBasis>(basis), span<const float>(points, point_count), components, u, v, span<float>(out, out_count)));
 }
 
@@ -559,7 +559,7 @@ size_t mrw_arc_length_count(size_t key_count, uint32_t steps) {
 }
 
 mrw_status mrw_build_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Curve>(curve) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Curve>(curve) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::build_arc_length(of<Curve>(curve), steps, span<float>(out, out_count)));
 }
 
@@ -579,25 +579,25 @@ mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float*
 
 mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers, size_t layer_count,
     mrw_soa_transform* out, size_t out_count, float threshold) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(layers, layer_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<BlendLayer>(layers, layer_count) && is_list<SoaTransform>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::blend(of<Skeleton>(skeleton), span<const BlendLayer>(layers, layer_count), span<SoaTransform>(out, out_count), threshold));
 }
 
 mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<BlendLayer>(layer) && is_list(pose, pose_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<BlendLayer>(layer) && is_list<SoaTransform>(pose, pose_count), MRW_BAD_ARGUMENT);
   return code(marrow::overlay(of<Skeleton>(skeleton), of<BlendLayer>(layer), span<SoaTransform>(pose, pose_count)));
 }
 
 mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transform* pose, size_t pose_count,
     const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(pose, pose_count) && is_list(reference, reference_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(pose, pose_count) && is_list<SoaTransform>(reference, reference_count) && is_list<AdditiveTransform>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::make_additive(of<Skeleton>(skeleton), span<const SoaTransform>(pose, pose_count), span<const SoaTransform>(reference, reference_count), span<AdditiveTransform>(out, out_count)));
 }
 
 mrw_status mrw_add(const mrw_skeleton* skeleton, const mrw_additive_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<AdditiveLayer>(layer) && is_list(pose, pose_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<AdditiveLayer>(layer) && is_list<SoaTransform>(pose, pose_count), MRW_BAD_ARGUMENT);
   return code(marrow::add(of<Skeleton>(skeleton), of<AdditiveLayer>(layer), span<SoaTransform>(pose, pose_count)));
 }
 
@@ -607,7 +607,7 @@ float mrw_fade_weight(mrw_fade shape, float time_s, float duration_s) {
 
 mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform* from, size_t from_count,
     const mrw_soa_transform* to, size_t to_count, float weight, mrw_soa_transform* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(from, from_count) && is_list(to, to_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(from, from_count) && is_list<SoaTransform>(to, to_count) && is_list<SoaTransform>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::cross_fade(of<Skeleton>(skeleton), span<const SoaTransform>(from, from_count), span<const SoaTransform>(to, to_count), weight, span<SoaTransform>(out, out_count)));
 }
 
@@ -619,25 +619,25 @@ mrw_status mrw_begin_inertia(const mrw_skeleton* skeleton, const mrw_inertial_st
 
 mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* inertia, float time_s,
     mrw_soa_transform* pose, size_t pose_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Inertia>(inertia) && is_list(pose, pose_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Inertia>(inertia) && is_list<SoaTransform>(pose, pose_count), MRW_BAD_ARGUMENT);
   return code(marrow::apply_inertia(of<Skeleton>(skeleton), of<Inertia>(inertia), time_s, span<SoaTransform>(pose, pose_count)));
 }
 
 mrw_status mrw_local_to_model(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     mrw_affine* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::local_to_model(of<Skeleton>(skeleton), span<const SoaTransform>(local, local_count), span<Affine>(out, out_count)));
 }
 
 mrw_status mrw_local_to_model_first(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     uint32_t joint_count, mrw_affine* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::local_to_model_first(of<Skeleton>(skeleton), span<const SoaTransform>(local, local_count), joint_count, span<Affine>(out, out_count)));
 }
 
 mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     uint32_t joint, mrw_affine* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::local_to_model_below(of<Skeleton>(skeleton), span<const SoaTransform>(local, local_count), joint, span<Affine>(out, out_count)));
 }
 
@@ -664,12 +664,12 @@ float mrw_limit_excess(const mrw_joint_limit* limit, const float local[4]) {
 
 mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_soa_transform* local,
     size_t local_count) {
-  MRW_NEEDS(is_list(limits, limit_count) && is_list(local, local_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<JointLimit>(limits, limit_count) && is_list<SoaTransform>(local, local_count), MRW_BAD_ARGUMENT);
   return code(marrow::limit_pose(span<const JointLimit>(limits, limit_count), span<SoaTransform>(local, local_count)));
 }
 
 const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limit_count, uint32_t joint) {
-  MRW_NEEDS(is_list(limits, limit_count), nullptr);
+  MRW_NEEDS(is_list<JointLimit>(limits, limit_count), nullptr);
   return to_c<const mrw_joint_limit>(marrow::find_limit(span<const JointLimit>(limits, limit_count), joint));
 }
 
@@ -686,7 +686,7 @@ mrw_status mrw_follow_point(mrw_point_follower* state, const float target[3], fl
 
 mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_rotation_follower* states,
     size_t state_count, float dt_s, mrw_soa_transform* local, size_t local_count) {
-  MRW_NEEDS(is_list(limits, limit_count) && is_list(states, state_count) && is_list(local, local_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<JointLimit>(limits, limit_count) && is_list<RotationFollower>(states, state_count) && is_list<SoaTransform>(local, local_count), MRW_BAD_ARGUMENT);
   return code(marrow::follow_pose(span<const JointLimit>(limits, limit_count), span<RotationFollower>(states, state_count), dt_s, span<SoaTransform>(local, local_count)));
 }
 
@@ -704,7 +704,7 @@ mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_t
 mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
     mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
     bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<TwoBoneLimb>(limb) && leads_to<TwoBone>(goal) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<TwoBoneLimb>(limb) && leads_to<TwoBone>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
   return code(marrow::solve_two_bone(of<Skeleton>(skeleton), of<TwoBoneLimb>(limb), of<TwoBone>(goal), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), reached));
 }
 
@@ -715,14 +715,14 @@ mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_tu
 
 mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
     size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Aim>(goal) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
   return code(marrow::solve_aim(of<Skeleton>(skeleton), joint, of<Aim>(goal), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), reached));
 }
 
 mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
     const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(joints, joint_count) && leads_to<Aim>(goal) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<std::uint32_t>(joints, joint_count) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
   return code(marrow::solve_look_at(of<Skeleton>(skeleton), span<const std::uint32_t>(joints, joint_count), of<Aim>(goal), falloff, span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), reached));
 }
 
@@ -735,7 +735,7 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
 mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
   return code(marrow::solve_ik(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
@@ -747,37 +747,37 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
 mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
   return code(marrow::solve_ik_genetic(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene, const mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, float sole_world[3]) {
-  MRW_NEEDS(leads_to<Foot>(foot) && leads_to<Affine>(world_from_scene) && is_list(scene_from_joint, scene_from_joint_count) && leads_to<float>(sole_world), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Foot>(foot) && leads_to<Affine>(world_from_scene) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<float>(sole_world), MRW_BAD_ARGUMENT);
   return code(marrow::foot_sole(of<Foot>(foot), of<Affine>(world_from_scene), span<const Affine>(scene_from_joint, scene_from_joint_count), array<float, 3>(sole_world)));
 }
 
 mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
     const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
     mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Feet>(feet) && leads_to<FeetFrame>(frame) && is_list(ground, ground_count) && is_list(motion, motion_count) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Feet>(feet) && leads_to<FeetFrame>(frame) && is_list<FootGround>(ground, ground_count) && is_list<FootMotion>(motion, motion_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
   return code(marrow::place_feet(of<Skeleton>(skeleton), of<Feet>(feet), of<FeetFrame>(frame), span<const FootGround>(ground, ground_count), span<FootMotion>(motion, motion_count), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count)));
 }
 
 size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(chains, chain_count), 0);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringChain>(chains, chain_count), 0);
   return marrow::springs_bytes(of<Skeleton>(skeleton), span<const SpringChain>(chains, chain_count));
 }
 
 mrw_status mrw_make_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
     void* memory, size_t memory_bytes, mrw_springs* out) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(chains, chain_count) && is_list(memory, memory_bytes) && leads_to<Springs>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringChain>(chains, chain_count) && is_list<std::byte>(memory, memory_bytes) && leads_to<Springs>(out), MRW_BAD_ARGUMENT);
   return code(marrow::make_springs(of<Skeleton>(skeleton), span<const SpringChain>(chains, chain_count), span<std::byte>(memory, memory_bytes), to<Springs>(out)));
 }
 
 mrw_status mrw_set_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
     mrw_springs* springs) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list(chains, chain_count) && leads_to<Springs>(springs), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringChain>(chains, chain_count) && leads_to<Springs>(springs), MRW_BAD_ARGUMENT);
   return code(marrow::set_springs(of<Skeleton>(skeleton), span<const SpringChain>(chains, chain_count), to<Springs>(springs)));
 }
 
@@ -788,19 +788,19 @@ void mrw_reset_springs(mrw_springs* springs) {
 
 mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame, mrw_springs* springs,
     mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<SpringFrame>(frame) && leads_to<Springs>(springs) && is_list(local, local_count) && is_list(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<SpringFrame>(frame) && leads_to<Springs>(springs) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
   return code(marrow::simulate_springs(of<Skeleton>(skeleton), of<SpringFrame>(frame), to<Springs>(springs), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count)));
 }
 
 mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,
     const mrw_clip* clip, uint32_t* out, size_t out_count) {
-  MRW_NEEDS(leads_to<File>(file) && leads_to<Mesh>(mesh) && leads_to<File>(clips) && leads_to<Clip>(clip) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<File>(file) && leads_to<Mesh>(mesh) && leads_to<File>(clips) && leads_to<Clip>(clip) && is_list<std::uint32_t>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::find_weight_channels(of<File>(file), of<Mesh>(mesh), of<File>(clips), of<Clip>(clip), span<std::uint32_t>(out, out_count)));
 }
 
 mrw_status mrw_morph_weights(const mrw_mesh* mesh, const uint32_t* channels, size_t channel_count, const float* values,
     size_t value_count, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(channels, channel_count) && is_list(values, value_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<std::uint32_t>(channels, channel_count) && is_list<float>(values, value_count) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::morph_weights(of<Mesh>(mesh), span<const std::uint32_t>(channels, channel_count), span<const float>(values, value_count), span<float>(out, out_count)));
 }
 
@@ -811,30 +811,30 @@ size_t mrw_morphed_bytes(const mrw_geometry* geometry) {
 
 mrw_status mrw_make_morphed(const mrw_geometry* geometry, void* memory, size_t memory_bytes,
     mrw_morphed_geometry* out) {
-  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list(memory, memory_bytes) && leads_to<MorphedGeometry>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list<std::byte>(memory, memory_bytes) && leads_to<MorphedGeometry>(out), MRW_BAD_ARGUMENT);
   return code(marrow::make_morphed(of<Geometry>(geometry), span<std::byte>(memory, memory_bytes), to<MorphedGeometry>(out)));
 }
 
 mrw_status mrw_morph(const float* weights, size_t weight_count, mrw_morphed_geometry* morphed) {
-  MRW_NEEDS(is_list(weights, weight_count) && leads_to<MorphedGeometry>(morphed), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<float>(weights, weight_count) && leads_to<MorphedGeometry>(morphed), MRW_BAD_ARGUMENT);
   return code(marrow::morph(span<const float>(weights, weight_count), to<MorphedGeometry>(morphed)));
 }
 
 mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates, size_t coordinate_count) {
-  MRW_NEEDS(leads_to<MorphedGeometry>(morphed) && is_list(coordinates, coordinate_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<MorphedGeometry>(morphed) && is_list<float>(coordinates, coordinate_count), MRW_BAD_ARGUMENT);
   return code(marrow::morph_coordinates(to<MorphedGeometry>(morphed), span<float>(coordinates, coordinate_count)));
 }
 
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
     size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
     size_t out_count, const mrw_half_joint* half_joints, size_t half_joint_count) {
-  MRW_NEEDS(is_list(joints, joint_count) && is_list(bind, bind_count) && is_list(scene_from_joint, scene_from_joint_count) && is_list(out, out_count) && is_list(half_joints, half_joint_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<std::uint16_t>(joints, joint_count) && is_list<Affine>(bind, bind_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<Affine>(out, out_count) && is_list<HalfJoint>(half_joints, half_joint_count), MRW_BAD_ARGUMENT);
   return code(marrow::build_palette(span<const std::uint16_t>(joints, joint_count), span<const Affine>(bind, bind_count), span<const Affine>(scene_from_joint, scene_from_joint_count), span<Affine>(out, out_count), span<const HalfJoint>(half_joints, half_joint_count)));
 }
 
 mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint, size_t scene_from_joint_count,
     mrw_affine* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(scene_from_joint, scene_from_joint_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::build_palette(of<Mesh>(mesh), span<const Affine>(scene_from_joint, scene_from_joint_count), span<Affine>(out, out_count)));
 }
 
@@ -844,7 +844,7 @@ bool mrw_turns_inside_out(const mrw_affine* map) {
 }
 
 bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_count) {
-  MRW_NEEDS(is_list(palette, palette_count), false);
+  MRW_NEEDS(is_list<Affine>(palette, palette_count), false);
   return marrow::turns_inside_out(span<const Affine>(palette, palette_count));
 }
 
@@ -854,25 +854,25 @@ size_t mrw_reach_bytes(const mrw_mesh* mesh) {
 }
 
 mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_reach* out) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(memory, memory_bytes) && leads_to<Reach>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<std::byte>(memory, memory_bytes) && leads_to<Reach>(out), MRW_BAD_ARGUMENT);
   return code(marrow::make_reach(of<Mesh>(mesh), span<std::byte>(memory, memory_bytes), to<Reach>(out)));
 }
 
 mrw_status mrw_palette_bounds(const mrw_reach* reach, const mrw_affine* palette, size_t palette_count,
     const float* weights, size_t weight_count, mrw_bounds* out) {
-  MRW_NEEDS(leads_to<Reach>(reach) && is_list(palette, palette_count) && is_list(weights, weight_count) && leads_to<Bounds>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Reach>(reach) && is_list<Affine>(palette, palette_count) && is_list<float>(weights, weight_count) && leads_to<Bounds>(out), MRW_BAD_ARGUMENT);
   return code(marrow::palette_bounds(of<Reach>(reach), span<const Affine>(palette, palette_count), span<const float>(weights, weight_count), to<Bounds>(out)));
 }
 
 mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<Affine>(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
   return code(marrow::skin_rigid(of<Mesh>(mesh), span<const Affine>(palette, palette_count), of<SkinOutput>(out)));
 }
 
 mrw_status mrw_skin_ssd(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<Affine>(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
   return code(marrow::skin_ssd(of<Mesh>(mesh), span<const Affine>(palette, palette_count), of<SkinOutput>(out)));
 }
 
@@ -882,7 +882,7 @@ size_t mrw_as_coordinate_count(const mrw_geometry* geometry) {
 }
 
 mrw_status mrw_as_coordinates(const mrw_geometry* geometry, float* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::as_coordinates(of<Geometry>(geometry), span<float>(out, out_count)));
 }
 
@@ -892,25 +892,25 @@ size_t mrw_as_tangent_count(const mrw_geometry* geometry) {
 }
 
 size_t mrw_as_tangent_scratch_bytes(const mrw_as_part* parts, size_t part_count) {
-  MRW_NEEDS(is_list(parts, part_count), 0);
+  MRW_NEEDS(is_list<AsPart>(parts, part_count), 0);
   return marrow::as_tangent_scratch_bytes(span<const AsPart>(parts, part_count));
 }
 
 mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* scratch, size_t scratch_bytes) {
-  MRW_NEEDS(is_list(parts, part_count) && is_list(scratch, scratch_bytes), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(is_list<AsPart>(parts, part_count) && is_list<std::byte>(scratch, scratch_bytes), MRW_BAD_ARGUMENT);
   return code(marrow::as_tangents(span<const AsPart>(parts, part_count), span<std::byte>(scratch, scratch_bytes)));
 }
 
 mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t coordinate_count,
     const mrw_affine* palette, size_t palette_count, const mrw_skin_output* out, const float* tangents,
     size_t tangent_count) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(coordinates, coordinate_count) && is_list(palette, palette_count) && leads_to<SkinOutput>(out) && is_list(tangents, tangent_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<float>(coordinates, coordinate_count) && is_list<Affine>(palette, palette_count) && leads_to<SkinOutput>(out) && is_list<float>(tangents, tangent_count), MRW_BAD_ARGUMENT);
   return code(marrow::skin_as(of<Mesh>(mesh), span<const float>(coordinates, coordinate_count), span<const Affine>(palette, palette_count), of<SkinOutput>(out), span<const float>(tangents, tangent_count)));
 }
 
 mrw_status mrw_skin_mwe(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<Affine>(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
   return code(marrow::skin_mwe(of<Mesh>(mesh), span<const Affine>(palette, palette_count), of<SkinOutput>(out)));
 }
 
@@ -921,13 +921,13 @@ size_t mrw_psd_distance_count(const mrw_geometry* geometry) {
 
 mrw_status mrw_psd_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count, float* out,
     size_t out_count) {
-  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list(palette, palette_count) && is_list(out, out_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list<Affine>(palette, palette_count) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
   return code(marrow::psd_distances(of<Geometry>(geometry), span<const Affine>(palette, palette_count), span<float>(out, out_count)));
 }
 
 mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t distance_count, const mrw_affine* palette,
     size_t palette_count, const mrw_skin_output* out) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list(distances, distance_count) && is_list(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<float>(distances, distance_count) && is_list<Affine>(palette, palette_count) && leads_to<SkinOutput>(out), MRW_BAD_ARGUMENT);
   return code(marrow::skin_psd(of<Mesh>(mesh), span<const float>(distances, distance_count), span<const Affine>(palette, palette_count), of<SkinOutput>(out)));
 }
 
@@ -938,7 +938,7 @@ size_t mrw_animations_bytes(const mrw_file* file, const mrw_file* clips) {
 
 mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void* memory, size_t memory_bytes,
     mrw_animations* out) {
-  MRW_NEEDS(leads_to<File>(file) && leads_to<File>(clips) && is_list(memory, memory_bytes) && leads_to<Animations>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<File>(file) && leads_to<File>(clips) && is_list<std::byte>(memory, memory_bytes) && leads_to<Animations>(out), MRW_BAD_ARGUMENT);
   return code(marrow::make_animations(of<File>(file), of<File>(clips), span<std::byte>(memory, memory_bytes), to<Animations>(out)));
 }
 
@@ -954,12 +954,12 @@ size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* op
 
 mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
     size_t memory_bytes, mrw_character* out) {
-  MRW_NEEDS(leads_to<File>(file) && leads_to_if_any<CharacterOptions>(options) && is_list(memory, memory_bytes) && leads_to<Character>(out), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<File>(file) && leads_to_if_any<CharacterOptions>(options) && is_list<std::byte>(memory, memory_bytes) && leads_to<Character>(out), MRW_BAD_ARGUMENT);
   return code(marrow::make_character(of<File>(file), or_default<CharacterOptions>(options), span<std::byte>(memory, memory_bytes), to<Character>(out)));
 }
 
 mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers, size_t layer_count) {
-  MRW_NEEDS(leads_to<Character>(character) && is_list(layers, layer_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Character>(character) && is_list<AnimationLayer>(layers, layer_count), MRW_BAD_ARGUMENT);
   return code(marrow::sample_character(to<Character>(character), span<const AnimationLayer>(layers, layer_count)));
 }
 
@@ -969,7 +969,7 @@ mrw_status mrw_character_to_model(mrw_character* character) {
 }
 
 mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers, size_t layer_count) {
-  MRW_NEEDS(leads_to<Character>(character) && is_list(layers, layer_count), MRW_BAD_ARGUMENT);
+  MRW_NEEDS(leads_to<Character>(character) && is_list<AnimationLayer>(layers, layer_count), MRW_BAD_ARGUMENT);
   return code(marrow::pose_character(to<Character>(character), span<const AnimationLayer>(layers, layer_count)));
 }
 

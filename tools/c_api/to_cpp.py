@@ -34,7 +34,7 @@ class Writer:
         out = []
         for name, t in row.fields:
             if t.form == '[]':
-                out.append(f'is_list({name}, {count_of(name, t)})')
+                out.append(f'is_list<{self.type(t.name)}>({name}, {count_of(name, t)})')
             if t.form == '[]' or (t.form == '' and t.name not in self.structs and not t.mut) or t.name == 'void':
                 continue
             out.append(f'{"leads_to_if_any" if t.optional else "leads_to"}<{self.type(t.name)}>({name})')
