@@ -27,6 +27,7 @@
 #include "marrow/unpack.h"
 
 // clang-format off
+// NOLINTBEGIN(bugprone-sizeof-expression)
 namespace marrow {
 
 #define SAME(C, Cpp) static_assert(sizeof(C) == sizeof(Cpp) && alignof(C) == alignof(Cpp) && std::is_standard_layout_v<Cpp>)
@@ -660,3 +661,4 @@ SAME_MEMBER(mrw_animation_layer, AnimationLayer, time_s, time_s);
 SAME_MEMBER(mrw_animation_layer, AnimationLayer, weight, weight);
 
 }  // namespace marrow
+// NOLINTEND(bugprone-sizeof-expression)

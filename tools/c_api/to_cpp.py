@@ -98,7 +98,7 @@ class Writer:
         out = [MADE + '// C\'s structs, enums and constants are C++\'s.', '#include "marrow/c.h"', '',
                '#include <cstddef>', '#include <type_traits>', '']
         out += [f'#include "marrow/{h}"' for h in sorted({r.header for r in self.rows if r.kind in ('struct', 'enum', 'const')})]
-        out += ['', '// clang-format off', 'namespace marrow {', '',
+        out += ['', '// clang-format off', '// NOLINTBEGIN(bugprone-sizeof-expression)', 'namespace marrow {', '',
                 '#define SAME(C, Cpp) static_assert(sizeof(C) == sizeof(Cpp) && alignof(C) == alignof(Cpp) && '
                 'std::is_standard_layout_v<Cpp>)',
                 '#define SAME_MEMBER(C, Cpp, c, cpp) static_assert(offsetof(C, c) == offsetof(Cpp, cpp) && '
@@ -118,4 +118,4 @@ class Writer:
                         out.append(f'SAME_SPAN(mrw_{r.name}, {r.cpp}, {name}, {count_of(name, t)});')
                     else:
                         out.append(f'SAME_MEMBER(mrw_{r.name}, {r.cpp}, {name}, {name});')
-        return '\n'.join(out + ['', '}  // namespace marrow', ''])
+        return '\n'.join(out + ['', '}  // namespace marrow', '// NOLINTEND(bugprone-sizeof-expression)', ''])
