@@ -126,6 +126,8 @@ function(marrow_example name)
 endfunction()
 marrow_example(play marrow::draco)
 marrow_example(crowd marrow::runtime)
+marrow_c_program(marrow_example_play_c examples/play.c)
+target_link_libraries(marrow_example_play_c PRIVATE marrow::c marrow::draco)
 find_package(Threads REQUIRED)
 marrow_example(jobs marrow::draco marrow::meshopt Threads::Threads)
 set(example_draw "")
@@ -135,7 +137,7 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
   set(example_draw $<TARGET_FILE:marrow_example_draw>)
 endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
-  -DPLAY=$<TARGET_FILE:marrow_example_play> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DJOBS=$<TARGET_FILE:marrow_example_jobs>
+  -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DJOBS=$<TARGET_FILE:marrow_example_jobs>
   -DDRAW=${example_draw}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")

@@ -47,6 +47,10 @@ validate_sample() {
   tools/validate_gltf.sh tools/sample/newt.glb && return 0
   [ $? -eq 3 ] && echo "SKIPPED: gltf-validator on the sample" >&2
 }
+check_bindings() {
+  tools/check_bindings.sh build/release/tools/marrow && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: calls from some of Rust, C# and JavaScript" >&2
+}
 get_arm64_gl() {
   export MARROW_ARM64_GL="${MARROW_ARM64_GL:-$here/build/arm64-gl}"
   tools/get_arm64.sh "$MARROW_ARM64_GL" tools/packages/arm64-gl.txt || echo "SKIPPED: OpenGL ES on AArch64" >&2
@@ -99,6 +103,7 @@ case "${1:-}" in
     export MARROW_TESTS=all
     timed "validate the sample" validate_sample
     for preset in release asan tsan scalar aarch64; do test_preset $preset; done
+    timed "Rust, C# and JavaScript" check_bindings
     timed "same bytes everywhere" compare_bytes
     timed "FBX, by Blender" check_fbx
     timed "installed, in a game" tools/check_install.sh

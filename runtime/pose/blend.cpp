@@ -168,7 +168,7 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
 void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
   switch (layers.count) {
     case 1:
-      std::memmove(out, layers.pose[0], groups * sizeof(SoaTransform));
+      if (groups > 0) std::memmove(out, layers.pose[0], groups * sizeof(SoaTransform));  // else either may be null
       break;
     case 2:
       return blend_even<2>(layers, groups, out);

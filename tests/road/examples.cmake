@@ -2,7 +2,8 @@
 function(expect_shown document program)
   file(READ ${SOURCE}/${document} text)
   file(READ ${SOURCE}/tests/examples/${program} wanted)
-  string(FIND "${text}" "```cpp\n${wanted}```" found)
+  string(REGEX REPLACE ".*\\." "" language ${program})
+  string(FIND "${text}" "```${language}\n${wanted}```" found)
   if(found EQUAL -1)
     message(FATAL_ERROR "${program} in ${document} differs from tests/examples/${program}")
   endif()
@@ -18,6 +19,7 @@ function(expect_printed program files pattern)
 endfunction()
 
 expect_shown(README.md play.cpp)
+expect_shown(docs/c.md play.c)
 expect_shown(docs/programs.md crowd.cpp)
 expect_shown(docs/programs.md draw.cpp)
 expect_shown(docs/threads.md jobs.cpp)
@@ -27,6 +29,7 @@ execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw -o ${sampl
 execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-codec none -o ${sample}_plain.mrw
   COMMAND_ERROR_IS_FATAL ANY)
 expect_printed(${PLAY} ${sample}.mrw "^[a-z]+: vertex 0 at -?[0-9.e-]+ -?[0-9.e-]+ -?[0-9.e-]+ m\n$")
+expect_printed(${PLAY_C} ${sample}.mrw "^[a-z]+: vertex 0 at -?[0-9.e-]+ -?[0-9.e-]+ -?[0-9.e-]+ m\n$")
 expect_printed(${CROWD} ${sample}_plain.mrw "^100 characters, 200 feet on the ground\n$")
 execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-codec meshopt -o ${sample}_fast.mrw
   COMMAND_ERROR_IS_FATAL ANY)

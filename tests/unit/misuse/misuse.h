@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -190,6 +191,8 @@ std::vector<MisuseRow> rows_of_following();
 std::vector<MisuseRow> rows_of_skinning();
 std::vector<MisuseRow> rows_of_characters();
 
+// Names of all functions that headers declare, members too. headers: which of them, by name.
+std::set<std::string> declared_functions(const std::function<bool(const std::string&)>& headers);
 // That there is a row of every function that the headers declare, and no other. headers: which of them, by name.
 void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::function<bool(const std::string&)>& headers);
 // That a page of the documents names every function that the headers declare, as `function`.

@@ -57,6 +57,10 @@ void misuse(const MisuseRow& row, const std::string& name, std::uint64_t rounds)
 
 }  // namespace
 
+std::set<std::string> declared_functions(const std::function<bool(const std::string&)>& headers) {
+  return declared(headers);
+}
+
 void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::function<bool(const std::string&)>& headers) {
   const std::set<std::string> all = declared(headers);
   EXPECT_GT(all.size(), 40u);

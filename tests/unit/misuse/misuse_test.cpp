@@ -1,7 +1,11 @@
 // Every public function under misuse: nothing outside its memory, nothing written when it refuses, nothing but finite
 // numbers when it does not. The table is compared with the headers, so that no function is left out.
+#include <fstream>
+#include <regex>
+
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "unit/misuse/misuse.h"
 
 namespace marrow::test {
@@ -15,9 +19,27 @@ std::vector<MisuseRow> all_rows() {
   return out;
 }
 
+bool is_of_the_runtime(const std::string& header) {
+  return header.rfind("gles3", 0) != 0 && header != "glm.h" && header != "c.h";
+}
+
 TEST(Misuse, HasARowOfEveryFunctionInTheHeaders) {
-  expect_a_row_of_each(all_rows(),
-                       [](const std::string& header) { return header.rfind("gles3", 0) != 0 && header != "glm.h"; });
+  expect_a_row_of_each(all_rows(), is_of_the_runtime);
+}
+
+// What C has, and what it has not and why, is said in one place.
+TEST(Misuse, TheDescriptionOfCHasARowOfEveryFunctionInTheHeaders) {
+  std::set<std::string> rows;
+  std::ifstream in(in_source("runtime/c/api.txt"));
+  const std::regex row(R"(^(?:fn (?:\w+\.)?(\w+)\(.*|no (\w+): ..........*))");
+  std::smatch found;
+  for (std::string line; std::getline(in, line);)
+    if (std::regex_match(line, found, row)) rows.insert(found[1].matched ? found[1] : found[2]);
+  const std::set<std::string> all = declared_functions(is_of_the_runtime);
+  EXPECT_GT(all.size(), 100u);
+  for (const std::string& name : all)
+    EXPECT_TRUE(rows.count(name)) << name
+                                  << " is not in runtime/c/api.txt: give it a row, or say there why C has it not";
 }
 
 TEST(ThreadsPage, NamesEveryFunctionInTheHeaders) {

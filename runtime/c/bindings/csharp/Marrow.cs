@@ -1,0 +1,3832 @@
+// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// The runtime for C#, as C has it: see docs/c.md. bool is a byte here, so that all structs are blittable. New() makes a
+// struct as C++ has it by default. Structs that C++ puts on 16 bytes go into memory of Marrow.Block().
+using System;
+using System.Runtime.InteropServices;
+
+namespace MarrowRuntime {
+
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void CallErrorHandler(byte* function, byte* condition);
+
+public enum Status : byte {
+    Ok = 0,
+    /// <summary>
+    /// the call is wrong: a span too short, a null pointer, an index out of range
+    /// </summary>
+    BadArgument = 1,
+    /// <summary>
+    /// the data ends before what it announces
+    /// </summary>
+    Truncated = 2,
+    /// <summary>
+    /// not a cooked file
+    /// </summary>
+    BadMagic = 3,
+    /// <summary>
+    /// cooked for another version of the format
+    /// </summary>
+    BadVersion = 4,
+    /// <summary>
+    /// damaged
+    /// </summary>
+    BadChecksum = 5,
+    /// <summary>
+    /// breaks a rule of docs/format.md
+    /// </summary>
+    BadData = 6,
+    /// <summary>
+    /// legal, but needs what this build or this device lacks
+    /// </summary>
+    Unsupported = 7,
+    /// <summary>
+    /// the driver refused
+    /// </summary>
+    GlError = 8,
+    /// <summary>
+    /// both are good, but not made for each other
+    /// </summary>
+    Mismatch = 9,
+    /// <summary>
+    /// a library that allocates for itself found none
+    /// </summary>
+    OutOfMemory = 10,
+}
+
+/// <summary>
+/// Where a block of data breaks the format, and which rule. `rule` is a static string.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct DataError {
+    public Status status;
+    /// <summary>
+    /// byte in the block
+    /// </summary>
+    public uint offset;
+    public byte* rule;
+    public static DataError New() {
+        DataError made;
+        Marrow.DataErrorInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Block {
+    public void* data;
+    public UIntPtr size;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Bytes {
+    public void* data;
+    public UIntPtr size;
+    public static Bytes New() {
+        Bytes made;
+        Marrow.BytesInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct MeshDecoder {
+    /// <summary>
+    /// as packed files name it
+    /// </summary>
+    public uint codec;
+    public IntPtr decode;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct UnpackSizes {
+    /// <summary>
+    /// of the unpacked file
+    /// </summary>
+    public uint file_bytes;
+    /// <summary>
+    /// what unpack() wants: the file and, behind it, room to work in
+    /// </summary>
+    public uint memory_bytes;
+}
+
+/// <summary>
+/// The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+///
+///   Unpacking loading;
+///   begin_unpack(packed, decoders, memory, loading);
+///   every frame   while (loading.file.empty() &amp;&amp; there is time) unpack_step(loading);
+///   then          load(loading.file, file)
+///
+/// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+/// step. Stopping half way is forgetting it: nothing is to be freed.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Unpacking {
+    /// <summary>
+    /// empty until the last step is done; then as of unpack()
+    /// </summary>
+    public void* file;
+    public UIntPtr file_bytes;
+    /// <summary>
+    /// of total_bytes, for a bar
+    /// </summary>
+    public uint done_bytes;
+    /// <summary>
+    /// of the unpacked file
+    /// </summary>
+    public uint total_bytes;
+    /// <summary>
+    /// unpack_step()'s own
+    /// </summary>
+    public fixed byte state[512];
+    public static Unpacking New() {
+        Unpacking made;
+        Marrow.UnpackingInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
+/// Rotations are unit quaternions. Lanes past the last joint hold the identity.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 160)]
+public unsafe struct SoaTransform {
+    /// <summary>
+    /// x, y, z; metres
+    /// </summary>
+    public fixed float translation[12];
+    /// <summary>
+    /// x, y, z, w
+    /// </summary>
+    public fixed float rotation[16];
+    /// <summary>
+    /// x, y, z
+    /// </summary>
+    public fixed float scale[12];
+}
+
+/// <summary>
+/// The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
+/// translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 160)]
+public unsafe struct AdditiveTransform {
+    public SoaTransform change;
+}
+
+/// <summary>
+/// An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 48)]
+public unsafe struct Affine {
+    public fixed float rows[12];
+}
+
+/// <summary>
+/// The local transform of one joint.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct JointTransform {
+    /// <summary>
+    /// metres
+    /// </summary>
+    public fixed float translation[3];
+    /// <summary>
+    /// a unit quaternion x, y, z, w
+    /// </summary>
+    public fixed float rotation[4];
+    public fixed float scale[3];
+    public static JointTransform New() {
+        JointTransform made;
+        Marrow.JointTransformInit(&made);
+        return made;
+    }
+}
+
+public enum LimitKind : byte {
+    /// <summary>
+    /// turns freely; for joints that have a rate limit alone
+    /// </summary>
+    None = 0,
+    /// <summary>
+    /// about one axis, between two angles: knees, elbows, fingers
+    /// </summary>
+    Hinge = 1,
+    /// <summary>
+    /// swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
+    /// </summary>
+    Cone = 2,
+    /// <summary>
+    /// three angles about three axes, each between two: rigs whose limits came so
+    /// </summary>
+    Euler = 3,
+}
+
+/// <summary>
+/// The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
+/// </summary>
+public enum AxisOrder : byte {
+    Xyz = 0,
+    Xzy = 1,
+    Yxz = 2,
+    Yzx = 3,
+    Zxy = 4,
+    Zyx = 5,
+}
+
+public enum TrackPath : byte {
+    Translation = 0,
+    Rotation = 1,
+    Scale = 2,
+}
+
+public enum Interpolation : byte {
+    Step = 0,
+    Linear = 1,
+    CubicSpline = 2,
+}
+
+/// <summary>
+/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+/// </summary>
+public enum AlphaMode : byte {
+    Opaque = 0,
+    Mask = 1,
+    Blend = 2,
+}
+
+/// <summary>
+/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+/// </summary>
+public enum TextureRole : byte {
+    BaseColour = 0,
+    MetallicRoughness = 1,
+    Normal = 2,
+    Occlusion = 3,
+    Emissive = 4,
+    /// <summary>
+    /// KHR_materials_pbrSpecularGlossiness; its diffuse colour and texture are the base colour
+    /// </summary>
+    SpecularGlossiness = 5,
+}
+
+public enum Wrap : byte {
+    Repeat = 0,
+    ClampToEdge = 1,
+    MirroredRepeat = 2,
+}
+
+public enum MagFilter : byte {
+    Any = 0,
+    Nearest = 1,
+    Linear = 2,
+}
+
+public enum MinFilter : byte {
+    Any = 0,
+    Nearest = 1,
+    Linear = 2,
+    NearestMipmapNearest = 3,
+    LinearMipmapNearest = 4,
+    NearestMipmapLinear = 5,
+    LinearMipmapLinear = 6,
+}
+
+/// <summary>
+/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+/// </summary>
+public enum ImageFormat : byte {
+    Unknown = 0,
+    Png = 1,
+    Jpeg = 2,
+    Webp = 3,
+    Ktx2 = 4,
+    Dds = 5,
+}
+
+/// <summary>
+/// A number, a truth or a text that an artist gave a node.
+/// </summary>
+public enum PropertyType : byte {
+    Number = 0,
+    Boolean = 1,
+    Text = 2,
+}
+
+/// <summary>
+/// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
+/// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
+/// angle_range() in limits.h.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct AngleRange {
+    /// <summary>
+    /// -1 … 1: -180° … 180°
+    /// </summary>
+    public float middle;
+    /// <summary>
+    /// 0 … 1; 1: any angle
+    /// </summary>
+    public float half_width;
+}
+
+/// <summary>
+/// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct RateLimit {
+    public float speed;
+    public float acceleration;
+    public static RateLimit New() {
+        RateLimit made;
+        Marrow.RateLimitInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
+///
+/// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
+/// rotation. A local rotation q (parent_from_joint) is seen in them as
+///   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
+/// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
+///
+/// hinge: t is a turn about x, by an angle in angles[0].
+/// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
+///   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
+///   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
+///   90° this is within 2.3° of an ellipse in the angles themselves.
+/// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
+///   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
+///
+/// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct JointLimit {
+    /// <summary>
+    /// of the skeleton
+    /// </summary>
+    public ushort joint;
+    public LimitKind kind;
+    /// <summary>
+    /// of euler; else xyz
+    /// </summary>
+    public AxisOrder order;
+    /// <summary>
+    /// unit quaternion
+    /// </summary>
+    public fixed float limit_from_parent[4];
+    /// <summary>
+    /// unit quaternion
+    /// </summary>
+    public fixed float joint_from_limit[4];
+    /// <summary>
+    /// of a cone the middles of the second and third are 0; of a hinge both are 0
+    /// </summary>
+    public AngleRange angles0;
+    public AngleRange angles1;
+    public AngleRange angles2;
+    /// <summary>
+    /// of the local rotation, see follow_pose()
+    /// </summary>
+    public RateLimit rate;
+    public static JointLimit New() {
+        JointLimit made;
+        Marrow.JointLimitInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
+/// comes before its children and the roots come first.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Skeleton {
+    public byte* name;
+    public uint joint_count;
+    /// <summary>
+    /// joints 0 … root_count-1 have no parent joint
+    /// </summary>
+    public uint root_count;
+    /// <summary>
+    /// root_count; what stands above each root and never moves
+    /// </summary>
+    public Affine* scene_from_root;
+    /// <summary>
+    /// soa_count(joint_count); the pose of joints that a clip leaves alone
+    /// </summary>
+    public SoaTransform* rest;
+    /// <summary>
+    /// joint_count; kNoParent for roots
+    /// </summary>
+    public ushort* parents;
+    /// <summary>
+    /// joint_count; see File::text
+    /// </summary>
+    public uint* names;
+    /// <summary>
+    /// ascending by joint; those that the asset came with
+    /// </summary>
+    public JointLimit* limits;
+    public UIntPtr limit_count;
+}
+
+/// <summary>
+/// In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SkeletonReference {
+    public byte* name;
+    public uint joint_count;
+    /// <summary>
+    /// skeleton_hash() of the skeleton
+    /// </summary>
+    public ulong hash;
+    /// <summary>
+    /// joint_count; see File::text
+    /// </summary>
+    public uint* names;
+    /// <summary>
+    /// joint_count; of each joint's rest pose
+    /// </summary>
+    public uint* rest_hashes;
+    /// <summary>
+    /// joint_count; kNoParent for roots
+    /// </summary>
+    public ushort* parents;
+}
+
+/// <summary>
+/// One channel of a clip stored without loss: the source's own keys at the source's own times.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Track {
+    public ushort joint;
+    public TrackPath path;
+    public Interpolation interpolation;
+    /// <summary>
+    /// ≥ 1
+    /// </summary>
+    public uint key_count;
+    /// <summary>
+    /// into Clip::times; tracks with the same keys share them
+    /// </summary>
+    public uint first_time;
+    /// <summary>
+    /// into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+    /// </summary>
+    public uint first_value;
+}
+
+/// <summary>
+/// Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
+/// stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct GroupMasks {
+    public ushort moving;
+    public ushort constant;
+}
+
+/// <summary>
+/// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
+/// that keys on a straight line between others may have been left out (docs/architecture.md).
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Channel {
+    /// <summary>
+    /// see File::text
+    /// </summary>
+    public uint name;
+    /// <summary>
+    /// the number where no clip drives it
+    /// </summary>
+    public float rest;
+    /// <summary>
+    /// ≥ 1
+    /// </summary>
+    public uint key_count;
+    /// <summary>
+    /// as in Track
+    /// </summary>
+    public uint first_time;
+    /// <summary>
+    /// into Clip::values; one float a key, three for cubic_spline (in, value, out)
+    /// </summary>
+    public uint first_value;
+    public Interpolation interpolation;
+    public fixed byte reserved[3];
+}
+
+/// <summary>
+/// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
+/// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct CodedTracks {
+    /// <summary>
+    /// 0: the clip has no coded tracks; else ≥ 2
+    /// </summary>
+    public uint frame_count;
+    /// <summary>
+    /// sub-tracks that move
+    /// </summary>
+    public uint track_count;
+    public uint constant_count;
+    /// <summary>
+    /// steps of time a segment; the last may have fewer
+    /// </summary>
+    public uint segment_intervals;
+    /// <summary>
+    /// of frame 0
+    /// </summary>
+    public float start_s;
+    /// <summary>
+    /// of uneven ones the mean
+    /// </summary>
+    public float frames_per_s;
+    /// <summary>
+    /// frame_count, ascending; null: even steps
+    /// </summary>
+    public float* times_s;
+    /// <summary>
+    /// one a group of four joints
+    /// </summary>
+    public GroupMasks* masks;
+    /// <summary>
+    /// bytes into payload
+    /// </summary>
+    public uint* segment_offsets;
+    public void* constants;
+    public void* payload;
+}
+
+/// <summary>
+/// An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Clip {
+    public byte* name;
+    /// <summary>
+    /// which skeleton of the file; in a clip pack, which reference
+    /// </summary>
+    public uint skeleton;
+    /// <summary>
+    /// of that skeleton
+    /// </summary>
+    public uint joint_count;
+    /// <summary>
+    /// time of the last key; ≥ 0
+    /// </summary>
+    public float duration_s;
+    /// <summary>
+    /// for sample_additive(), not for sample()
+    /// </summary>
+    public byte additive;
+    /// <summary>
+    /// additive: the pose that changes are taken from; null: the rest pose
+    /// </summary>
+    public SoaTransform* reference;
+    public CodedTracks coded;
+    public Track* tracks;
+    public UIntPtr track_count;
+    public Channel* channels;
+    public UIntPtr channel_count;
+    public float* times_s;
+    public float* values;
+}
+
+/// <summary>
+/// Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
+/// fill up its last block repeat its last vertex.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Run {
+    /// <summary>
+    /// ≥ 1
+    /// </summary>
+    public uint vertex_count;
+    /// <summary>
+    /// 1 … kMaxInfluences
+    /// </summary>
+    public uint influences;
+}
+
+/// <summary>
+/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct MorphTarget {
+    /// <summary>
+    /// into Geometry::target_blocks
+    /// </summary>
+    public uint first_block;
+    public uint block_count;
+    /// <summary>
+    /// into Geometry::target_records
+    /// </summary>
+    public uint first_record;
+    /// <summary>
+    /// MorphAttributes; 0 if it moves nothing
+    /// </summary>
+    public uint attributes;
+    /// <summary>
+    /// metres, mesh space
+    /// </summary>
+    public float position_step;
+    public float normal_step;
+    public float tangent_step;
+    public uint reserved;
+}
+
+/// <summary>
+/// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+/// the deltas of some blocks.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct PoseSpace {
+    /// <summary>
+    /// width of the Gaussian, a share of 1: sin of half an angle
+    /// </summary>
+    public float sigma;
+    /// <summary>
+    /// positions alone; empty: none
+    /// </summary>
+    public MorphTarget* examples;
+    public UIntPtr example_count;
+    /// <summary>
+    /// as Geometry::target_blocks
+    /// </summary>
+    public void* blocks;
+    /// <summary>
+    /// as Geometry::target_records
+    /// </summary>
+    public short* records;
+    /// <summary>
+    /// for each example and palette entry x y z w, up to a positive factor
+    /// </summary>
+    public short* rotations;
+    /// <summary>
+    /// a palette entry: the one that its rotation is relative to, or kNoParent
+    /// </summary>
+    public ushort* parents;
+}
+
+/// <summary>
+/// Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
+/// (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Geometry {
+    /// <summary>
+    /// vertices with padding; a multiple of 4
+    /// </summary>
+    public uint slot_count;
+    /// <summary>
+    /// without padding
+    /// </summary>
+    public uint vertex_count;
+    /// <summary>
+    /// 3 a triangle; counter-clockwise fronts
+    /// </summary>
+    public uint index_count;
+    /// <summary>
+    /// 2 or 4
+    /// </summary>
+    public uint index_bytes;
+    /// <summary>
+    /// how many palette entries the sets refer to
+    /// </summary>
+    public uint joint_count;
+    /// <summary>
+    /// slots
+    /// </summary>
+    public void* indices;
+    public Run* runs;
+    public UIntPtr run_count;
+    /// <summary>
+    /// for each run its k palette entries, run after run
+    /// </summary>
+    public ushort* sets;
+    /// <summary>
+    /// a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+    /// </summary>
+    public float* skin;
+    /// <summary>
+    /// a block: x[4] y[4] z[4]; unit; null if absent
+    /// </summary>
+    public float* normals;
+    /// <summary>
+    /// a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+    /// </summary>
+    public float* tangents;
+    /// <summary>
+    /// a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+    /// </summary>
+    public float* as_residual;
+    /// <summary>
+    /// a block: k times three rows x[4] y[4] z[4] t[4]; null if absent
+    /// </summary>
+    public float* mwe_residual;
+    /// <summary>
+    /// palette entry whose frame they are meant in
+    /// </summary>
+    public uint mwe_root;
+    /// <summary>
+    /// a slot: u v; null if absent
+    /// </summary>
+    public float* uvs;
+    /// <summary>
+    /// a slot: r g b a, linear; null if absent
+    /// </summary>
+    public byte* colours;
+    /// <summary>
+    /// The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
+    /// part of a primitive in parts.
+    /// </summary>
+    public uint* source_slots;
+    public UIntPtr source_slot_count;
+    public MorphTarget* targets;
+    public UIntPtr target_count;
+    /// <summary>
+    /// as wide as indices; for each target the blocks it moves, ascending
+    /// </summary>
+    public void* target_blocks;
+    /// <summary>
+    /// twelve a record
+    /// </summary>
+    public short* target_records;
+    public PoseSpace pose_space;
+    /// <summary>
+    /// of the bind positions, mesh space
+    /// </summary>
+    public fixed float box_min[3];
+    public fixed float box_max[3];
+}
+
+/// <summary>
+/// A morph target of a mesh: what it is called and what drives it.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct MeshTarget {
+    /// <summary>
+    /// see File::text; may be empty
+    /// </summary>
+    public uint name;
+    /// <summary>
+    /// name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+    /// </summary>
+    public uint channel;
+    /// <summary>
+    /// where no clip does
+    /// </summary>
+    public float weight;
+}
+
+/// <summary>
+/// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
+/// are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Texture {
+    /// <summary>
+    /// which image of the file
+    /// </summary>
+    public ushort image;
+    /// <summary>
+    /// none twice in a material
+    /// </summary>
+    public TextureRole role;
+    public Wrap wrap_u;
+    public Wrap wrap_v;
+    public MagFilter mag;
+    public MinFilter min;
+    public byte reserved;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Material {
+    public byte* name;
+    public AlphaMode alpha;
+    /// <summary>
+    /// mask: what is less opaque is not drawn
+    /// </summary>
+    public float alpha_cutoff;
+    /// <summary>
+    /// KHR_materials_unlit: the base colour is what is seen
+    /// </summary>
+    public byte unlit;
+    /// <summary>
+    /// linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
+    /// </summary>
+    public fixed float emissive[3];
+    public Texture* textures;
+    public UIntPtr texture_count;
+}
+
+/// <summary>
+/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Image {
+    public byte* name;
+    /// <summary>
+    /// relative to the source file and percent-encoded, as it stood there; empty if it had none
+    /// </summary>
+    public byte* uri;
+    public ImageFormat format;
+    /// <summary>
+    /// empty: by reference
+    /// </summary>
+    public void* bytes;
+    public UIntPtr byte_count;
+    /// <summary>
+    /// of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
+    /// </summary>
+    public uint fallback;
+}
+
+/// <summary>
+/// A number, a truth or a text that an artist gave a node.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Property {
+    /// <summary>
+    /// see File::text; of nested ones the path, as in "door/hinges/0"
+    /// </summary>
+    public uint name;
+    public PropertyType type;
+    public fixed byte reserved[3];
+    /// <summary>
+    /// finite; of a boolean 1 or 0
+    /// see File::text
+    /// </summary>
+    public double number;
+}
+
+/// <summary>
+/// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+/// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Node {
+    public byte* name;
+    /// <summary>
+    /// which skeleton of the file
+    /// </summary>
+    public uint skeleton;
+    public ushort joint;
+    public Affine* joint_from_node;
+    public Property* properties;
+    public UIntPtr property_count;
+}
+
+/// <summary>
+/// A helper between two joints of a palette, for what bends or twists there: see build_palette().
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct HalfJoint {
+    /// <summary>
+    /// palette entries, below Mesh::joint_count, not the same
+    /// </summary>
+    public ushort parent;
+    public ushort joint;
+    /// <summary>
+    /// of the way from parent to joint; above 0, below 1
+    /// </summary>
+    public float share;
+    public static HalfJoint New() {
+        HalfJoint made;
+        Marrow.HalfJointInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A level of detail: another geometry over the same palette.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct MeshLod {
+    /// <summary>
+    /// which of the file
+    /// </summary>
+    public uint geometry;
+    /// <summary>
+    /// the farthest that a vertex of the full mesh is from it, in the clips it was made with
+    /// </summary>
+    public float error_m;
+}
+
+/// <summary>
+/// A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Bounds {
+    public fixed float box_min[3];
+    public fixed float box_max[3];
+    /// <summary>
+    /// below 0: empty, or not known
+    /// </summary>
+    public float radius_m;
+}
+
+/// <summary>
+/// Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Mesh {
+    public byte* name;
+    public byte* material;
+    /// <summary>
+    /// which material of the file, if it has more than what stands here
+    /// </summary>
+    public uint material_index;
+    /// <summary>
+    /// which skeleton of the file
+    /// </summary>
+    public uint skeleton;
+    /// <summary>
+    /// meshes with the same number share their geometry
+    /// </summary>
+    public uint geometry_index;
+    /// <summary>
+    /// palette entries that are joints
+    /// </summary>
+    public uint joint_count;
+    /// <summary>
+    /// joint_count; palette entry → joint of the skeleton
+    /// </summary>
+    public ushort* joints;
+    /// <summary>
+    /// joint_count; joint_from_mesh in the bind pose
+    /// </summary>
+    public Affine* inverse_bind;
+    /// <summary>
+    /// linear RGBA
+    /// </summary>
+    public fixed float base_colour[4];
+    public byte double_sided;
+    /// <summary>
+    /// One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
+    /// vertex order needs to know: see Geometry::source_slots.
+    /// </summary>
+    public byte is_next_part;
+    /// <summary>
+    /// palette entries behind those of the joints
+    /// </summary>
+    public HalfJoint* half_joints;
+    public UIntPtr half_joint_count;
+    /// <summary>
+    /// as many as the geometry's
+    /// </summary>
+    public MeshTarget* targets;
+    public UIntPtr target_count;
+    /// <summary>
+    /// levels 1, 2, …, ever coarser; level 0 is the mesh in full
+    /// </summary>
+    public MeshLod* lods;
+    public UIntPtr lod_count;
+    /// <summary>
+    /// of the level asked for
+    /// </summary>
+    public Geometry geometry;
+}
+
+/// <summary>
+/// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct File {
+    public void* block;
+    public void* sections;
+    public UIntPtr section_count;
+    public fixed uint numbers[22];
+    public static File New() {
+        File made;
+        Marrow.FileInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Why a joint keeps a clip pack from fitting a skeleton.
+/// </summary>
+public enum Misfit : byte {
+    /// <summary>
+    /// the skeleton has no joint of this name
+    /// </summary>
+    Missing = 0,
+    /// <summary>
+    /// it has, below another joint
+    /// </summary>
+    OtherParent = 1,
+    /// <summary>
+    /// it has, with another rest pose, which coded tracks are relative to
+    /// </summary>
+    OtherRest = 2,
+    /// <summary>
+    /// a joint of the skeleton that the clips were made without
+    /// </summary>
+    Extra = 3,
+    /// <summary>
+    /// all joints are there, this one at another place in the order
+    /// </summary>
+    OtherPlace = 4,
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct JointMisfit {
+    public Misfit how;
+    /// <summary>
+    /// of the pack's reference; `extra`: of the skeleton
+    /// </summary>
+    public uint joint;
+}
+
+/// <summary>
+/// What happens at the ends of a clip.
+/// </summary>
+public enum PlayMode : byte {
+    /// <summary>
+    /// time stops at the end
+    /// </summary>
+    Once = 0,
+    /// <summary>
+    /// time goes on from the other end; the last pose and the first are one moment
+    /// </summary>
+    Loop = 1,
+    /// <summary>
+    /// time turns round
+    /// </summary>
+    PingPong = 2,
+}
+
+/// <summary>
+/// The state of a playing clip: plain numbers that may be set, copied and stored at will. A clip that is to run
+/// backwards once begins with time_s = its duration.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Playback {
+    /// <summary>
+    /// in the clip
+    /// </summary>
+    public double time_s;
+    /// <summary>
+    /// seconds of the clip a second; 0 pauses, below 0 runs backwards
+    /// </summary>
+    public float speed;
+    public PlayMode mode;
+    /// <summary>
+    /// ping_pong: on the way back, so time runs against speed
+    /// </summary>
+    public byte returning;
+    /// <summary>
+    /// Of the last advance(). loop: how often time went from the clip's end to its start, less how often the other way
+    /// round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
+    /// </summary>
+    public int turns;
+    public static Playback New() {
+        Playback made;
+        Marrow.PlaybackInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SampleOptions {
+    /// <summary>
+    /// A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
+    /// Joints whose bit is 0 keep what `out` holds. Empty: all joints. Every group of four without a joint of the set
+    /// costs a few operations only.
+    /// </summary>
+    public uint* joints;
+    public UIntPtr joint_count;
+    /// <summary>
+    /// `out` already holds what this function made of the same clip, for any time and at least the same joints: only what
+    /// moves in the clip is written again. The result has the same bits.
+    /// </summary>
+    public byte prefilled;
+    public static SampleOptions New() {
+        SampleOptions made;
+        Marrow.SampleOptionsInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// How values run between two keys, and what a key holds. N is Curve::components, u goes 0 … 1 from one key to the next.
+/// </summary>
+public enum CurveKind : byte {
+    /// <summary>
+    /// key: value. The earlier key's value
+    /// </summary>
+    Step = 0,
+    /// <summary>
+    /// key: value. A straight line; for rotations the shorter great arc (slerp)
+    /// </summary>
+    Linear = 1,
+    /// <summary>
+    /// key: in-tangent, value, out-tangent; tangents per second, as glTF 2.0 CUBICSPLINE has it
+    /// </summary>
+    Hermite = 2,
+    /// <summary>
+    /// value, one control point, value, one control point, … value; Bernstein form
+    /// </summary>
+    QuadraticBezier = 3,
+    /// <summary>
+    /// value, two control points, value, two control points, … value; Bernstein form
+    /// </summary>
+    CubicBezier = 4,
+    /// <summary>
+    /// key: value. Uniform; Catmull and Rom 1974: the tangent at P1 is (P2 - P0) / 2 a key interval
+    /// </summary>
+    CatmullRom = 5,
+    /// <summary>
+    /// key: value. Catmull-Rom with knots √|P2 - P1| apart; Barry and Goldman, SIGGRAPH 1988, and
+    /// Yuksel, Schaefer and Keyser 2011: no cusps or loops between two keys. Keys less than 1e18 apart
+    /// </summary>
+    Centripetal = 6,
+}
+
+public enum PatchBasis : byte {
+    /// <summary>
+    /// through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
+    /// </summary>
+    CatmullRom = 0,
+    /// <summary>
+    /// through its corners: from point (0, 0) to point (3, 3)
+    /// </summary>
+    Bezier = 1,
+}
+
+/// <summary>
+/// R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+/// </summary>
+public enum Easing : byte {
+    Linear = 0,
+    Quad = 1,
+    Cubic = 2,
+    Quart = 3,
+    Quint = 4,
+    Sine = 5,
+    Expo = 6,
+    Circ = 7,
+    Back = 8,
+    Elastic = 9,
+    Bounce = 10,
+}
+
+/// <summary>
+/// R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+/// </summary>
+public enum EaseMode : byte {
+    In = 0,
+    Out = 1,
+    InOut = 2,
+}
+
+/// <summary>
+/// Keys, as a view. catmull_rom and centripetal draw a smooth path whatever the times are, but its velocity is
+/// continuous only where key intervals are even (or go with √distance, centripetal); for motion that is smooth over
+/// uneven keys make a spline. Beyond the first and last key they continue with a mirrored point, so that the path leaves
+/// and arrives straight.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Curve {
+    public CurveKind kind;
+    /// <summary>
+    /// Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
+    /// nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
+    /// A blend that has no direction gives the earlier key's.
+    /// </summary>
+    public byte rotation;
+    /// <summary>
+    /// floats a value: 1 … 4
+    /// </summary>
+    public uint components;
+    /// <summary>
+    /// one a key, strictly increasing; seconds, or whatever the curve runs over
+    /// </summary>
+    public float* times_s;
+    public UIntPtr time_count;
+    /// <summary>
+    /// curve_value_count() floats
+    /// </summary>
+    public float* values;
+    public UIntPtr value_count;
+    public static Curve New() {
+        Curve made;
+        Marrow.CurveInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Arc length: where on a path to be for its speed to be even.
+///
+/// The table holds the length of the path up to each of `steps` equal parts of every key interval.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct ArcLength {
+    /// <summary>
+    /// a key interval, at least 1
+    /// </summary>
+    public uint steps;
+    public float* lengths;
+    public UIntPtr length_count;
+    public static ArcLength New() {
+        ArcLength made;
+        Marrow.ArcLengthInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// The timing function of CSS Easing Functions Level 1: the cubic Bézier curve (0, 0), (x1, y1), (x2, y2), (1, 1), y
+/// over x.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct CubicBezierEase {
+    /// <summary>
+    /// CSS "ease"
+    /// </summary>
+    public float x1;
+    public float y1;
+    public float x2;
+    public float y2;
+    public static CubicBezierEase New() {
+        CubicBezierEase made;
+        Marrow.CubicBezierEaseInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A pose and how much of it.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct BlendLayer {
+    /// <summary>
+    /// at least skeleton.soa_size()
+    /// </summary>
+    public SoaTransform* pose;
+    public UIntPtr pose_count;
+    /// <summary>
+    /// 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
+    /// </summary>
+    public float weight;
+    /// <summary>
+    /// A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint;
+    /// else at least 4 · skeleton.soa_size() floats, in joint order, so that a group's factors are read at once.
+    /// </summary>
+    public float* mask;
+    public UIntPtr mask_count;
+    public static BlendLayer New() {
+        BlendLayer made;
+        Marrow.BlendLayerInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct AdditiveLayer {
+    /// <summary>
+    /// at least skeleton.soa_size()
+    /// </summary>
+    public AdditiveTransform* change;
+    public UIntPtr change_count;
+    /// <summary>
+    /// 0 … 1
+    /// </summary>
+    public float weight;
+    /// <summary>
+    /// as in BlendLayer
+    /// </summary>
+    public float* mask;
+    public UIntPtr mask_count;
+    public static AdditiveLayer New() {
+        AdditiveLayer made;
+        Marrow.AdditiveLayerInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// How a weight goes from 0 to 1; u = time / duration. curve.h has more shapes.
+/// </summary>
+public enum Fade : byte {
+    /// <summary>
+    /// u
+    /// </summary>
+    Linear = 0,
+    /// <summary>
+    /// 3 u² - 2 u³: no jump of speed
+    /// </summary>
+    Smoothstep = 1,
+    /// <summary>
+    /// 6 u⁵ - 15 u⁴ + 10 u³: no jump of acceleration
+    /// </summary>
+    Smootherstep = 2,
+}
+
+/// <summary>
+/// How far four joints are from the new clip's pose, and how that fades. Each of the nine components of a joint, x y z
+/// of the translation, of the rotation vector (axis times angle, in the parent's axes) and of the scale, fades by
+/// itself:
+///   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 432)]
+public unsafe struct InertialOffset {
+    public fixed float start[36];
+    public fixed float slope[36];
+    /// <summary>
+    /// 1 / seconds
+    /// </summary>
+    public fixed float rate[36];
+}
+
+/// <summary>
+/// A transition under way; the memory is the caller's and can be used again for the next one.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Inertia {
+    /// <summary>
+    /// at least skeleton.soa_size()
+    /// </summary>
+    public InertialOffset* offsets;
+    public UIntPtr offset_count;
+    /// <summary>
+    /// 0: none, or over
+    /// </summary>
+    public float duration_s;
+    public static Inertia New() {
+        Inertia made;
+        Marrow.InertiaInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What was shown in the last two frames, and what the new clip would show.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct InertialStart {
+    /// <summary>
+    /// shown one frame earlier
+    /// </summary>
+    public SoaTransform* before;
+    public UIntPtr before_count;
+    /// <summary>
+    /// shown last
+    /// </summary>
+    public SoaTransform* now;
+    public UIntPtr now_count;
+    /// <summary>
+    /// the new clip at the time of `now`
+    /// </summary>
+    public SoaTransform* target;
+    public UIntPtr target_count;
+    /// <summary>
+    /// the new clip one frame earlier; empty: taken to stand still
+    /// </summary>
+    public SoaTransform* target_was;
+    public UIntPtr target_was_count;
+    /// <summary>
+    /// between the two, &gt; 0; less than 1e-6 counts as that
+    /// </summary>
+    public float frame_s;
+    public static InertialStart New() {
+        InertialStart made;
+        Marrow.InertialStartInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A limit as people think of it.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct LimitDescription {
+    public LimitKind kind;
+    public AxisOrder order;
+    /// <summary>
+    /// the local rotation where all angles are 0: most often the joint's rest
+    /// </summary>
+    public fixed float zero[4];
+    /// <summary>
+    /// the limit's x in the joint's axes: a hinge's axis, or what a cone points along
+    /// </summary>
+    public fixed float axis[3];
+    /// <summary>
+    /// its y, made perpendicular to x
+    /// </summary>
+    public fixed float across[3];
+    /// <summary>
+    /// hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
+    /// is the half-width, and `least` its negative. Euler: the three angles.
+    /// </summary>
+    public fixed float least_rad[3];
+    public fixed float most_rad[3];
+    public RateLimit rate;
+    public static LimitDescription New() {
+        LimitDescription made;
+        Marrow.LimitDescriptionInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
+/// point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
+/// takes its target as it is, at rest.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct RotationFollower {
+    /// <summary>
+    /// where it is: x y z w
+    /// </summary>
+    public fixed float rotation[4];
+    /// <summary>
+    /// of the last call
+    /// </summary>
+    public fixed float target[4];
+    /// <summary>
+    /// radians a second, about the parent's axes
+    /// </summary>
+    public fixed float velocity[3];
+    /// <summary>
+    /// of the last call
+    /// </summary>
+    public float frame_s;
+    public uint mode;
+    public static RotationFollower New() {
+        RotationFollower made;
+        Marrow.RotationFollowerInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct PointFollower {
+    public fixed float point[3];
+    public fixed float target[3];
+    public fixed float velocity[3];
+    public float frame_s;
+    public uint mode;
+    public static PointFollower New() {
+        PointFollower made;
+        Marrow.PointFollowerInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 64)]
+public unsafe struct TwoBone {
+    /// <summary>
+    /// where the end joint is to be; scene, metres
+    /// </summary>
+    public fixed float target[3];
+    /// <summary>
+    /// 0 … 1: 0 changes no bit, 1 reaches; between, both turns are blended
+    /// </summary>
+    public float weight;
+    /// <summary>
+    /// The direction, from the start joint, to whose side the middle joint points; scene. Zero: the side it has in the
+    /// pose, carried along the shortest way. Less than 0.1 rad off the direction of the target a pole says little, and
+    /// the answer goes over to that of the pose.
+    /// </summary>
+    public fixed float pole[3];
+    /// <summary>
+    /// turns the limb about the line from start to target, away from the pole; a few turns at most
+    /// </summary>
+    public float twist_rad;
+    /// <summary>
+    /// About what the middle joint bends, by positive angles; in its local space. Says which way a straight limb bends,
+    /// and which way it is to bend if the pose has it bent the other way. Zero: as in the pose, and a straight limb
+    /// towards the pole.
+    /// </summary>
+    public fixed float bend_axis[3];
+    /// <summary>
+    /// The share of the limb's length from which on it stretches ever more slowly, 0 … 1, so that the middle joint does
+    /// not snap when the target goes out of reach. 1: straight to full stretch, and the target is reached exactly to
+    /// there; 0.97 is a usual choice.
+    /// </summary>
+    public float soft;
+    /// <summary>
+    /// ≥ 1: the bones may be this many times as long, if the target is reached no other way
+    /// </summary>
+    public float max_stretch;
+    public static TwoBone New() {
+        byte* room = stackalloc byte[80];
+        TwoBone* made = (TwoBone*)(((ulong)room + 15) / 16 * 16);
+        Marrow.TwoBoneInit(made);
+        return *made;
+    }
+}
+
+/// <summary>
+/// Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 48)]
+public unsafe struct TwoBoneTurns {
+    public fixed float start[4];
+    public fixed float mid[4];
+    /// <summary>
+    /// for the translations of all joints from below start down to end; 1: unless max_stretch &gt; 1
+    /// </summary>
+    public float stretch;
+    /// <summary>
+    /// The target is within reach: at weight 1 the end comes to it within 1e-4 of the limb's length.
+    /// </summary>
+    public byte reached;
+}
+
+/// <summary>
+/// The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct TwoBoneJoints {
+    public Affine* start;
+    public Affine* mid;
+    public Affine* end;
+    public static TwoBoneJoints New() {
+        TwoBoneJoints made;
+        Marrow.TwoBoneJointsInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Joints of a skeleton; other joints may lie between them.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct TwoBoneLimb {
+    public uint start;
+    public uint mid;
+    public uint end;
+    public static TwoBoneLimb New() {
+        TwoBoneLimb made;
+        Marrow.TwoBoneLimbInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What is asked of a joint that looks or points at something: an eye, a head, a gun.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 80)]
+public unsafe struct Aim {
+    /// <summary>
+    /// scene, metres
+    /// </summary>
+    public fixed float target[3];
+    /// <summary>
+    /// 0 … 1: 0 changes no bit, 1 aims
+    /// </summary>
+    public float weight;
+    /// <summary>
+    /// The scene direction to whose side of the target's direction `up` is turned. Zero: nothing is; the shortest way to
+    /// the target is taken. Less than 0.1 rad off the target's direction it says little, as a TwoBone's pole.
+    /// </summary>
+    public fixed float pole[3];
+    /// <summary>
+    /// turns about the direction of the target, on top; a few turns at most
+    /// </summary>
+    public float twist_rad;
+    /// <summary>
+    /// what is to go through the target; in the joint's local space
+    /// </summary>
+    public fixed float forward[3];
+    /// <summary>
+    /// local; not along forward. Of no use without a pole
+    /// </summary>
+    public fixed float up[3];
+    /// <summary>
+    /// where forward begins: an eye before the head's joint; local
+    /// </summary>
+    public fixed float offset[3];
+    public static Aim New() {
+        byte* room = stackalloc byte[96];
+        Aim* made = (Aim*)(((ulong)room + 15) / 16 * 16);
+        Marrow.AimInit(made);
+        return *made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential, Size = 32)]
+public unsafe struct AimTurn {
+    /// <summary>
+    /// a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
+    /// </summary>
+    public fixed float turn[4];
+    /// <summary>
+    /// The target can be seen: at weight 1 the ray from the offset along forward goes through it. It cannot where the
+    /// target is nearer to the joint than the ray ever gets, or than the offset, or where forward has no length.
+    /// </summary>
+    public byte reached;
+}
+
+public enum IkMethod : byte {
+    Fabrik = 0,
+    Ccd = 1,
+    DampedLeastSquares = 2,
+    GaussNewton = 3,
+}
+
+public enum IkStop : byte {
+    /// <summary>
+    /// the error is less than the tolerance
+    /// </summary>
+    Reached = 0,
+    /// <summary>
+    /// nothing moved any more: the target is out of reach, or goals contradict each other
+    /// </summary>
+    Stalled = 1,
+    /// <summary>
+    /// max_iterations are over
+    /// </summary>
+    Iterations = 2,
+}
+
+/// <summary>
+/// Where a point of a joint shall be, how the joint shall be turned, or both. What counts of a goal is its weights: 0
+/// and it does not, of twice the weight and it gives way half as far where goals contradict each other.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct IkGoal {
+    public ushort joint;
+    /// <summary>
+    /// 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
+    /// </summary>
+    public byte priority;
+    /// <summary>
+    /// the point of the joint that shall reach `position`; the joint's space, metres
+    /// </summary>
+    public fixed float offset[3];
+    /// <summary>
+    /// scene space, metres
+    /// </summary>
+    public fixed float position[3];
+    /// <summary>
+    /// of the joint's axes, in scene space: a unit quaternion x, y, z, w
+    /// </summary>
+    public fixed float rotation[4];
+    /// <summary>
+    /// 0 … 100
+    /// </summary>
+    public float position_weight;
+    /// <summary>
+    /// metres a radian: the distance that is as bad as being turned wrong by a radian
+    /// </summary>
+    public float rotation_weight;
+    public static IkGoal New() {
+        IkGoal made;
+        Marrow.IkGoalInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct IkProblem {
+    public IkGoal* goals;
+    public UIntPtr goal_count;
+    /// <summary>
+    /// that may turn: ascending, so that parents come first. Others are stiff
+    /// </summary>
+    public ushort* joints;
+    public UIntPtr joint_count;
+    /// <summary>
+    /// one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
+    /// </summary>
+    public float* stiffness;
+    public UIntPtr stiffness_count;
+    /// <summary>
+    /// joints ascending, as in a skeleton; those of joints that do not turn are left out
+    /// </summary>
+    public JointLimit* limits;
+    public UIntPtr limit_count;
+    /// <summary>
+    /// Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
+    /// as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
+    /// scene space, metres
+    /// </summary>
+    public fixed float pole[3];
+    public float pole_weight;
+    /// <summary>
+    /// By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
+    /// stays. Jacobian methods only.
+    /// </summary>
+    public float root_travel_m;
+    public static IkProblem New() {
+        IkProblem made;
+        Marrow.IkProblemInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct IkOptions {
+    public IkMethod method;
+    public ushort max_iterations;
+    /// <summary>
+    /// an error (see IkReport) of less ends the iteration
+    /// </summary>
+    public float tolerance_m;
+    /// <summary>
+    /// of the Jacobian methods: more is calmer and slower
+    /// </summary>
+    public float damping;
+    /// <summary>
+    /// of solve_ik_genetic: the same seed, the same result
+    /// </summary>
+    public uint seed;
+    /// <summary>
+    /// 0 leaves every bit as it was; between, rotations lie between
+    /// </summary>
+    public float weight;
+    /// <summary>
+    /// Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
+    /// become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
+    /// their lengths. Changes local translations of the joints on the way.
+    /// </summary>
+    public float stretch;
+    public static IkOptions New() {
+        IkOptions made;
+        Marrow.IkOptionsInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct IkReport {
+    /// <summary>
+    /// √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
+    /// </summary>
+    public float error_m;
+    public uint iterations;
+    public IkStop why;
+}
+
+/// <summary>
+/// A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
+/// its angle.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Foot {
+    public uint hip;
+    public uint knee;
+    public uint ankle;
+    /// <summary>
+    /// what stands on the ground, in the ankle's space: below the ball of the foot, say
+    /// </summary>
+    public fixed float sole[3];
+    /// <summary>
+    /// of the knee; see TwoBone
+    /// </summary>
+    public fixed float bend_axis[3];
+    /// <summary>
+    /// 0 … 1
+    /// </summary>
+    public float weight;
+    public static Foot New() {
+        Foot made;
+        Marrow.FootInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Two legs or more. The clips have been made for level ground, through the scene's origin.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Feet {
+    public Foot* feet;
+    public UIntPtr foot_count;
+    /// <summary>
+    /// moved up and down, with all that hangs on it, the hips too; none: stays
+    /// </summary>
+    public uint pelvis;
+    /// <summary>
+    /// ≥ 0: by how much at most it goes down, or up; world
+    /// </summary>
+    public float lower_m;
+    /// <summary>
+    /// 0 … 1: it goes down, too, where a leg would be longer than this share of its bones
+    /// </summary>
+    public float reach;
+    /// <summary>
+    /// 0 … 1.5: by how much at most a foot leans with the ground
+    /// </summary>
+    public float slope_rad;
+    /// <summary>
+    /// &gt; 0: the time in which all but 2 % of a step in the ground, or of a release, is over
+    /// </summary>
+    public float ease_s;
+    public static Feet New() {
+        Feet made;
+        Marrow.FeetInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What the game knows of a foot in this frame; world.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct FootGround {
+    /// <summary>
+    /// false: as if the ground were level at the height of the scene's origin
+    /// </summary>
+    public byte hit;
+    /// <summary>
+    /// of a ray along `up` through foot_sole(), or anywhere on the plane that it hit
+    /// </summary>
+    public fixed float point[3];
+    /// <summary>
+    /// of any length; steeper than 80°: no hit
+    /// </summary>
+    public fixed float normal[3];
+    /// <summary>
+    /// the sole stays at its place until this is false again
+    /// </summary>
+    public byte planted;
+    public static FootGround New() {
+        FootGround made;
+        Marrow.FootGroundInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
+/// the animation has the foot. World; on a moving platform, let the world be the platform.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct FootMotion {
+    /// <summary>
+    /// of the sole, as shown last
+    /// </summary>
+    public fixed float place[3];
+    /// <summary>
+    /// of the sole from its target
+    /// </summary>
+    public fixed float offset[3];
+    public fixed float offset_speed[3];
+    /// <summary>
+    /// of the ground's normal that the foot leans by from the ground's own
+    /// </summary>
+    public fixed float lean[3];
+    public fixed float lean_speed[3];
+    /// <summary>
+    /// the ground, last
+    /// </summary>
+    public fixed float point[3];
+    public fixed float normal[3];
+    /// <summary>
+    /// level: of the ankle's axis `axis` when it was planted
+    /// </summary>
+    public fixed float heading[3];
+    /// <summary>
+    /// about up, from the animated to the planted heading
+    /// </summary>
+    public fixed float turn[4];
+    /// <summary>
+    /// how much of it is left
+    /// </summary>
+    public float turn_share;
+    public float turn_share_speed;
+    public byte axis;
+    public byte planted;
+    public byte begun;
+    public byte hit;
+    /// <summary>
+    /// whether the leg was long enough
+    /// </summary>
+    public byte reached;
+    public static FootMotion New() {
+        FootMotion made;
+        Marrow.FootMotionInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential, Size = 96)]
+public unsafe struct FeetFrame {
+    /// <summary>
+    /// since the last frame
+    /// </summary>
+    public float dt_s;
+    fixed byte padding1[12];
+    /// <summary>
+    /// Where the character stands: a turn, one scale above 0, a shift.
+    /// </summary>
+    public Affine world_from_scene;
+    /// <summary>
+    /// a unit vector; world
+    /// </summary>
+    public fixed float up[3];
+    /// <summary>
+    /// feet begin anew, none is planted where it was
+    /// </summary>
+    public byte teleported;
+    /// <summary>
+    /// 0 … 1, times each foot's; the motion goes on
+    /// </summary>
+    public float weight;
+    public static FeetFrame New() {
+        byte* room = stackalloc byte[112];
+        FeetFrame* made = (FeetFrame*)(((ulong)room + 15) / 16 * 16);
+        Marrow.FeetFrameInit(made);
+        return *made;
+    }
+}
+
+/// <summary>
+/// A joint that swings, by the bone that goes from it to the next joint of its chain.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringJoint {
+    public ushort joint;
+    /// <summary>
+    /// 0 … 15: of small swings about the animated direction, without damping and gravity
+    /// </summary>
+    public float frequency_hz;
+    /// <summary>
+    /// 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+    /// </summary>
+    public float damping_ratio;
+    /// <summary>
+    /// -10 … 10, times SpringFrame::gravity
+    /// </summary>
+    public float gravity;
+    /// <summary>
+    /// 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+    /// </summary>
+    public float drag;
+    /// <summary>
+    /// ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+    /// </summary>
+    public float radius_m;
+    /// <summary>
+    /// 0 … 1, of what is shown; the motion itself goes on
+    /// </summary>
+    public float weight;
+    public static SpringJoint New() {
+        SpringJoint made;
+        Marrow.SpringJointInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringChain {
+    public SpringJoint* joints;
+    public UIntPtr joint_count;
+    /// <summary>
+    /// end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+    /// </summary>
+    public fixed float tip[3];
+    public static SpringChain New() {
+        SpringChain made;
+        Marrow.SpringChainInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+/// space is where that is most.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringCollider {
+    public ushort joint;
+    /// <summary>
+    /// in the joint's space
+    /// </summary>
+    public fixed float from[3];
+    public fixed float to[3];
+    /// <summary>
+    /// in the joint's space
+    /// </summary>
+    public float radius_m;
+    public static SpringCollider New() {
+        SpringCollider made;
+        Marrow.SpringColliderInit(&made);
+        return made;
+    }
+}
+
+public struct SpringGroup {}
+
+public struct SpringRoot {}
+
+public struct JointRange {}
+
+/// <summary>
+/// Chains of one character. To keep or to copy a motion, copy the memory.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Springs {
+    public SpringGroup* groups;
+    public SpringRoot* roots;
+    /// <summary>
+    /// joints whose matrices springs change
+    /// </summary>
+    public JointRange* below;
+    public uint group_count;
+    public uint root_count;
+    public uint below_count;
+    /// <summary>
+    /// of the skeleton
+    /// </summary>
+    public uint joint_count;
+    public float saved_s;
+    public static Springs New() {
+        Springs made;
+        Marrow.SpringsInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringFrame {
+    /// <summary>
+    /// since the last frame
+    /// </summary>
+    public float dt_s;
+    fixed byte padding1[12];
+    /// <summary>
+    /// Where the character stands: a turn, one scale, a shift. Motion in the world is felt, by this and by the pose.
+    /// </summary>
+    public Affine world_from_scene;
+    /// <summary>
+    /// m/s², world
+    /// </summary>
+    public fixed float gravity[3];
+    /// <summary>
+    /// m/s, world; acts by `drag`
+    /// </summary>
+    public fixed float wind[3];
+    public SpringCollider* colliders;
+    public UIntPtr collider_count;
+    /// <summary>
+    /// chains whose first joint moves further than this in one frame are moved along …
+    /// </summary>
+    public float teleport_m;
+    /// <summary>
+    /// … and so are all if this is set
+    /// </summary>
+    public byte teleported;
+    /// <summary>
+    /// 0 … 1, times each joint's
+    /// </summary>
+    public float weight;
+    fixed byte padding[12];
+    public static SpringFrame New() {
+        byte* room = stackalloc byte[144];
+        SpringFrame* made = (SpringFrame*)(((ulong)room + 15) / 16 * 16);
+        Marrow.SpringFrameInit(made);
+        return *made;
+    }
+}
+
+/// <summary>
+/// An instance's vertices, in the caller's memory. Copies are views of the same vertices.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct MorphedGeometry {
+    /// <summary>
+    /// as the bind geometry, but that skin, normals and tangents are the instance's own
+    /// </summary>
+    public Geometry geometry;
+    public Geometry bind;
+    /// <summary>
+    /// a block's first float in the skin; one more for the end
+    /// </summary>
+    public uint* offsets;
+    /// <summary>
+    /// a bit a block: differs from the bind pose
+    /// </summary>
+    public uint* moved;
+    /// <summary>
+    /// a bit a block: written since morph_coordinates()
+    /// </summary>
+    public uint* changed;
+    /// <summary>
+    /// one, MorphAttributes: what differs in the blocks moved
+    /// </summary>
+    public uint* attributes;
+}
+
+/// <summary>
+/// The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct JointReach {
+    public fixed float centre[3];
+    /// <summary>
+    /// ≥ 0; below 0: nothing follows this entry
+    /// </summary>
+    public fixed float half[3];
+}
+
+/// <summary>
+/// What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
+/// and about 0, in mesh space.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct MorphReach {
+    public fixed float least[3];
+    public fixed float most[3];
+}
+
+/// <summary>
+/// Views into the caller's memory.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Reach {
+    /// <summary>
+    /// one a palette entry, half-joints behind
+    /// </summary>
+    public JointReach* joints;
+    public UIntPtr joint_count;
+    /// <summary>
+    /// one a morph target
+    /// </summary>
+    public MorphReach* targets;
+    public UIntPtr target_count;
+    /// <summary>
+    /// the sum of what all examples may add
+    /// </summary>
+    public MorphReach pose_space;
+}
+
+/// <summary>
+/// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
+/// </summary>
+public enum NormalTransform : byte {
+    /// <summary>
+    /// Normals through the inverse transpose of M (its cofactors), tangents through M, both unit: exact for any blend that
+    /// can be inverted, mirrored or unevenly scaled ones too.
+    /// </summary>
+    InverseTranspose = 0,
+    /// <summary>
+    /// Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
+    /// where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
+    /// normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
+    /// (docs/architecture.md). Tangents are inverse_transpose's up to length.
+    /// </summary>
+    BlendedMatrix = 1,
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SkinOutput {
+    /// <summary>
+    /// 3 a slot; required
+    /// </summary>
+    public float* positions;
+    public UIntPtr position_count;
+    /// <summary>
+    /// 3 a slot; leave empty to skip
+    /// </summary>
+    public float* normals;
+    public UIntPtr normal_count;
+    /// <summary>
+    /// 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
+    /// ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
+    /// normals. Leave empty to skip.
+    /// </summary>
+    public float* tangents;
+    public UIntPtr tangent_count;
+    public NormalTransform normal_transform;
+    public static SkinOutput New() {
+        SkinOutput made;
+        Marrow.SkinOutputInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A mesh in animation space, for as_tangents().
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct AsPart {
+    public Mesh* mesh;
+    /// <summary>
+    /// from as_coordinates()
+    /// </summary>
+    public float* coordinates;
+    public UIntPtr coordinate_count;
+    /// <summary>
+    /// as_tangent_count() floats, to be written
+    /// </summary>
+    public float* tangents;
+    public UIntPtr tangent_count;
+    public static AsPart New() {
+        AsPart made;
+        Marrow.AsPartInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Animation {
+    /// <summary>
+    /// that they are from: the character's file, or a clip pack
+    /// </summary>
+    public File clips;
+    /// <summary>
+    /// of the longest
+    /// </summary>
+    public float duration_s;
+    /// <summary>
+    /// One a skeleton of the character: which clip it plays; kNoClip: it rests.
+    /// </summary>
+    public uint* clip_of_skeleton;
+    public UIntPtr clip_of_skeleton_count;
+    /// <summary>
+    /// One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
+    /// skeleton plays.
+    /// </summary>
+    public uint* channels;
+    public UIntPtr channel_count;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Animations {
+    /// <summary>
+    /// One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
+    /// A clip without a name has nothing to do with others.
+    /// </summary>
+    public Animation* all;
+    public UIntPtr all_count;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct CharacterOptions {
+    /// <summary>
+    /// that are blended at once, at most; at least 1
+    /// </summary>
+    public uint layers;
+    /// <summary>
+    /// of detail, as in File::mesh
+    /// </summary>
+    public uint level;
+    /// <summary>
+    /// on the CPU; false: neither palettes nor morphed vertices, a gles3::Skinner has them
+    /// </summary>
+    public byte skin;
+    /// <summary>
+    /// skin by skin_as(), too
+    /// </summary>
+    public byte animation_space;
+    public static CharacterOptions New() {
+        CharacterOptions made;
+        Marrow.CharacterOptionsInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
+/// the other alike; all calls of stage 3½ do.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct CharacterSkeleton {
+    public Skeleton skeleton;
+    /// <summary>
+    /// skeleton.soa_size()
+    /// </summary>
+    public SoaTransform* local;
+    public UIntPtr local_count;
+    /// <summary>
+    /// skeleton.joint_count
+    /// </summary>
+    public Affine* scene_from_joint;
+    public UIntPtr scene_from_joint_count;
+}
+
+/// <summary>
+/// A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct CharacterMesh {
+    /// <summary>
+    /// of the level asked for; with `skin` its geometry is this character's own, morphed
+    /// </summary>
+    public Mesh mesh;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
+    public float* weights;
+    public UIntPtr weight_count;
+    /// <summary>
+    /// empty without `skin`
+    /// </summary>
+    public Affine* palette;
+    public UIntPtr palette_count;
+    /// <summary>
+    /// empty without `skin` and `animation_space`
+    /// </summary>
+    public float* coordinates;
+    public UIntPtr coordinate_count;
+    /// <summary>
+    /// with `skin`
+    /// </summary>
+    public MorphedGeometry morphed;
+    /// <summary>
+    /// what it lies in
+    /// </summary>
+    public void* vertices;
+    public UIntPtr vertices_bytes;
+    /// <summary>
+    /// in Animation::channels
+    /// </summary>
+    public uint first_target;
+}
+
+/// <summary>
+/// Views into the caller's memory. A copy is the same character.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Character {
+    public File file;
+    public CharacterOptions options;
+    public CharacterSkeleton* skeletons;
+    public UIntPtr skeleton_count;
+    public CharacterMesh* meshes;
+    public UIntPtr mesh_count;
+    /// <summary>
+    /// of morph targets, of all meshes
+    /// </summary>
+    public uint target_count;
+    /// <summary>
+    /// Scratch, of the largest skeleton.
+    /// a pose a layer
+    /// </summary>
+    public SoaTransform* sampled;
+    public UIntPtr sampled_count;
+    public BlendLayer* blended;
+    public UIntPtr blended_count;
+    public AdditiveTransform* change;
+    public UIntPtr change_count;
+}
+
+/// <summary>
+/// An animation at a time, and how much of it.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct AnimationLayer {
+    /// <summary>
+    /// made for the character's file
+    /// </summary>
+    public Animation* animation;
+    /// <summary>
+    /// see playback.h
+    /// </summary>
+    public float time_s;
+    /// <summary>
+    /// 0 … kMaxBlendWeight
+    /// </summary>
+    public float weight;
+    public static AnimationLayer New() {
+        AnimationLayer made;
+        Marrow.AnimationLayerInit(&made);
+        return made;
+    }
+}
+
+public static unsafe class Marrow {
+    const string Library = "marrow_c";
+
+    /// <summary>What Abi() must give.</summary>
+    public const uint AbiNumber = 0x340c2e10;
+
+    public const int BlockBoundary = 16;
+    public const int UnpackStateBytes = 512;
+    /// <summary>
+    /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+    /// </summary>
+    public const uint MaxJoints = 32767;
+    /// <summary>
+    /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+    /// </summary>
+    public const uint MaxInfluences = 8;
+    /// <summary>
+    /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+    /// </summary>
+    public const ushort NoParent = 0xFFFF;
+    /// <summary>
+    /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+    /// </summary>
+    public const uint NoSlot = 0xFFFFFFFF;
+    /// <summary>
+    /// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+    /// the deltas of some blocks.
+    /// </summary>
+    public const uint MaxPoseExamples = 32;
+    /// <summary>
+    /// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+    /// </summary>
+    public const uint NoMaterial = 0xFFFFFFFF;
+    /// <summary>
+    /// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+    /// </summary>
+    public const uint NoImage = 0xFFFFFFFF;
+    /// <summary>
+    /// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+    /// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+    /// </summary>
+    public const ushort NoJoint = 0xFFFF;
+    /// <summary>
+    /// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+    /// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+    /// </summary>
+    public const uint MorphsPositions = 1;
+    /// <summary>
+    /// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+    /// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+    /// </summary>
+    public const uint MorphsNormals = 2;
+    /// <summary>
+    /// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+    /// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+    /// </summary>
+    public const uint MorphsTangents = 4;
+    /// <summary>
+    /// The largest weight of a layer; results stay far from the limits of float.
+    /// </summary>
+    public const float MaxBlendWeight = 1e6f;
+    /// <summary>
+    /// Below this sum of weights a joint is filled up with its rest pose.
+    /// </summary>
+    public const float RestThreshold = 0.1f;
+    /// <summary>
+    /// Rotations no farther outside than this keep their bits.
+    /// </summary>
+    public const float LimitToleranceRad = 1e-5f;
+    /// <summary>
+    /// The widest swing of a cone: 170°.
+    /// </summary>
+    public const float WidestSwingRad = 2.9670597f;
+    public const int MaxSpringColliders = 32;
+    /// <summary>
+    /// frames are cut into equal steps no longer than this …
+    /// </summary>
+    public const float MaxSpringStepS = 1.0f / 60;
+    /// <summary>
+    /// … and time beyond so many is left out
+    /// </summary>
+    public const int MaxSpringSteps = 8;
+    /// <summary>
+    /// shorter frames are saved up
+    /// </summary>
+    public const float MinSpringFrameS = 0.001f;
+    public const uint NoChannel = 0xFFFFFFFF;
+    public const uint NoClip = 0xFFFFFFFF;
+    [DllImport(Library, EntryPoint = "mrw_abi", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint Abi();
+    [DllImport(Library, EntryPoint = "mrw_data_error_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void DataErrorInit(DataError* @out);
+    /// <summary>
+    /// One word or two in English, never null.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_status_text", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte* StatusText(Status status);
+    /// <summary>
+    /// From now on `handler` is told of every call that returns Status::bad_argument, on the thread of that call and before
+    /// it returns. null: nobody is told. Returns the handler before.
+    ///
+    /// The runtime itself never logs. Without a call of this nobody is told in a build with NDEBUG, and in one without a
+    /// line goes to stderr. A library built with MARROW_CALL_ERRORS=OFF, as it is by default for MinSizeRel, holds no names
+    /// and no conditions, and tells nobody whatever is set here.
+    ///
+    /// Bad data in a file is no bad call: see DataError.
+    /// Thread-safe; the handler must be so too, and the one before may still be running on other threads. It may call
+    /// anything of Marrow, may set another handler, and may stop the program.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_set_call_error_handler", CallingConvention = CallingConvention.Cdecl)]
+    public static extern IntPtr SetCallErrorHandler(IntPtr handler);
+    /// <summary>
+    /// How many bytes of any alignment hold a block of `bytes`.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_block_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr BlockBytes(UIntPtr bytes);
+    [DllImport(Library, EntryPoint = "mrw_is_on_boundary", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte IsOnBoundary(void* first);
+    /// <summary>
+    /// What lies behind the first boundary in `memory`; empty if there is none.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_block_in", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BlockIn(void* memory, UIntPtr memory_bytes, Block* @out);
+    [DllImport(Library, EntryPoint = "mrw_bytes_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void BytesInit(Bytes* @out);
+    /// <summary>
+    /// Whether these are the first bytes of a packed file. Anything else is for load() to judge.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_is_packed", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte IsPacked(void* bytes, UIntPtr byte_count);
+    /// <summary>
+    /// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
+    /// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
+    /// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+    /// May be null: error.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_find_unpack_sizes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FindUnpackSizes(void* packed, UIntPtr packed_bytes, UnpackSizes* @out, DataError* error);
+    /// <summary>
+    /// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
+    /// to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+    ///
+    /// packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
+    /// bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); out_of_memory, by Draco;
+    /// bad_argument. On failure
+    /// `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
+    /// order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
+    /// nothing else does.
+    /// May be null: error.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_unpack", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Unpack(void* packed, UIntPtr packed_bytes, MeshDecoder* decoders, UIntPtr decoder_count, void* memory, UIntPtr memory_bytes, Bytes* file, DataError* error);
+    [DllImport(Library, EntryPoint = "mrw_unpacking_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void UnpackingInit(Unpacking* @out);
+    /// <summary>
+    /// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+    /// Cost: the checksum.
+    /// May be null: error.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_begin_unpack", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BeginUnpack(void* packed, UIntPtr packed_bytes, MeshDecoder* decoders, UIntPtr decoder_count, void* memory, UIntPtr memory_bytes, Unpacking* @out, DataError* error);
+    /// <summary>
+    /// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+    /// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+    /// meshopt's is short. A clip takes a copy of its bytes.
+    ///
+    /// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+    /// at a time.
+    /// May be null: error.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_unpack_step", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status UnpackStep(Unpacking* unpacking, DataError* error);
+    /// <summary>
+    /// For unpack(). Draco allocates while it decodes and frees all of it again.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_draco_decoder", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status DracoDecoder(MeshDecoder* @out);
+    /// <summary>
+    /// For unpack(). Allocates nothing.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_meshopt_decoder", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MeshoptDecoder(MeshDecoder* @out);
+    [DllImport(Library, EntryPoint = "mrw_joint_transform_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void JointTransformInit(JointTransform* @out);
+    /// <summary>
+    /// How many SoaTransforms hold a pose of `joint_count` joints.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_soa_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr SoaCount(UIntPtr joint_count);
+    /// <summary>
+    /// Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+    /// is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_get_joint", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status GetJoint(SoaTransform* local, UIntPtr local_count, uint joint, JointTransform* @out);
+    /// <summary>
+    /// Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+    /// is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_set_joint", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SetJoint(SoaTransform* local, UIntPtr local_count, uint joint, JointTransform* transform);
+    [DllImport(Library, EntryPoint = "mrw_rate_limit_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void RateLimitInit(RateLimit* @out);
+    [DllImport(Library, EntryPoint = "mrw_joint_limit_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void JointLimitInit(JointLimit* @out);
+    [DllImport(Library, EntryPoint = "mrw_half_joint_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void HalfJointInit(HalfJoint* @out);
+    /// <summary>
+    /// Whether a limit keeps these rules, as those of make_limit() and load() do.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_is_valid", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte IsValid(JointLimit* limit);
+    [DllImport(Library, EntryPoint = "mrw_file_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void FileInit(File* @out);
+    /// <summary>
+    /// Validates a cooked file (docs/format.md) and makes `out` a view of it.
+    ///
+    /// The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
+    /// read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
+    /// bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
+    /// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
+    /// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
+    /// failure. Cost: one pass over the block; no allocation. Thread-safe.
+    /// May be null: error.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_load", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Load(void* block, UIntPtr block_bytes, File* @out, DataError* error);
+    [DllImport(Library, EntryPoint = "mrw_file_skeleton_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileSkeletonCount(File* file);
+    [DllImport(Library, EntryPoint = "mrw_file_reference_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileReferenceCount(File* file);
+    [DllImport(Library, EntryPoint = "mrw_file_clip_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileClipCount(File* file);
+    [DllImport(Library, EntryPoint = "mrw_file_mesh_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileMeshCount(File* file);
+    [DllImport(Library, EntryPoint = "mrw_file_material_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileMaterialCount(File* file);
+    [DllImport(Library, EntryPoint = "mrw_file_image_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileImageCount(File* file);
+    [DllImport(Library, EntryPoint = "mrw_file_node_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileNodeCount(File* file);
+    /// <summary>
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_skeleton", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileSkeleton(File* file, uint index, Skeleton* @out);
+    /// <summary>
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_reference", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileReference(File* file, uint index, SkeletonReference* @out);
+    /// <summary>
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_clip", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileClip(File* file, uint index, Clip* @out);
+    /// <summary>
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_mesh", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileMesh(File* file, uint index, uint level, Mesh* @out);
+    /// <summary>
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_material", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileMaterial(File* file, uint index, Material* @out);
+    /// <summary>
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_image", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileImage(File* file, uint index, Image* @out);
+    /// <summary>
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_node", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileNode(File* file, uint index, Node* @out);
+    /// <summary>
+    /// About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
+    /// deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
+    /// Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
+    /// pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_bounds", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileBounds(File* file, uint clip, uint mesh, Bounds* @out);
+    /// <summary>
+    /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_find_skeleton", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileFindSkeleton(File* file, byte* name);
+    /// <summary>
+    /// The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
+    /// frame.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_find_joint", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileFindJoint(File* file, Skeleton* skeleton, byte* name);
+    /// <summary>
+    /// Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
+    /// same name.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_find_mesh", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileFindMesh(File* file, byte* name);
+    /// <summary>
+    /// Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+    /// of several skeletons is a clip each, with the same name and duration.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_find_clip", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileFindClip(File* file, byte* name);
+    /// <summary>
+    /// Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+    /// of several skeletons is a clip each, with the same name and duration.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_find_clip_of", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileFindClipOf(File* file, byte* name, uint skeleton);
+    /// <summary>
+    /// Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
+    /// a frame.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_find_channel", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileFindChannel(File* file, Clip* clip, byte* name);
+    /// <summary>
+    /// Index of the first node with this name, or node_count().
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_find_node", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileFindNode(File* file, byte* name);
+    /// <summary>
+    /// The property of `node`, a node of this file, with this name; null if there is none.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_node_property", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Property* FileNodeProperty(File* file, Node* node, byte* name);
+    /// <summary>
+    /// A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+    /// zero-terminated, never null.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_text", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte* FileText(File* file, uint name);
+    /// <summary>
+    /// A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+    /// zero-terminated, never null.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_property_text", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint PropertyText(Property* property);
+    [DllImport(Library, EntryPoint = "mrw_skeleton_soa_size", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr SkeletonSoaSize(Skeleton* skeleton);
+    /// <summary>
+    /// How many matrices build_palette() writes.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_mesh_palette_size", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint MeshPaletteSize(Mesh* mesh);
+    [DllImport(Library, EntryPoint = "mrw_bounds_is_empty", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte BoundsIsEmpty(Bounds* bounds);
+    /// <summary>
+    /// A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
+    /// Of a skeleton that is not there it is the hash of no joints. Cost: one pass over the skeleton.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_skeleton_hash", CallingConvention = CallingConvention.Cdecl)]
+    public static extern ulong SkeletonHash(File* file, uint skeleton);
+    /// <summary>
+    /// Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
+    /// sample(skeleton, pack.clip(i), …) does for every clip whose Clip::skeleton is `reference` what it would do for the
+    /// skeleton's own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and
+    /// within it the pose is nonsense.)
+    ///
+    /// misfits: gets the first ones, as many as it holds; misfit_count, if not null, how many there are. Both may be left
+    /// out. What stands above the roots may differ: it does not concern clips.
+    /// Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
+    /// skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+    /// May be null: misfits_there.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_bind_clips", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BindClips(File* pack, uint reference, File* character, uint skeleton, JointMisfit* misfits, UIntPtr misfit_count, UIntPtr* misfits_there);
+    [DllImport(Library, EntryPoint = "mrw_playback_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void PlaybackInit(Playback* @out);
+    /// <summary>
+    /// Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
+    /// however many times over: a loop loses no time and shows none twice, and so does a turn. Afterwards time_s is in
+    /// 0 … duration_s, and below duration_s in a loop; an end that is reached exactly is passed or turned at only when time
+    /// moves on. Events at a clip's times are due where time_s was before, where it is now, and `turns` say. A time_s
+    /// outside the clip counts as one that has just run there; a duration of 0 makes it 0, without a turn.
+    ///
+    /// Errors: bad_argument if time_s, speed, dt_s or duration_s is not finite, or duration_s is below 0; nothing is
+    /// changed.
+    ///
+    /// Error: dt_s · speed is exact; to add it to the time rounds once, by at most 2⁻⁵³ (time_s + |dt_s · speed|) before and
+    /// 2⁻⁵³ duration_s more where a loop passes its start backwards; finding the place of a time beyond an end is exact. So
+    /// after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the logarithm of the
+    /// turns where there are many. The same bits everywhere; thread-safe on different playbacks.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_advance", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Advance(Playback* playback, float duration_s, float dt_s);
+    /// <summary>
+    /// The time to sample: time_s as a float, which never goes beyond the clip.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_clip_time", CallingConvention = CallingConvention.Cdecl)]
+    public static extern float ClipTime(Playback* playback);
+    /// <summary>
+    /// Whether a clip that plays once has reached the end towards which it runs; it stays true then. A clip at speed 0 runs
+    /// towards none.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_finished", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte Finished(Playback* playback, float duration_s);
+    [DllImport(Library, EntryPoint = "mrw_sample_options_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SampleOptionsInit(SampleOptions* @out);
+    /// <summary>
+    /// Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
+    /// STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
+    /// tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
+    ///
+    /// out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
+    /// Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints or
+    /// is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
+    /// float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
+    /// is. Stateless; thread-safe on different outputs.
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_sample", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Sample(Skeleton* skeleton, Clip* clip, float time_s, SoaTransform* @out, UIntPtr out_count, SampleOptions* options);
+    /// <summary>
+    /// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
+    /// that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
+    /// within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest
+    /// pose in them.
+    ///
+    /// out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
+    /// additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_sample_additive", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SampleAdditive(Skeleton* skeleton, Clip* clip, float time_s, AdditiveTransform* @out, UIntPtr out_count);
+    /// <summary>
+    /// Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
+    ///
+    /// out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
+    /// drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
+    /// changes. Errors: bad_argument if `out` is too short or time_s is not
+    /// a number. Cost: a binary search a distinct key-time list and a few operations a channel.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_sample_channels", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SampleChannels(Clip* clip, float time_s, float* @out, UIntPtr out_count);
+    [DllImport(Library, EntryPoint = "mrw_curve_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void CurveInit(Curve* @out);
+    [DllImport(Library, EntryPoint = "mrw_arc_length_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void ArcLengthInit(ArcLength* @out);
+    [DllImport(Library, EntryPoint = "mrw_cubic_bezier_ease_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void CubicBezierEaseInit(CubicBezierEase* @out);
+    /// <summary>
+    /// How many floats `key_count` keys of `components` hold.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_curve_value_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr CurveValueCount(CurveKind kind, uint components, UIntPtr key_count);
+    /// <summary>
+    /// Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: bad_argument if `kind`
+    /// is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
+    /// not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
+    /// interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_check_curve", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status CheckCurve(Curve* curve);
+    /// <summary>
+    /// The value at `time_s`, clamped to the first and last key; one key is a constant.
+    ///
+    /// out: at least curve.components floats. Errors: bad_argument as in check_curve(), if `out` is too short, or time_s is
+    /// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
+    /// At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
+    /// some dozen operations.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_evaluate_curve", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status EvaluateCurve(Curve* curve, float time_s, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
+    /// the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
+    /// bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_curve_velocity", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status CurveVelocity(Curve* curve, float time_s, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
+    ///
+    /// keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
+    /// it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
+    /// derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
+    /// Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
+    /// Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
+    /// are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
+    /// tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
+    /// Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_natural_spline", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status NaturalSpline(Curve* keys, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
+    ///
+    /// keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
+    /// it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
+    /// derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
+    /// Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
+    /// Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
+    /// are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
+    /// tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
+    /// Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_clamped_spline", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status ClampedSpline(Curve* keys, float* first_velocity, UIntPtr first_velocity_count, float* last_velocity, UIntPtr last_velocity_count, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// A Bézier curve of any degree at u, by de Casteljau's algorithm.
+    ///
+    /// points: degree + 1 points of `components` floats (1 … 4). scratch: at least points.size floats, overlapping nothing.
+    /// out: at least `components`. u outside [0, 1] extrapolates. Errors: bad_argument if there is no point, points.size is
+    /// no multiple of components, a span is too short, or u is not finite; bad_data if the result is not finite.
+    /// Cost: degree · (degree + 1) / 2 interpolations.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_bezier", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Bezier(float* points, UIntPtr point_count, uint components, float u, float* scratch, UIntPtr scratch_count, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
+    /// result has no direction, or is too long to be squared.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_bezier_rotation", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BezierRotation(float* quaternions, UIntPtr quaternion_count, float u, float* scratch, UIntPtr scratch_count, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// A bicubic patch over 4 × 4 points: the tensor product of two cubics.
+    ///
+    /// points: 16 · components floats, component by component within a point, points along u first, then v. out: at least
+    /// `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
+    /// bad_data, with nothing written, if the result is not finite.
+    /// Cost: 20 blends of four points.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_bicubic_patch", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BicubicPatch(PatchBasis basis, float* points, UIntPtr point_count, uint components, float u, float v, float* @out, UIntPtr out_count);
+    [DllImport(Library, EntryPoint = "mrw_arc_length_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr ArcLengthCount(UIntPtr key_count, uint steps);
+    /// <summary>
+    /// Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
+    /// Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
+    /// `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
+    /// linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_build_arc_length", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BuildArcLength(Curve* curve, uint steps, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
+    /// Between two entries the length is taken as linear, so the point found is off along the path by at most
+    /// A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps,
+    /// a quarter of the error. Errors: bad_argument if the table is too short for this curve or `distance` is not a number.
+    /// Cost: a binary search.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_time_at_distance", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status TimeAtDistance(Curve* curve, ArcLength* table, float distance, float* time_s);
+    /// <summary>
+    /// From 0 at u = 0 to 1 at u = 1, both exactly; u is clamped, and what is not a number counts as 0. back and elastic
+    /// overshoot. out(u) = 1 - in(1 - u), in_out is the one, then the other at half size. As in Penner's, expo and elastic
+    /// leave 0 (out: reach 1) with a jump of 1e-3 or less; back's overshoot is 1.70158, 1.525 times that for in_out;
+    /// elastic's period is 0.3, 0.45 for in_out. Within 1e-6 of the closed forms. Unknown enumerators: linear.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_ease", CallingConvention = CallingConvention.Cdecl)]
+    public static extern float Ease(Easing easing, EaseMode mode, float u);
+    /// <summary>
+    /// y at x = u, with u clamped to [0, 1]. The point lies on the curve within 3e-7 in x (4e-7 (1 + |y1| + |y2|) in y):
+    /// where the curve is steep, y is as uncertain as x is. Errors: bad_argument unless x1 and x2 are in [0, 1], y1 and y2
+    /// finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_ease_by_curve", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status EaseByCurve(CubicBezierEase* curve, float u, float* @out);
+    [DllImport(Library, EntryPoint = "mrw_blend_layer_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void BlendLayerInit(BlendLayer* @out);
+    [DllImport(Library, EntryPoint = "mrw_additive_layer_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void AdditiveLayerInit(AdditiveLayer* @out);
+    /// <summary>
+    /// out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
+    /// as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
+    ///
+    /// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it, so the result
+    /// is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
+    /// below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
+    /// single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
+    /// below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
+    ///
+    /// layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
+    /// kMaxBlendWeight.
+    /// Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
+    /// Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_blend", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Blend(Skeleton* skeleton, BlendLayer* layers, UIntPtr layer_count, SoaTransform* @out, UIntPtr out_count, float threshold);
+    /// <summary>
+    /// Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
+    /// pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
+    /// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_overlay", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Overlay(Skeleton* skeleton, BlendLayer* layer, SoaTransform* pose, UIntPtr pose_count);
+    /// <summary>
+    /// out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
+    /// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
+    /// their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_additive", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeAdditive(Skeleton* skeleton, SoaTransform* pose, UIntPtr pose_count, SoaTransform* reference, UIntPtr reference_count, AdditiveTransform* @out, UIntPtr out_count);
+    /// <summary>
+    /// Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
+    /// mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
+    /// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_add", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Add(Skeleton* skeleton, AdditiveLayer* layer, SoaTransform* pose, UIntPtr pose_count);
+    [DllImport(Library, EntryPoint = "mrw_inertia_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void InertiaInit(Inertia* @out);
+    [DllImport(Library, EntryPoint = "mrw_inertial_start_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void InertialStartInit(InertialStart* @out);
+    /// <summary>
+    /// The new clip's weight, `time_s` after the fade began: exactly 0 at or before 0 and for what is not a number, exactly
+    /// 1 from duration_s on (at once if that is not above 0).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_fade_weight", CallingConvention = CallingConvention.Cdecl)]
+    public static extern float FadeWeight(Fade shape, float time_s, float duration_s);
+    /// <summary>
+    /// blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
+    /// from, to, out: at least skeleton.soa_size(); out may be either of the poses.
+    /// Errors: bad_argument if a span is too short or the weight not in 0 … 1.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_cross_fade", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status CrossFade(Skeleton* skeleton, SoaTransform* from, UIntPtr from_count, SoaTransform* to, UIntPtr to_count, float weight, SoaTransform* @out, UIntPtr out_count);
+    /// <summary>
+    /// Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is
+    /// shown.
+    ///
+    /// Inertialisation: D. Bollo, GDC 2018. Each component is the quintic with the offset's value and velocity at the start,
+    /// and value, velocity, acceleration and jerk 0 at the end, in the factored form above. A component on its way to zero
+    /// that would pass it before duration_s ends sooner, 5 start / -velocity after the beginning, so no offset
+    /// changes its sign. Other than there, x, y and z are not reduced to a length on a fixed axis, so the whole velocity
+    /// is carried over and not only its part along the offset. The growth of a turn is limited so that it stays below a
+    /// whole one; a turn of more than a quarter in one frame is not carried over faithfully.
+    /// Rotations must be unit quaternions, translations and scales at most 1e15: then all is finite, here and below. To
+    /// begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
+    /// short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
+    /// quaternions a joint, four joints at a time; no allocation.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_begin_inertia", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BeginInertia(Skeleton* skeleton, InertialStart* start, float duration_s, Inertia* inertia);
+    /// <summary>
+    /// pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
+    /// any begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
+    /// Errors: bad_argument if a span is too short or time_s not a number.
+    /// Cost: nine quintics and one exponential a joint, four joints at a time.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_apply_inertia", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status ApplyInertia(Skeleton* skeleton, Inertia* inertia, float time_s, SoaTransform* pose, UIntPtr pose_count);
+    /// <summary>
+    /// scene_from_joint = scene_from_root · Π parent_from_joint, from the root down; scene_from_root is what the source has
+    /// above the skeleton and never moves, so the matrices are in the source's scene space.
+    ///
+    /// local: at least skeleton.soa_size(); out: at least skeleton.joint_count; they do not overlap.
+    /// Errors: bad_argument if a span is too short.
+    /// Cost: one quaternion-to-matrix (four joints at a time) and one affine product a joint: 70 instructions on x86-64, 49
+    /// on AArch64. Thread-safe on different outputs.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_local_to_model", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status LocalToModel(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* @out, UIntPtr out_count);
+    /// <summary>
+    /// The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
+    /// whatever the count, parents are among them. The others' matrices are left as they are.
+    ///
+    /// local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
+    /// joints.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_local_to_model_first", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status LocalToModelFirst(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, uint joint_count, Affine* @out, UIntPtr out_count);
+    /// <summary>
+    /// The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
+    /// kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
+    ///
+    /// local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
+    /// such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
+    /// one comparison for each other joint from `joint` to the last generation.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_local_to_model_below", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status LocalToModelBelow(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, uint joint, Affine* @out, UIntPtr out_count);
+    [DllImport(Library, EntryPoint = "mrw_limit_description_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void LimitDescriptionInit(LimitDescription* @out);
+    [DllImport(Library, EntryPoint = "mrw_rotation_follower_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void RotationFollowerInit(RotationFollower* @out);
+    [DllImport(Library, EntryPoint = "mrw_point_follower_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void PointFollowerInit(PointFollower* @out);
+    /// <summary>
+    /// Angles least_rad … most_rad; all of them if that is a turn or more.
+    /// Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_angle_range", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeAngleRange(float least_rad, float most_rad, AngleRange* @out);
+    /// <summary>
+    /// `out` is written only on success.
+    /// Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
+    /// above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
+    /// euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_limit", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeLimit(LimitDescription* description, ushort joint, JointLimit* @out);
+    /// <summary>
+    /// local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
+    ///
+    /// What is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes nothing.
+    /// What comes out is inside within the same tolerance.
+    ///
+    /// Outside it is the nearest rotation for a hinge; for a cone the nearest swing, and of the twists the nearest with it;
+    /// for euler boxes one round of exact searches along each angle from the clamped angles. docs/ik/limits.md has how near
+    /// that is. The nearest rotation jumps where one side of the range is as far as the other. So that the result moves
+    /// continuously, over the last quarter of the way from the limit to there it moves through the middle of the range: of a
+    /// turn about an axis to the angle opposite the middle, of a swing to 180°, where in its place the twist is lost; and of
+    /// euler angles to ±90° of the second, where the third and the first are one. Distances are as tangents of a quarter of
+    /// the angle. A range of all angles is a circle, to which nothing leads continuously: it jumps at a swing of 180°, and
+    /// an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
+    ///
+    /// Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
+    /// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_clamp_rotation", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status ClampRotation(JointLimit* limit, float* local);
+    /// <summary>
+    /// By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_limit_excess", CallingConvention = CallingConvention.Cdecl)]
+    public static extern float LimitExcess(JointLimit* limit, float* local);
+    /// <summary>
+    /// clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
+    /// local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
+    /// Cost: clamp_rotation() a limit. Thread-safe on different poses.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_limit_pose", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status LimitPose(JointLimit* limits, UIntPtr limit_count, SoaTransform* local, UIntPtr local_count);
+    /// <summary>
+    /// The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_find_limit", CallingConvention = CallingConvention.Cdecl)]
+    public static extern JointLimit* FindLimit(JointLimit* limits, UIntPtr limit_count, uint joint);
+    /// <summary>
+    /// Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+    /// is state.rotation or state.point.
+    ///
+    /// A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+    /// the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+    /// about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+    /// part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+    /// the speed until it is there; without any limit it is on its target.
+    /// Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+    /// they may exceed the acceleration by a few hundredths.
+    ///
+    /// The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+    /// each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+    /// from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+    ///
+    /// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+    /// follower keeps is finite.
+    /// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+    /// on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+    /// quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+    /// on different states.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_follow_rotation", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FollowRotation(RotationFollower* state, float* target, float dt_s, RateLimit* limit);
+    /// <summary>
+    /// Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+    /// is state.rotation or state.point.
+    ///
+    /// A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+    /// the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+    /// about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+    /// part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+    /// the speed until it is there; without any limit it is on its target.
+    /// Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+    /// they may exceed the acceleration by a few hundredths.
+    ///
+    /// The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+    /// each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+    /// from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+    ///
+    /// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+    /// follower keeps is finite.
+    /// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+    /// on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+    /// quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+    /// on different states.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_follow_point", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FollowPoint(PointFollower* state, float* target, float dt_s, RateLimit* limit);
+    /// <summary>
+    /// follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
+    /// All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
+    /// way there may lead outside.
+    /// states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
+    /// finite; nothing is written. Joints whose rotation is not finite keep it.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_follow_pose", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FollowPose(JointLimit* limits, UIntPtr limit_count, RotationFollower* states, UIntPtr state_count, float dt_s, SoaTransform* local, UIntPtr local_count);
+    [DllImport(Library, EntryPoint = "mrw_two_bone_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void TwoBoneInit(TwoBone* @out);
+    [DllImport(Library, EntryPoint = "mrw_two_bone_joints_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void TwoBoneJointsInit(TwoBoneJoints* @out);
+    [DllImport(Library, EntryPoint = "mrw_two_bone_limb_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void TwoBoneLimbInit(TwoBoneLimb* @out);
+    [DllImport(Library, EntryPoint = "mrw_aim_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void AimInit(Aim* @out);
+    /// <summary>
+    /// Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
+    /// difference of the lengths; then the shortest arc to the target and a turn about it, in one quaternion.
+    /// Of a bone of no length, or a target at the start joint, the rest is still done; nothing becomes infinite.
+    /// The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
+    /// one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
+    /// Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+    /// large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+    /// Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent
+    /// the wrong way, the target more than 120° off or near the pole, or there is a twist.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_turn_two_bone", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status TurnTwoBone(TwoBoneJoints* joints, TwoBone* goal, TwoBoneTurns* @out);
+    /// <summary>
+    /// Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.
+    /// Errors: as above, for all four if one is bad.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_turn_two_bone_x4", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status TurnTwoBoneX4(TwoBoneJoints* joints, TwoBone* goals, TwoBoneTurns* @out);
+    /// <summary>
+    /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+    /// 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
+    /// are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+    /// May be null: reached.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_solve_two_bone", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SolveTwoBone(Skeleton* skeleton, TwoBoneLimb* limb, TwoBone* goal, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, byte* reached);
+    /// <summary>
+    /// Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
+    /// turn about it, in one quaternion.
+    /// Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
+    /// weight outside 0 … 1.
+    /// Cost: 237 instructions on x86-64, 187 on AArch64.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_turn_aim", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status TurnAim(Affine* joint, Aim* goal, AimTurn* @out);
+    /// <summary>
+    /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+    /// 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
+    /// is written. Cost: the kernel's, and local_to_model_below(joint).
+    /// May be null: reached.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_solve_aim", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SolveAim(Skeleton* skeleton, uint joint, Aim* goal, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, byte* reached);
+    /// <summary>
+    /// The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
+    /// looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
+    /// falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
+    /// Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+    /// May be null: reached.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_solve_look_at", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SolveLookAt(Skeleton* skeleton, uint* joints, UIntPtr joint_count, Aim* goal, float falloff, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, byte* reached);
+    [DllImport(Library, EntryPoint = "mrw_ik_goal_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void IkGoalInit(IkGoal* @out);
+    [DllImport(Library, EntryPoint = "mrw_ik_problem_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void IkProblemInit(IkProblem* @out);
+    [DllImport(Library, EntryPoint = "mrw_ik_options_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void IkOptionsInit(IkOptions* @out);
+    /// <summary>
+    /// Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_ik_scratch_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr IkScratchBytes(Skeleton* skeleton, IkProblem* problem, IkOptions* options);
+    /// <summary>
+    /// Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
+    ///
+    /// local: at least skeleton.soa_size(), parent_from_joint; changed: rotations of problem.joints, and the translation of
+    /// joints[0] if it may travel. scene_from_joint: at least skeleton.joint_count, of this pose (local_to_model); brought
+    /// up to date for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
+    /// may be null.
+    /// A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
+    /// Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending,
+    /// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
+    /// of range, or the pose not finite on the way to a goal.
+    /// Cost: docs/ik.md. Thread-safe on different poses and scratch.
+    /// May be null: options, report.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_solve_ik", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SolveIk(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, IkProblem* problem, IkOptions* options, void* scratch, UIntPtr scratch_bytes, IkReport* report);
+    /// <summary>
+    /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+    /// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+    ///
+    /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+    /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+    /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_ik_genetic_scratch_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr IkGeneticScratchBytes(Skeleton* skeleton, IkProblem* problem);
+    /// <summary>
+    /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+    /// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+    ///
+    /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+    /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+    /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// May be null: options, report.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_solve_ik_genetic", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SolveIkGenetic(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, IkProblem* problem, IkOptions* options, void* scratch, UIntPtr scratch_bytes, IkReport* report);
+    [DllImport(Library, EntryPoint = "mrw_foot_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void FootInit(Foot* @out);
+    [DllImport(Library, EntryPoint = "mrw_feet_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void FeetInit(Feet* @out);
+    [DllImport(Library, EntryPoint = "mrw_foot_ground_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void FootGroundInit(FootGround* @out);
+    [DllImport(Library, EntryPoint = "mrw_foot_motion_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void FootMotionInit(FootMotion* @out);
+    [DllImport(Library, EntryPoint = "mrw_feet_frame_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void FeetFrameInit(FeetFrame* @out);
+    /// <summary>
+    /// Where a ray for a foot is to go through: its sole as animated, in the world.
+    /// Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_foot_sole", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FootSole(Foot* foot, Affine* world_from_scene, Affine* scene_from_joint, UIntPtr scene_from_joint_count, float* sole_world);
+    /// <summary>
+    /// Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
+    /// date. Call it after local_to_model(), and cast the rays before it, from the same pose.
+    ///
+    /// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
+    ///
+    /// The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
+    /// plane about its sole. What is planted keeps its place across `up`, and its heading; along `up` it moves as animated,
+    /// so that a heel can rise. A step in the ground (another plane than in the last frame), and on release the way to the
+    /// target, are an offset from the target that dies away as a critically damped spring at rest does, with the speed
+    /// that it had: exact whatever the frame rate, and without a jump in place or speed. The pelvis moves by the lowest
+    /// sole's ground, and as much further down as the legs need to reach. Ankles keep their animated attitude but for lean
+    /// and heading. See docs/ik/feet.md.
+    ///
+    /// Errors: bad_argument if a span is too short, joints are not as they should be, or a number is not finite, out of its
+    /// range or beyond 1e6; nothing is written.
+    /// Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
+    /// up to three where joints are scaled unevenly: 8100 instructions a foot on x86-64, the skeleton having 27 joints. No
+    /// allocation; thread-safe on different motions and poses.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_place_feet", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status PlaceFeet(Skeleton* skeleton, Feet* feet, FeetFrame* frame, FootGround* ground, UIntPtr ground_count, FootMotion* motion, UIntPtr motion_count, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count);
+    [DllImport(Library, EntryPoint = "mrw_spring_joint_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringJointInit(SpringJoint* @out);
+    [DllImport(Library, EntryPoint = "mrw_spring_chain_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringChainInit(SpringChain* @out);
+    [DllImport(Library, EntryPoint = "mrw_spring_collider_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringColliderInit(SpringCollider* @out);
+    [DllImport(Library, EntryPoint = "mrw_springs_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringsInit(Springs* @out);
+    [DllImport(Library, EntryPoint = "mrw_spring_frame_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringFrameInit(SpringFrame* @out);
+    /// <summary>
+    /// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_springs_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr SpringsBytes(Skeleton* skeleton, SpringChain* chains, UIntPtr chain_count);
+    /// <summary>
+    /// Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
+    ///
+    /// memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
+    /// Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
+    /// a chain has no bone, or the memory does not do; nothing is written.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_springs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeSprings(Skeleton* skeleton, SpringChain* chains, UIntPtr chain_count, void* memory, UIntPtr memory_bytes, Springs* @out);
+    /// <summary>
+    /// New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_set_springs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SetSprings(Skeleton* skeleton, SpringChain* chains, UIntPtr chain_count, Springs* springs);
+    /// <summary>
+    /// The next frame begins at rest in its pose.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_reset_springs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void ResetSprings(Springs* springs);
+    /// <summary>
+    /// Moves the springs on by a frame and bends `local` by them; the matrices of what hangs below are brought up to date.
+    ///
+    /// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count; local_to_model() has made
+    /// the one from the other. Springs never read what they have written: give them the animated pose of every frame.
+    ///
+    /// Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
+    ///   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
+    /// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
+    /// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
+    /// the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+    /// the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
+    /// not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
+    /// upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is
+    /// carried by it, but does not feel its swing.
+    ///
+    /// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
+    /// before and half after. Drift and kicks have the strengths with which small swings have the exact frequency and decay,
+    /// whatever the step; so a path does not depend on the frame rate but for how the animation's frames cut its curves. The
+    /// energy |u|²/2 - F·d is held down to the work done, so that it never grows without input.
+    /// What hangs on a bone turns by the nearest rotation to its parent's that takes the one direction to the other, which
+    /// is a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965) and costs one product of matrix and
+    /// vector a joint.
+    ///
+    /// Scales that are not one scale, above a joint: directions are then approximate, lengths still kept. A bone shorter
+    /// than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
+    /// Errors: bad_argument if a span is too short, the skeleton has another count of joints, a number is not finite or out
+    /// of its range, or there are more than kMaxSpringColliders; nothing is written.
+    /// Cost: at 60 frames/s 714 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
+    /// thread-safe on different springs and poses.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_simulate_springs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SimulateSprings(Skeleton* skeleton, SpringFrame* frame, Springs* springs, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count);
+    /// <summary>
+    /// For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
+    /// `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
+    /// compares names; once a load.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_find_weight_channels", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FindWeightChannels(File* file, Mesh* mesh, File* clips, Clip* clip, uint* @out, UIntPtr out_count);
+    /// <summary>
+    /// The weights of a moment: of each target its channel's value, or its default without. channels: from
+    /// find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
+    /// out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_morph_weights", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MorphWeights(Mesh* mesh, uint* channels, UIntPtr channel_count, float* values, UIntPtr value_count, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_morphed_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr MorphedBytes(Geometry* geometry);
+    /// <summary>
+    /// The bind pose. memory: at least morphed_bytes(), 16-byte aligned (bad_argument otherwise); `out` keeps pointers into
+    /// it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_morphed", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeMorphed(Geometry* geometry, void* memory, UIntPtr memory_bytes, MorphedGeometry* @out);
+    /// <summary>
+    /// Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
+    /// cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
+    /// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
+    /// moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
+    /// however many targets move it, 8, 20 or 29 to undo and normalise.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_morph", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Morph(float* weights, UIntPtr weight_count, MorphedGeometry* morphed);
+    /// <summary>
+    /// Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
+    /// Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
+    /// the morphed geometry is the same where no residual changes a weight.
+    ///
+    /// coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
+    /// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_morph_coordinates", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MorphCoordinates(MorphedGeometry* morphed, float* coordinates, UIntPtr coordinate_count);
+    /// <summary>
+    /// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
+    ///
+    /// joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
+    /// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
+    /// scene_from_joint.size, what half-joints name below joints.size.
+    /// Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
+    ///
+    /// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
+    /// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
+    /// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
+    /// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+    ///
+    /// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
+    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+    /// Thread-safe on different outputs; out overlaps none of the inputs.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_build_palette_of_joints", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BuildPaletteOfJoints(ushort* joints, UIntPtr joint_count, Affine* bind, UIntPtr bind_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, Affine* @out, UIntPtr out_count, HalfJoint* half_joints, UIntPtr half_joint_count);
+    /// <summary>
+    /// The palette of a mesh.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_build_palette", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BuildPalette(Mesh* mesh, Affine* scene_from_joint, UIntPtr scene_from_joint_count, Affine* @out, UIntPtr out_count);
+    /// <summary>
+    /// Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
+    /// are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
+    /// not finite do not.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_turns_inside_out", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte TurnsInsideOut(Affine* map);
+    /// <summary>
+    /// The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
+    /// double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
+    /// turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
+    /// matrix.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_palette_turns_inside_out", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte PaletteTurnsInsideOut(Affine* palette, UIntPtr palette_count);
+    /// <summary>
+    /// Bytes that make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_reach_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr ReachBytes(Mesh* mesh);
+    /// <summary>
+    /// Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
+    /// are among those of `mesh`.
+    ///
+    /// mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
+    /// `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_reach", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeReach(Mesh* mesh, void* memory, UIntPtr memory_bytes, Reach* @out);
+    /// <summary>
+    /// The box of the mesh and a sphere about the box's centre, in the palette's space.
+    ///
+    /// palette: of the mesh, reach.joints.size entries. weights: of its morph targets, any finite numbers; empty: none is
+    /// active. Without a vertex `out` is empty (Bounds::is_empty()). Errors: bad_argument (a span too short, a weight that
+    /// is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its half
+    /// sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
+    /// 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
+    /// instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_palette_bounds", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status PaletteBounds(Reach* reach, Affine* palette, UIntPtr palette_count, float* weights, UIntPtr weight_count, Bounds* @out);
+    [DllImport(Library, EntryPoint = "mrw_skin_output_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SkinOutputInit(SkinOutput* @out);
+    [DllImport(Library, EntryPoint = "mrw_as_part_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void AsPartInit(AsPart* @out);
+    /// <summary>
+    /// Each vertex follows the joint with its largest weight.
+    ///   position = M_j (v, 1)
+    /// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
+    /// tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+    /// Cost: positions 51 / 32; with exact normals 78 / 49.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_skin_rigid", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SkinRigid(Mesh* mesh, Affine* palette, UIntPtr palette_count, SkinOutput* @out);
+    /// <summary>
+    /// Skeletal subspace deformation, also called linear blend skinning.
+    ///   position = (Σ_j w_j M_j) (v, 1)
+    /// Cost: positions 39 / 30; with normals through the blended matrix 50 / 35, and tangents 63 / 43; through the inverse
+    /// transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
+    /// or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
+    /// transpose.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_skin_ssd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SkinSsd(Mesh* mesh, Affine* palette, UIntPtr palette_count, SkinOutput* @out);
+    /// <summary>
+    /// How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_as_coordinate_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr AsCoordinateCount(Geometry* geometry);
+    /// <summary>
+    /// Animation-space coordinates of every slot, from lift and residual: q_j = (w_j v + d_j, w_j + δ_j), Σ_j (q_j)_w = 1.
+    /// In the notation of Merry, Marais and Gain (ACM TOG 25(4), 2006) p_j = B_j⁻¹ q_j; B_j⁻¹ stands in the palette here.
+    ///
+    /// As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
+    /// x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
+    /// out: as_coordinate_count() floats. Done once a mesh, not a frame.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_as_coordinates", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status AsCoordinates(Geometry* geometry, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_as_tangent_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr AsTangentCount(Geometry* geometry);
+    /// <summary>
+    /// Bytes of scratch memory that as_tangents() wants: about 32 a slot and 4 an index.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_as_tangent_scratch_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr AsTangentScratchBytes(AsPart* parts, UIntPtr part_count);
+    /// <summary>
+    /// Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
+    ///   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
+    ///   Σ_j (τ_j)_w = 0
+    /// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
+    /// residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
+    /// has one. What the triangles do not explain of them goes through the blend: all, if they have no area. Of a
+    /// neighbour's joints those that a vertex lacks count as the one of its own which that neighbour follows most.
+    ///
+    /// parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
+    /// the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
+    /// scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
+    /// no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_as_tangents", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status AsTangents(AsPart* parts, UIntPtr part_count, void* scratch, UIntPtr scratch_bytes);
+    /// <summary>
+    /// Animation space.
+    ///   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
+    ///            = M_last Σ_j q_j + Σ_{j&lt;last} (M_j - M_last) q_j
+    /// Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
+    /// coordinates: from as_coordinates() of this geometry.
+    /// Cost: positions 41 / 32; with normals through the blended matrix 78 / 57, and tangents 93 / 62; through the inverse
+    /// transpose 100 / 68 and 116 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
+    /// more an influence but the last.
+    ///
+    /// tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
+    /// t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
+    /// run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_skin_as", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SkinAs(Mesh* mesh, float* coordinates, UIntPtr coordinate_count, Affine* palette, UIntPtr palette_count, SkinOutput* @out, float* tangents, UIntPtr tangent_count);
+    /// <summary>
+    /// Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
+    /// animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
+    ///   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + Geometry::mwe_residual, ∘ element by element
+    /// Elements mean something in one frame only; R is that of the palette entry Geometry::mwe_root: the rotation next to
+    /// its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
+    /// Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
+    /// zero. With blended_matrix it is that blend that is asked whether it mirrors.
+    ///
+    /// Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
+    /// blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
+    /// four influences nine times as much as SSD.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_skin_mwe", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SkinMwe(Mesh* mesh, Affine* palette, UIntPtr palette_count, SkinOutput* @out);
+    /// <summary>
+    /// How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
+    /// examples.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_psd_distance_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr PsdDistanceCount(Geometry* geometry);
+    /// <summary>
+    /// How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
+    /// k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
+    /// rotations as in skin_mwe(); 0 for an entry without a parent.
+    /// out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
+    /// bad_argument if a span is too short.
+    /// Cost: 34 instructions a palette entry and example, x86-64.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_psd_distances", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status PsdDistances(Geometry* geometry, Affine* palette, UIntPtr palette_count, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
+    /// weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
+    ///   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: Geometry::pose_space
+    ///   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
+    /// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's.
+    /// distances: from psd_distances() of this geometry and palette. Errors: also bad_argument if they are too few. A
+    /// geometry without examples is SSD's.
+    /// Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
+    /// vertex for each example that moves its block.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_skin_psd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SkinPsd(Mesh* mesh, float* distances, UIntPtr distance_count, Affine* palette, UIntPtr palette_count, SkinOutput* @out);
+    [DllImport(Library, EntryPoint = "mrw_character_options_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void CharacterOptionsInit(CharacterOptions* @out);
+    [DllImport(Library, EntryPoint = "mrw_animation_layer_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void AnimationLayerInit(AnimationLayer* @out);
+    /// <summary>
+    /// Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_animations_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr AnimationsBytes(File* file, File* clips);
+    /// <summary>
+    /// Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
+    /// its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
+    /// fits none, its clips are left out: no skeleton plays them.
+    ///
+    /// memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
+    /// Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
+    /// a skeleton). Cost: compares names; once a load.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_animations", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeAnimations(File* file, File* clips, void* memory, UIntPtr memory_bytes, Animations* @out);
+    /// <summary>
+    /// The first with this name that moves anything; null if there is none. Cost: compares names.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_find_animation", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Animation* FindAnimation(Animations* animations, byte* name);
+    /// <summary>
+    /// Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_character_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr CharacterBytes(File* file, CharacterOptions* options);
+    /// <summary>
+    /// A character in its rest pose, finished.
+    ///
+    /// `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
+    /// Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
+    /// meshes with morph targets, and as_coordinates().
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_character", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeCharacter(File* file, CharacterOptions* options, void* memory, UIntPtr memory_bytes, Character* @out);
+    /// <summary>
+    /// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
+    /// blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
+    /// reference.
+    ///
+    /// Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
+    /// out of range, a time that is not a number); a part of the character may have been written then.
+    /// Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_sample_character", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SampleCharacter(Character* character, AnimationLayer* layers, UIntPtr layer_count);
+    /// <summary>
+    /// Brings scene_from_joint of all skeletons up to date with `local`.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_character_to_model", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status CharacterToModel(Character* character);
+    /// <summary>
+    /// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_pose_character", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status PoseCharacter(Character* character, AnimationLayer* layers, UIntPtr layer_count);
+    /// <summary>
+    /// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
+    /// Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
+    /// mesh.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_finish_character", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FinishCharacter(Character* character);
+
+    /// <summary>Whether structs are laid out as those of a library of 64 bits.</summary>
+    public static bool IsLaidOut() {
+        return sizeof(DataError) == 16 &&
+            sizeof(Block) == 16 &&
+            sizeof(Bytes) == 16 &&
+            sizeof(MeshDecoder) == 16 &&
+            sizeof(UnpackSizes) == 8 &&
+            sizeof(Unpacking) == 536 &&
+            sizeof(SoaTransform) == 160 &&
+            sizeof(AdditiveTransform) == 160 &&
+            sizeof(Affine) == 48 &&
+            sizeof(JointTransform) == 40 &&
+            sizeof(AngleRange) == 8 &&
+            sizeof(RateLimit) == 8 &&
+            sizeof(JointLimit) == 68 &&
+            sizeof(Skeleton) == 64 &&
+            sizeof(SkeletonReference) == 48 &&
+            sizeof(Track) == 16 &&
+            sizeof(GroupMasks) == 4 &&
+            sizeof(Channel) == 24 &&
+            sizeof(CodedTracks) == 64 &&
+            sizeof(Clip) == 144 &&
+            sizeof(Run) == 8 &&
+            sizeof(MorphTarget) == 32 &&
+            sizeof(PoseSpace) == 56 &&
+            sizeof(Geometry) == 248 &&
+            sizeof(MeshTarget) == 12 &&
+            sizeof(Texture) == 8 &&
+            sizeof(Material) == 48 &&
+            sizeof(Image) == 48 &&
+            sizeof(Property) == 16 &&
+            sizeof(Node) == 40 &&
+            sizeof(HalfJoint) == 8 &&
+            sizeof(MeshLod) == 8 &&
+            sizeof(Bounds) == 28 &&
+            sizeof(Mesh) == 368 &&
+            sizeof(File) == 112 &&
+            sizeof(JointMisfit) == 8 &&
+            sizeof(Playback) == 24 &&
+            sizeof(SampleOptions) == 24 &&
+            sizeof(Curve) == 40 &&
+            sizeof(ArcLength) == 24 &&
+            sizeof(CubicBezierEase) == 16 &&
+            sizeof(BlendLayer) == 40 &&
+            sizeof(AdditiveLayer) == 40 &&
+            sizeof(InertialOffset) == 432 &&
+            sizeof(Inertia) == 24 &&
+            sizeof(InertialStart) == 72 &&
+            sizeof(LimitDescription) == 76 &&
+            sizeof(RotationFollower) == 52 &&
+            sizeof(PointFollower) == 44 &&
+            sizeof(TwoBone) == 64 &&
+            sizeof(TwoBoneTurns) == 48 &&
+            sizeof(TwoBoneJoints) == 24 &&
+            sizeof(TwoBoneLimb) == 12 &&
+            sizeof(Aim) == 80 &&
+            sizeof(AimTurn) == 32 &&
+            sizeof(IkGoal) == 52 &&
+            sizeof(IkProblem) == 88 &&
+            sizeof(IkOptions) == 24 &&
+            sizeof(IkReport) == 12 &&
+            sizeof(Foot) == 40 &&
+            sizeof(Feet) == 40 &&
+            sizeof(FootGround) == 32 &&
+            sizeof(FootMotion) == 128 &&
+            sizeof(FeetFrame) == 96 &&
+            sizeof(SpringJoint) == 28 &&
+            sizeof(SpringChain) == 32 &&
+            sizeof(SpringCollider) == 32 &&
+            sizeof(Springs) == 48 &&
+            sizeof(SpringFrame) == 128 &&
+            sizeof(MorphedGeometry) == 528 &&
+            sizeof(JointReach) == 24 &&
+            sizeof(MorphReach) == 24 &&
+            sizeof(Reach) == 56 &&
+            sizeof(SkinOutput) == 56 &&
+            sizeof(AsPart) == 40 &&
+            sizeof(Animation) == 152 &&
+            sizeof(Animations) == 16 &&
+            sizeof(CharacterOptions) == 12 &&
+            sizeof(CharacterSkeleton) == 96 &&
+            sizeof(CharacterMesh) == 968 &&
+            sizeof(Character) == 216 &&
+            sizeof(AnimationLayer) == 16;
+    }
+
+    /// <summary>Bytes on a boundary of 16, which are to be freed by FreeBlock().</summary>
+    public static void* Block(ulong bytes) {
+        byte* all = (byte*)Marshal.AllocHGlobal(new IntPtr((long)bytes + 32));
+        byte* first = (byte*)(((ulong)all + 31) / 16 * 16);
+        ((void**)first)[-1] = all;
+        return first;
+    }
+    public static void FreeBlock(void* first) {
+        Marshal.FreeHGlobal((IntPtr)((void**)first)[-1]);
+    }
+    /// <summary>A text of the runtime.</summary>
+    public static string Text(byte* text) {
+        int length = 0;
+        while (text[length] != 0) ++length;
+        return System.Text.Encoding.UTF8.GetString(text, length);
+    }
+}
+
+}

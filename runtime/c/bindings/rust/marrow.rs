@@ -1,0 +1,3374 @@
+// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// The runtime for Rust, as C has it: see docs/c.md. Link marrow_c, marrow_unpack and marrow_runtime.
+#![allow(dead_code, clippy::all)]
+use std::os::raw::{c_char, c_void};
+
+/// What abi() must give.
+pub const ABI: u32 = 0x340c2e10;
+
+pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[must_use]
+pub struct Status(pub u8);
+impl Status {
+    pub const OK: Self = Self(0);
+    /// the call is wrong: a span too short, a null pointer, an index out of range
+    pub const BAD_ARGUMENT: Self = Self(1);
+    /// the data ends before what it announces
+    pub const TRUNCATED: Self = Self(2);
+    /// not a cooked file
+    pub const BAD_MAGIC: Self = Self(3);
+    /// cooked for another version of the format
+    pub const BAD_VERSION: Self = Self(4);
+    /// damaged
+    pub const BAD_CHECKSUM: Self = Self(5);
+    /// breaks a rule of docs/format.md
+    pub const BAD_DATA: Self = Self(6);
+    /// legal, but needs what this build or this device lacks
+    pub const UNSUPPORTED: Self = Self(7);
+    /// the driver refused
+    pub const GL_ERROR: Self = Self(8);
+    /// both are good, but not made for each other
+    pub const MISMATCH: Self = Self(9);
+    /// a library that allocates for itself found none
+    pub const OUT_OF_MEMORY: Self = Self(10);
+}
+
+/// Where a block of data breaks the format, and which rule. `rule` is a static string.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct DataError {
+    pub status: Status,
+    /// byte in the block
+    pub offset: u32,
+    pub rule: *const c_char,
+}
+impl Default for DataError {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            data_error_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<DataError>() == 16);
+
+pub const BLOCK_BOUNDARY: usize = 16;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Block {
+    pub data: *mut c_void,
+    pub size: usize,
+}
+impl Default for Block {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Block>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Bytes {
+    pub data: *const c_void,
+    pub size: usize,
+}
+impl Default for Bytes {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            bytes_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Bytes>() == 16);
+
+/// One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct MeshDecoder {
+    /// as packed files name it
+    pub codec: u32,
+    pub decode: Option<unsafe extern "C" fn()>,
+}
+impl Default for MeshDecoder {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MeshDecoder>() == 16);
+
+pub const UNPACK_STATE_BYTES: usize = 512;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct UnpackSizes {
+    /// of the unpacked file
+    pub file_bytes: u32,
+    /// what unpack() wants: the file and, behind it, room to work in
+    pub memory_bytes: u32,
+}
+impl Default for UnpackSizes {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<UnpackSizes>() == 8);
+
+/// The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+///
+///   Unpacking loading;
+///   begin_unpack(packed, decoders, memory, loading);
+///   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
+///   then          load(loading.file, file)
+///
+/// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+/// step. Stopping half way is forgetting it: nothing is to be freed.
+#[repr(C, align(8))]
+#[derive(Clone, Copy)]
+pub struct Unpacking {
+    /// empty until the last step is done; then as of unpack()
+    pub file: *const c_void,
+    pub file_bytes: usize,
+    /// of total_bytes, for a bar
+    pub done_bytes: u32,
+    /// of the unpacked file
+    pub total_bytes: u32,
+    /// unpack_step()'s own
+    pub state: [u8; 512],
+}
+impl Default for Unpacking {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            unpacking_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Unpacking>() == 536);
+
+/// Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
+/// Rotations are unit quaternions. Lanes past the last joint hold the identity.
+#[repr(C, align(16))]
+#[derive(Clone, Copy)]
+pub struct SoaTransform {
+    /// x, y, z; metres
+    pub translation: [[f32; 4]; 3],
+    /// x, y, z, w
+    pub rotation: [[f32; 4]; 4],
+    /// x, y, z
+    pub scale: [[f32; 4]; 3],
+}
+impl Default for SoaTransform {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SoaTransform>() == 160);
+
+/// The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
+/// translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct AdditiveTransform {
+    pub change: SoaTransform,
+}
+impl Default for AdditiveTransform {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AdditiveTransform>() == 160);
+
+/// An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
+#[repr(C, align(16))]
+#[derive(Clone, Copy)]
+pub struct Affine {
+    pub rows: [[f32; 4]; 3],
+}
+impl Default for Affine {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Affine>() == 48);
+
+/// The local transform of one joint.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct JointTransform {
+    /// metres
+    pub translation: [f32; 3],
+    /// a unit quaternion x, y, z, w
+    pub rotation: [f32; 4],
+    pub scale: [f32; 3],
+}
+impl Default for JointTransform {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            joint_transform_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointTransform>() == 40);
+
+/// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+pub const MAX_JOINTS: u32 = 32767;
+
+/// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+pub const MAX_INFLUENCES: u32 = 8;
+
+/// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+pub const NO_PARENT: u16 = 0xFFFF;
+
+/// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+pub const NO_SLOT: u32 = 0xFFFFFFFF;
+
+/// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+/// the deltas of some blocks.
+pub const MAX_POSE_EXAMPLES: u32 = 32;
+
+/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+pub const NO_MATERIAL: u32 = 0xFFFFFFFF;
+
+/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+pub const NO_IMAGE: u32 = 0xFFFFFFFF;
+
+/// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+/// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+pub const NO_JOINT: u16 = 0xFFFF;
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LimitKind(pub u8);
+impl LimitKind {
+    /// turns freely; for joints that have a rate limit alone
+    pub const NONE: Self = Self(0);
+    /// about one axis, between two angles: knees, elbows, fingers
+    pub const HINGE: Self = Self(1);
+    /// swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
+    pub const CONE: Self = Self(2);
+    /// three angles about three axes, each between two: rigs whose limits came so
+    pub const EULER: Self = Self(3);
+}
+
+/// The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AxisOrder(pub u8);
+impl AxisOrder {
+    pub const XYZ: Self = Self(0);
+    pub const XZY: Self = Self(1);
+    pub const YXZ: Self = Self(2);
+    pub const YZX: Self = Self(3);
+    pub const ZXY: Self = Self(4);
+    pub const ZYX: Self = Self(5);
+}
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TrackPath(pub u8);
+impl TrackPath {
+    pub const TRANSLATION: Self = Self(0);
+    pub const ROTATION: Self = Self(1);
+    pub const SCALE: Self = Self(2);
+}
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Interpolation(pub u8);
+impl Interpolation {
+    pub const STEP: Self = Self(0);
+    pub const LINEAR: Self = Self(1);
+    pub const CUBIC_SPLINE: Self = Self(2);
+}
+
+/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+pub const MORPHS_POSITIONS: u32 = 1;
+
+/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+pub const MORPHS_NORMALS: u32 = 2;
+
+/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+pub const MORPHS_TANGENTS: u32 = 4;
+
+/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AlphaMode(pub u8);
+impl AlphaMode {
+    pub const OPAQUE: Self = Self(0);
+    pub const MASK: Self = Self(1);
+    pub const BLEND: Self = Self(2);
+}
+
+/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TextureRole(pub u8);
+impl TextureRole {
+    pub const BASE_COLOUR: Self = Self(0);
+    pub const METALLIC_ROUGHNESS: Self = Self(1);
+    pub const NORMAL: Self = Self(2);
+    pub const OCCLUSION: Self = Self(3);
+    pub const EMISSIVE: Self = Self(4);
+    /// KHR_materials_pbrSpecularGlossiness; its diffuse colour and texture are the base colour
+    pub const SPECULAR_GLOSSINESS: Self = Self(5);
+}
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wrap(pub u8);
+impl Wrap {
+    pub const REPEAT: Self = Self(0);
+    pub const CLAMP_TO_EDGE: Self = Self(1);
+    pub const MIRRORED_REPEAT: Self = Self(2);
+}
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MagFilter(pub u8);
+impl MagFilter {
+    pub const ANY: Self = Self(0);
+    pub const NEAREST: Self = Self(1);
+    pub const LINEAR: Self = Self(2);
+}
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MinFilter(pub u8);
+impl MinFilter {
+    pub const ANY: Self = Self(0);
+    pub const NEAREST: Self = Self(1);
+    pub const LINEAR: Self = Self(2);
+    pub const NEAREST_MIPMAP_NEAREST: Self = Self(3);
+    pub const LINEAR_MIPMAP_NEAREST: Self = Self(4);
+    pub const NEAREST_MIPMAP_LINEAR: Self = Self(5);
+    pub const LINEAR_MIPMAP_LINEAR: Self = Self(6);
+}
+
+/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ImageFormat(pub u8);
+impl ImageFormat {
+    pub const UNKNOWN: Self = Self(0);
+    pub const PNG: Self = Self(1);
+    pub const JPEG: Self = Self(2);
+    pub const WEBP: Self = Self(3);
+    pub const KTX2: Self = Self(4);
+    pub const DDS: Self = Self(5);
+}
+
+/// A number, a truth or a text that an artist gave a node.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PropertyType(pub u8);
+impl PropertyType {
+    pub const NUMBER: Self = Self(0);
+    pub const BOOLEAN: Self = Self(1);
+    pub const TEXT: Self = Self(2);
+}
+
+/// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
+/// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
+/// angle_range() in limits.h.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct AngleRange {
+    /// -1 … 1: -180° … 180°
+    pub middle: f32,
+    /// 0 … 1; 1: any angle
+    pub half_width: f32,
+}
+impl Default for AngleRange {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AngleRange>() == 8);
+
+/// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct RateLimit {
+    pub speed: f32,
+    pub acceleration: f32,
+}
+impl Default for RateLimit {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            rate_limit_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<RateLimit>() == 8);
+
+/// How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
+///
+/// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
+/// rotation. A local rotation q (parent_from_joint) is seen in them as
+///   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
+/// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
+///
+/// hinge: t is a turn about x, by an angle in angles[0].
+/// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
+///   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
+///   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
+///   90° this is within 2.3° of an ellipse in the angles themselves.
+/// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
+///   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
+///
+/// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct JointLimit {
+    /// of the skeleton
+    pub joint: u16,
+    pub kind: LimitKind,
+    /// of euler; else xyz
+    pub order: AxisOrder,
+    /// unit quaternion
+    pub limit_from_parent: [f32; 4],
+    /// unit quaternion
+    pub joint_from_limit: [f32; 4],
+    /// of a cone the middles of the second and third are 0; of a hinge both are 0
+    pub angles: [AngleRange; 3],
+    /// of the local rotation, see follow_pose()
+    pub rate: RateLimit,
+}
+impl Default for JointLimit {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            joint_limit_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointLimit>() == 68);
+
+/// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
+/// comes before its children and the roots come first.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Skeleton {
+    pub name: *const c_char,
+    pub joint_count: u32,
+    /// joints 0 … root_count-1 have no parent joint
+    pub root_count: u32,
+    /// root_count; what stands above each root and never moves
+    pub scene_from_root: *const Affine,
+    /// soa_count(joint_count); the pose of joints that a clip leaves alone
+    pub rest: *const SoaTransform,
+    /// joint_count; kNoParent for roots
+    pub parents: *const u16,
+    /// joint_count; see File::text
+    pub names: *const u32,
+    /// ascending by joint; those that the asset came with
+    pub limits: *const JointLimit,
+    pub limit_count: usize,
+}
+impl Default for Skeleton {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Skeleton>() == 64);
+
+/// In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SkeletonReference {
+    pub name: *const c_char,
+    pub joint_count: u32,
+    /// skeleton_hash() of the skeleton
+    pub hash: u64,
+    /// joint_count; see File::text
+    pub names: *const u32,
+    /// joint_count; of each joint's rest pose
+    pub rest_hashes: *const u32,
+    /// joint_count; kNoParent for roots
+    pub parents: *const u16,
+}
+impl Default for SkeletonReference {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SkeletonReference>() == 48);
+
+/// One channel of a clip stored without loss: the source's own keys at the source's own times.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Track {
+    pub joint: u16,
+    pub path: TrackPath,
+    pub interpolation: Interpolation,
+    /// ≥ 1
+    pub key_count: u32,
+    /// into Clip::times; tracks with the same keys share them
+    pub first_time: u32,
+    /// into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+    pub first_value: u32,
+}
+impl Default for Track {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Track>() == 16);
+
+/// Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
+/// stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct GroupMasks {
+    pub moving: u16,
+    pub constant: u16,
+}
+impl Default for GroupMasks {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<GroupMasks>() == 4);
+
+/// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
+/// that keys on a straight line between others may have been left out (docs/architecture.md).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Channel {
+    /// see File::text
+    pub name: u32,
+    /// the number where no clip drives it
+    pub rest: f32,
+    /// ≥ 1
+    pub key_count: u32,
+    /// as in Track
+    pub first_time: u32,
+    /// into Clip::values; one float a key, three for cubic_spline (in, value, out)
+    pub first_value: u32,
+    pub interpolation: Interpolation,
+    pub reserved: [u8; 3],
+}
+impl Default for Channel {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Channel>() == 24);
+
+/// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
+/// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct CodedTracks {
+    /// 0: the clip has no coded tracks; else ≥ 2
+    pub frame_count: u32,
+    /// sub-tracks that move
+    pub track_count: u32,
+    pub constant_count: u32,
+    /// steps of time a segment; the last may have fewer
+    pub segment_intervals: u32,
+    /// of frame 0
+    pub start_s: f32,
+    /// of uneven ones the mean
+    pub frames_per_s: f32,
+    /// frame_count, ascending; null: even steps
+    pub times_s: *const f32,
+    /// one a group of four joints
+    pub masks: *const GroupMasks,
+    /// bytes into payload
+    pub segment_offsets: *const u32,
+    pub constants: *const c_void,
+    pub payload: *const c_void,
+}
+impl Default for CodedTracks {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CodedTracks>() == 64);
+
+/// An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Clip {
+    pub name: *const c_char,
+    /// which skeleton of the file; in a clip pack, which reference
+    pub skeleton: u32,
+    /// of that skeleton
+    pub joint_count: u32,
+    /// time of the last key; ≥ 0
+    pub duration_s: f32,
+    /// for sample_additive(), not for sample()
+    pub additive: bool,
+    /// additive: the pose that changes are taken from; null: the rest pose
+    pub reference: *const SoaTransform,
+    pub coded: CodedTracks,
+    pub tracks: *const Track,
+    pub track_count: usize,
+    pub channels: *const Channel,
+    pub channel_count: usize,
+    pub times_s: *const f32,
+    pub values: *const f32,
+}
+impl Default for Clip {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Clip>() == 144);
+
+/// Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
+/// fill up its last block repeat its last vertex.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Run {
+    /// ≥ 1
+    pub vertex_count: u32,
+    /// 1 … kMaxInfluences
+    pub influences: u32,
+}
+impl Default for Run {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Run>() == 8);
+
+/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct MorphTarget {
+    /// into Geometry::target_blocks
+    pub first_block: u32,
+    pub block_count: u32,
+    /// into Geometry::target_records
+    pub first_record: u32,
+    /// MorphAttributes; 0 if it moves nothing
+    pub attributes: u32,
+    /// metres, mesh space
+    pub position_step: f32,
+    pub normal_step: f32,
+    pub tangent_step: f32,
+    pub reserved: u32,
+}
+impl Default for MorphTarget {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MorphTarget>() == 32);
+
+/// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+/// the deltas of some blocks.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PoseSpace {
+    /// width of the Gaussian, a share of 1: sin of half an angle
+    pub sigma: f32,
+    /// positions alone; empty: none
+    pub examples: *const MorphTarget,
+    pub example_count: usize,
+    /// as Geometry::target_blocks
+    pub blocks: *const c_void,
+    /// as Geometry::target_records
+    pub records: *const i16,
+    /// for each example and palette entry x y z w, up to a positive factor
+    pub rotations: *const i16,
+    /// a palette entry: the one that its rotation is relative to, or kNoParent
+    pub parents: *const u16,
+}
+impl Default for PoseSpace {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<PoseSpace>() == 56);
+
+/// Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
+/// (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Geometry {
+    /// vertices with padding; a multiple of 4
+    pub slot_count: u32,
+    /// without padding
+    pub vertex_count: u32,
+    /// 3 a triangle; counter-clockwise fronts
+    pub index_count: u32,
+    /// 2 or 4
+    pub index_bytes: u32,
+    /// how many palette entries the sets refer to
+    pub joint_count: u32,
+    /// slots
+    pub indices: *const c_void,
+    pub runs: *const Run,
+    pub run_count: usize,
+    /// for each run its k palette entries, run after run
+    pub sets: *const u16,
+    /// a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+    pub skin: *const f32,
+    /// a block: x[4] y[4] z[4]; unit; null if absent
+    pub normals: *const f32,
+    /// a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+    pub tangents: *const f32,
+    /// a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+    pub as_residual: *const f32,
+    /// a block: k times three rows x[4] y[4] z[4] t[4]; null if absent
+    pub mwe_residual: *const f32,
+    /// palette entry whose frame they are meant in
+    pub mwe_root: u32,
+    /// a slot: u v; null if absent
+    pub uvs: *const f32,
+    /// a slot: r g b a, linear; null if absent
+    pub colours: *const u8,
+    /// The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
+    /// part of a primitive in parts.
+    pub source_slots: *const u32,
+    pub source_slot_count: usize,
+    pub targets: *const MorphTarget,
+    pub target_count: usize,
+    /// as wide as indices; for each target the blocks it moves, ascending
+    pub target_blocks: *const c_void,
+    /// twelve a record
+    pub target_records: *const i16,
+    pub pose_space: PoseSpace,
+    /// of the bind positions, mesh space
+    pub box_min: [f32; 3],
+    pub box_max: [f32; 3],
+}
+impl Default for Geometry {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Geometry>() == 248);
+
+/// A morph target of a mesh: what it is called and what drives it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct MeshTarget {
+    /// see File::text; may be empty
+    pub name: u32,
+    /// name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+    pub channel: u32,
+    /// where no clip does
+    pub weight: f32,
+}
+impl Default for MeshTarget {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MeshTarget>() == 12);
+
+/// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
+/// are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Texture {
+    /// which image of the file
+    pub image: u16,
+    /// none twice in a material
+    pub role: TextureRole,
+    pub wrap_u: Wrap,
+    pub wrap_v: Wrap,
+    pub mag: MagFilter,
+    pub min: MinFilter,
+    pub reserved: u8,
+}
+impl Default for Texture {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Texture>() == 8);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Material {
+    pub name: *const c_char,
+    pub alpha: AlphaMode,
+    /// mask: what is less opaque is not drawn
+    pub alpha_cutoff: f32,
+    /// KHR_materials_unlit: the base colour is what is seen
+    pub unlit: bool,
+    /// linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
+    pub emissive: [f32; 3],
+    pub textures: *const Texture,
+    pub texture_count: usize,
+}
+impl Default for Material {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Material>() == 48);
+
+/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Image {
+    pub name: *const c_char,
+    /// relative to the source file and percent-encoded, as it stood there; empty if it had none
+    pub uri: *const c_char,
+    pub format: ImageFormat,
+    /// empty: by reference
+    pub bytes: *const c_void,
+    pub byte_count: usize,
+    /// of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
+    pub fallback: u32,
+}
+impl Default for Image {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Image>() == 48);
+
+/// A number, a truth or a text that an artist gave a node.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Property {
+    /// see File::text; of nested ones the path, as in "door/hinges/0"
+    pub name: u32,
+    pub r#type: PropertyType,
+    pub reserved: [u8; 3],
+    /// finite; of a boolean 1 or 0
+    /// see File::text
+    pub number: f64,
+}
+impl Default for Property {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Property>() == 16);
+
+/// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+/// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Node {
+    pub name: *const c_char,
+    /// which skeleton of the file
+    pub skeleton: u32,
+    pub joint: u16,
+    pub joint_from_node: *const Affine,
+    pub properties: *const Property,
+    pub property_count: usize,
+}
+impl Default for Node {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Node>() == 40);
+
+/// A helper between two joints of a palette, for what bends or twists there: see build_palette().
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct HalfJoint {
+    /// palette entries, below Mesh::joint_count, not the same
+    pub parent: u16,
+    pub joint: u16,
+    /// of the way from parent to joint; above 0, below 1
+    pub share: f32,
+}
+impl Default for HalfJoint {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            half_joint_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<HalfJoint>() == 8);
+
+/// A level of detail: another geometry over the same palette.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct MeshLod {
+    /// which of the file
+    pub geometry: u32,
+    /// the farthest that a vertex of the full mesh is from it, in the clips it was made with
+    pub error_m: f32,
+}
+impl Default for MeshLod {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MeshLod>() == 8);
+
+/// A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Bounds {
+    pub box_min: [f32; 3],
+    pub box_max: [f32; 3],
+    /// below 0: empty, or not known
+    pub radius_m: f32,
+}
+impl Default for Bounds {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Bounds>() == 28);
+
+/// Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Mesh {
+    pub name: *const c_char,
+    pub material: *const c_char,
+    /// which material of the file, if it has more than what stands here
+    pub material_index: u32,
+    /// which skeleton of the file
+    pub skeleton: u32,
+    /// meshes with the same number share their geometry
+    pub geometry_index: u32,
+    /// palette entries that are joints
+    pub joint_count: u32,
+    /// joint_count; palette entry → joint of the skeleton
+    pub joints: *const u16,
+    /// joint_count; joint_from_mesh in the bind pose
+    pub inverse_bind: *const Affine,
+    /// linear RGBA
+    pub base_colour: [f32; 4],
+    pub double_sided: bool,
+    /// One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
+    /// vertex order needs to know: see Geometry::source_slots.
+    pub is_next_part: bool,
+    /// palette entries behind those of the joints
+    pub half_joints: *const HalfJoint,
+    pub half_joint_count: usize,
+    /// as many as the geometry's
+    pub targets: *const MeshTarget,
+    pub target_count: usize,
+    /// levels 1, 2, …, ever coarser; level 0 is the mesh in full
+    pub lods: *const MeshLod,
+    pub lod_count: usize,
+    /// of the level asked for
+    pub geometry: Geometry,
+}
+impl Default for Mesh {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Mesh>() == 368);
+
+/// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct File {
+    pub block: *const c_void,
+    pub sections: *const c_void,
+    pub section_count: usize,
+    pub numbers: [u32; 22],
+}
+impl Default for File {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            file_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<File>() == 112);
+
+/// Why a joint keeps a clip pack from fitting a skeleton.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Misfit(pub u8);
+impl Misfit {
+    /// the skeleton has no joint of this name
+    pub const MISSING: Self = Self(0);
+    /// it has, below another joint
+    pub const OTHER_PARENT: Self = Self(1);
+    /// it has, with another rest pose, which coded tracks are relative to
+    pub const OTHER_REST: Self = Self(2);
+    /// a joint of the skeleton that the clips were made without
+    pub const EXTRA: Self = Self(3);
+    /// all joints are there, this one at another place in the order
+    pub const OTHER_PLACE: Self = Self(4);
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct JointMisfit {
+    pub how: Misfit,
+    /// of the pack's reference; `extra`: of the skeleton
+    pub joint: u32,
+}
+impl Default for JointMisfit {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointMisfit>() == 8);
+
+/// What happens at the ends of a clip.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PlayMode(pub u8);
+impl PlayMode {
+    /// time stops at the end
+    pub const ONCE: Self = Self(0);
+    /// time goes on from the other end; the last pose and the first are one moment
+    pub const LOOP: Self = Self(1);
+    /// time turns round
+    pub const PING_PONG: Self = Self(2);
+}
+
+/// The state of a playing clip: plain numbers that may be set, copied and stored at will. A clip that is to run
+/// backwards once begins with time_s = its duration.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Playback {
+    /// in the clip
+    pub time_s: f64,
+    /// seconds of the clip a second; 0 pauses, below 0 runs backwards
+    pub speed: f32,
+    pub mode: PlayMode,
+    /// ping_pong: on the way back, so time runs against speed
+    pub returning: bool,
+    /// Of the last advance(). loop: how often time went from the clip's end to its start, less how often the other way
+    /// round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
+    pub turns: i32,
+}
+impl Default for Playback {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            playback_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Playback>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SampleOptions {
+    /// A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
+    /// Joints whose bit is 0 keep what `out` holds. Empty: all joints. Every group of four without a joint of the set
+    /// costs a few operations only.
+    pub joints: *const u32,
+    pub joint_count: usize,
+    /// `out` already holds what this function made of the same clip, for any time and at least the same joints: only what
+    /// moves in the clip is written again. The result has the same bits.
+    pub prefilled: bool,
+}
+impl Default for SampleOptions {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            sample_options_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SampleOptions>() == 24);
+
+/// How values run between two keys, and what a key holds. N is Curve::components, u goes 0 … 1 from one key to the next.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CurveKind(pub u8);
+impl CurveKind {
+    /// key: value. The earlier key's value
+    pub const STEP: Self = Self(0);
+    /// key: value. A straight line; for rotations the shorter great arc (slerp)
+    pub const LINEAR: Self = Self(1);
+    /// key: in-tangent, value, out-tangent; tangents per second, as glTF 2.0 CUBICSPLINE has it
+    pub const HERMITE: Self = Self(2);
+    /// value, one control point, value, one control point, … value; Bernstein form
+    pub const QUADRATIC_BEZIER: Self = Self(3);
+    /// value, two control points, value, two control points, … value; Bernstein form
+    pub const CUBIC_BEZIER: Self = Self(4);
+    /// key: value. Uniform; Catmull and Rom 1974: the tangent at P1 is (P2 - P0) / 2 a key interval
+    pub const CATMULL_ROM: Self = Self(5);
+    /// key: value. Catmull-Rom with knots √|P2 - P1| apart; Barry and Goldman, SIGGRAPH 1988, and
+    /// Yuksel, Schaefer and Keyser 2011: no cusps or loops between two keys. Keys less than 1e18 apart
+    pub const CENTRIPETAL: Self = Self(6);
+}
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PatchBasis(pub u8);
+impl PatchBasis {
+    /// through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
+    pub const CATMULL_ROM: Self = Self(0);
+    /// through its corners: from point (0, 0) to point (3, 3)
+    pub const BEZIER: Self = Self(1);
+}
+
+/// R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Easing(pub u8);
+impl Easing {
+    pub const LINEAR: Self = Self(0);
+    pub const QUAD: Self = Self(1);
+    pub const CUBIC: Self = Self(2);
+    pub const QUART: Self = Self(3);
+    pub const QUINT: Self = Self(4);
+    pub const SINE: Self = Self(5);
+    pub const EXPO: Self = Self(6);
+    pub const CIRC: Self = Self(7);
+    pub const BACK: Self = Self(8);
+    pub const ELASTIC: Self = Self(9);
+    pub const BOUNCE: Self = Self(10);
+}
+
+/// R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct EaseMode(pub u8);
+impl EaseMode {
+    pub const IN: Self = Self(0);
+    pub const OUT: Self = Self(1);
+    pub const IN_OUT: Self = Self(2);
+}
+
+/// Keys, as a view. catmull_rom and centripetal draw a smooth path whatever the times are, but its velocity is
+/// continuous only where key intervals are even (or go with √distance, centripetal); for motion that is smooth over
+/// uneven keys make a spline. Beyond the first and last key they continue with a mirrored point, so that the path leaves
+/// and arrives straight.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Curve {
+    pub kind: CurveKind,
+    /// Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
+    /// nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
+    /// A blend that has no direction gives the earlier key's.
+    pub rotation: bool,
+    /// floats a value: 1 … 4
+    pub components: u32,
+    /// one a key, strictly increasing; seconds, or whatever the curve runs over
+    pub times_s: *const f32,
+    pub time_count: usize,
+    /// curve_value_count() floats
+    pub values: *const f32,
+    pub value_count: usize,
+}
+impl Default for Curve {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            curve_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Curve>() == 40);
+
+/// Arc length: where on a path to be for its speed to be even.
+///
+/// The table holds the length of the path up to each of `steps` equal parts of every key interval.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct ArcLength {
+    /// a key interval, at least 1
+    pub steps: u32,
+    pub lengths: *const f32,
+    pub length_count: usize,
+}
+impl Default for ArcLength {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            arc_length_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<ArcLength>() == 24);
+
+/// The timing function of CSS Easing Functions Level 1: the cubic Bézier curve (0, 0), (x1, y1), (x2, y2), (1, 1), y
+/// over x.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct CubicBezierEase {
+    /// CSS "ease"
+    pub x1: f32,
+    pub y1: f32,
+    pub x2: f32,
+    pub y2: f32,
+}
+impl Default for CubicBezierEase {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            cubic_bezier_ease_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CubicBezierEase>() == 16);
+
+/// The largest weight of a layer; results stay far from the limits of float.
+pub const MAX_BLEND_WEIGHT: f32 = 1e6;
+
+/// Below this sum of weights a joint is filled up with its rest pose.
+pub const REST_THRESHOLD: f32 = 0.1;
+
+/// A pose and how much of it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct BlendLayer {
+    /// at least skeleton.soa_size()
+    pub pose: *const SoaTransform,
+    pub pose_count: usize,
+    /// 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
+    pub weight: f32,
+    /// A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint;
+    /// else at least 4 · skeleton.soa_size() floats, in joint order, so that a group's factors are read at once.
+    pub mask: *const f32,
+    pub mask_count: usize,
+}
+impl Default for BlendLayer {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            blend_layer_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<BlendLayer>() == 40);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct AdditiveLayer {
+    /// at least skeleton.soa_size()
+    pub change: *const AdditiveTransform,
+    pub change_count: usize,
+    /// 0 … 1
+    pub weight: f32,
+    /// as in BlendLayer
+    pub mask: *const f32,
+    pub mask_count: usize,
+}
+impl Default for AdditiveLayer {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            additive_layer_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AdditiveLayer>() == 40);
+
+/// How a weight goes from 0 to 1; u = time / duration. curve.h has more shapes.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Fade(pub u8);
+impl Fade {
+    /// u
+    pub const LINEAR: Self = Self(0);
+    /// 3 u² - 2 u³: no jump of speed
+    pub const SMOOTHSTEP: Self = Self(1);
+    /// 6 u⁵ - 15 u⁴ + 10 u³: no jump of acceleration
+    pub const SMOOTHERSTEP: Self = Self(2);
+}
+
+/// How far four joints are from the new clip's pose, and how that fades. Each of the nine components of a joint, x y z
+/// of the translation, of the rotation vector (axis times angle, in the parent's axes) and of the scale, fades by
+/// itself:
+///   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
+#[repr(C, align(16))]
+#[derive(Clone, Copy)]
+pub struct InertialOffset {
+    pub start: [[f32; 4]; 9],
+    pub slope: [[f32; 4]; 9],
+    /// 1 / seconds
+    pub rate: [[f32; 4]; 9],
+}
+impl Default for InertialOffset {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<InertialOffset>() == 432);
+
+/// A transition under way; the memory is the caller's and can be used again for the next one.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Inertia {
+    /// at least skeleton.soa_size()
+    pub offsets: *mut InertialOffset,
+    pub offset_count: usize,
+    /// 0: none, or over
+    pub duration_s: f32,
+}
+impl Default for Inertia {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            inertia_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Inertia>() == 24);
+
+/// What was shown in the last two frames, and what the new clip would show.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct InertialStart {
+    /// shown one frame earlier
+    pub before: *const SoaTransform,
+    pub before_count: usize,
+    /// shown last
+    pub now: *const SoaTransform,
+    pub now_count: usize,
+    /// the new clip at the time of `now`
+    pub target: *const SoaTransform,
+    pub target_count: usize,
+    /// the new clip one frame earlier; empty: taken to stand still
+    pub target_was: *const SoaTransform,
+    pub target_was_count: usize,
+    /// between the two, > 0; less than 1e-6 counts as that
+    pub frame_s: f32,
+}
+impl Default for InertialStart {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            inertial_start_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<InertialStart>() == 72);
+
+/// Rotations no farther outside than this keep their bits.
+pub const LIMIT_TOLERANCE_RAD: f32 = 1e-5;
+
+/// The widest swing of a cone: 170°.
+pub const WIDEST_SWING_RAD: f32 = 2.9670597;
+
+/// A limit as people think of it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct LimitDescription {
+    pub kind: LimitKind,
+    pub order: AxisOrder,
+    /// the local rotation where all angles are 0: most often the joint's rest
+    pub zero: [f32; 4],
+    /// the limit's x in the joint's axes: a hinge's axis, or what a cone points along
+    pub axis: [f32; 3],
+    /// its y, made perpendicular to x
+    pub across: [f32; 3],
+    /// hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
+    /// is the half-width, and `least` its negative. Euler: the three angles.
+    pub least_rad: [f32; 3],
+    pub most_rad: [f32; 3],
+    pub rate: RateLimit,
+}
+impl Default for LimitDescription {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            limit_description_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<LimitDescription>() == 76);
+
+/// Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
+/// point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
+/// takes its target as it is, at rest.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct RotationFollower {
+    /// where it is: x y z w
+    pub rotation: [f32; 4],
+    /// of the last call
+    pub target: [f32; 4],
+    /// radians a second, about the parent's axes
+    pub velocity: [f32; 3],
+    /// of the last call
+    pub frame_s: f32,
+    pub mode: u32,
+}
+impl Default for RotationFollower {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            rotation_follower_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<RotationFollower>() == 52);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PointFollower {
+    pub point: [f32; 3],
+    pub target: [f32; 3],
+    pub velocity: [f32; 3],
+    pub frame_s: f32,
+    pub mode: u32,
+}
+impl Default for PointFollower {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            point_follower_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<PointFollower>() == 44);
+
+/// What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
+#[repr(C, align(16))]
+#[derive(Clone, Copy)]
+pub struct TwoBone {
+    /// where the end joint is to be; scene, metres
+    pub target: [f32; 3],
+    /// 0 … 1: 0 changes no bit, 1 reaches; between, both turns are blended
+    pub weight: f32,
+    /// The direction, from the start joint, to whose side the middle joint points; scene. Zero: the side it has in the
+    /// pose, carried along the shortest way. Less than 0.1 rad off the direction of the target a pole says little, and
+    /// the answer goes over to that of the pose.
+    pub pole: [f32; 3],
+    /// turns the limb about the line from start to target, away from the pole; a few turns at most
+    pub twist_rad: f32,
+    /// About what the middle joint bends, by positive angles; in its local space. Says which way a straight limb bends,
+    /// and which way it is to bend if the pose has it bent the other way. Zero: as in the pose, and a straight limb
+    /// towards the pole.
+    pub bend_axis: [f32; 3],
+    /// The share of the limb's length from which on it stretches ever more slowly, 0 … 1, so that the middle joint does
+    /// not snap when the target goes out of reach. 1: straight to full stretch, and the target is reached exactly to
+    /// there; 0.97 is a usual choice.
+    pub soft: f32,
+    /// ≥ 1: the bones may be this many times as long, if the target is reached no other way
+    pub max_stretch: f32,
+}
+impl Default for TwoBone {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            two_bone_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBone>() == 64);
+
+/// Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
+#[repr(C, align(16))]
+#[derive(Clone, Copy)]
+pub struct TwoBoneTurns {
+    pub start: [f32; 4],
+    pub mid: [f32; 4],
+    /// for the translations of all joints from below start down to end; 1: unless max_stretch > 1
+    pub stretch: f32,
+    /// The target is within reach: at weight 1 the end comes to it within 1e-4 of the limb's length.
+    pub reached: bool,
+}
+impl Default for TwoBoneTurns {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBoneTurns>() == 48);
+
+/// The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct TwoBoneJoints {
+    pub start: *const Affine,
+    pub mid: *const Affine,
+    pub end: *const Affine,
+}
+impl Default for TwoBoneJoints {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            two_bone_joints_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBoneJoints>() == 24);
+
+/// Joints of a skeleton; other joints may lie between them.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct TwoBoneLimb {
+    pub start: u32,
+    pub mid: u32,
+    pub end: u32,
+}
+impl Default for TwoBoneLimb {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            two_bone_limb_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<TwoBoneLimb>() == 12);
+
+/// What is asked of a joint that looks or points at something: an eye, a head, a gun.
+#[repr(C, align(16))]
+#[derive(Clone, Copy)]
+pub struct Aim {
+    /// scene, metres
+    pub target: [f32; 3],
+    /// 0 … 1: 0 changes no bit, 1 aims
+    pub weight: f32,
+    /// The scene direction to whose side of the target's direction `up` is turned. Zero: nothing is; the shortest way to
+    /// the target is taken. Less than 0.1 rad off the target's direction it says little, as a TwoBone's pole.
+    pub pole: [f32; 3],
+    /// turns about the direction of the target, on top; a few turns at most
+    pub twist_rad: f32,
+    /// what is to go through the target; in the joint's local space
+    pub forward: [f32; 3],
+    /// local; not along forward. Of no use without a pole
+    pub up: [f32; 3],
+    /// where forward begins: an eye before the head's joint; local
+    pub offset: [f32; 3],
+}
+impl Default for Aim {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            aim_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Aim>() == 80);
+
+#[repr(C, align(16))]
+#[derive(Clone, Copy)]
+pub struct AimTurn {
+    /// a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
+    pub turn: [f32; 4],
+    /// The target can be seen: at weight 1 the ray from the offset along forward goes through it. It cannot where the
+    /// target is nearer to the joint than the ray ever gets, or than the offset, or where forward has no length.
+    pub reached: bool,
+}
+impl Default for AimTurn {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AimTurn>() == 32);
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct IkMethod(pub u8);
+impl IkMethod {
+    pub const FABRIK: Self = Self(0);
+    pub const CCD: Self = Self(1);
+    pub const DAMPED_LEAST_SQUARES: Self = Self(2);
+    pub const GAUSS_NEWTON: Self = Self(3);
+}
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct IkStop(pub u8);
+impl IkStop {
+    /// the error is less than the tolerance
+    pub const REACHED: Self = Self(0);
+    /// nothing moved any more: the target is out of reach, or goals contradict each other
+    pub const STALLED: Self = Self(1);
+    /// max_iterations are over
+    pub const ITERATIONS: Self = Self(2);
+}
+
+/// Where a point of a joint shall be, how the joint shall be turned, or both. What counts of a goal is its weights: 0
+/// and it does not, of twice the weight and it gives way half as far where goals contradict each other.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct IkGoal {
+    pub joint: u16,
+    /// 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
+    pub priority: u8,
+    /// the point of the joint that shall reach `position`; the joint's space, metres
+    pub offset: [f32; 3],
+    /// scene space, metres
+    pub position: [f32; 3],
+    /// of the joint's axes, in scene space: a unit quaternion x, y, z, w
+    pub rotation: [f32; 4],
+    /// 0 … 100
+    pub position_weight: f32,
+    /// metres a radian: the distance that is as bad as being turned wrong by a radian
+    pub rotation_weight: f32,
+}
+impl Default for IkGoal {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            ik_goal_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkGoal>() == 52);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct IkProblem {
+    pub goals: *const IkGoal,
+    pub goal_count: usize,
+    /// that may turn: ascending, so that parents come first. Others are stiff
+    pub joints: *const u16,
+    pub joint_count: usize,
+    /// one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
+    pub stiffness: *const f32,
+    pub stiffness_count: usize,
+    /// joints ascending, as in a skeleton; those of joints that do not turn are left out
+    pub limits: *const JointLimit,
+    pub limit_count: usize,
+    /// Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
+    /// as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
+    /// scene space, metres
+    pub pole: [f32; 3],
+    pub pole_weight: f32,
+    /// By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
+    /// stays. Jacobian methods only.
+    pub root_travel_m: f32,
+}
+impl Default for IkProblem {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            ik_problem_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkProblem>() == 88);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct IkOptions {
+    pub method: IkMethod,
+    pub max_iterations: u16,
+    /// an error (see IkReport) of less ends the iteration
+    pub tolerance_m: f32,
+    /// of the Jacobian methods: more is calmer and slower
+    pub damping: f32,
+    /// of solve_ik_genetic: the same seed, the same result
+    pub seed: u32,
+    /// 0 leaves every bit as it was; between, rotations lie between
+    pub weight: f32,
+    /// Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
+    /// become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
+    /// their lengths. Changes local translations of the joints on the way.
+    pub stretch: f32,
+}
+impl Default for IkOptions {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            ik_options_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkOptions>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct IkReport {
+    /// √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
+    pub error_m: f32,
+    pub iterations: u32,
+    pub why: IkStop,
+}
+impl Default for IkReport {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<IkReport>() == 12);
+
+/// A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
+/// its angle.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Foot {
+    pub hip: u32,
+    pub knee: u32,
+    pub ankle: u32,
+    /// what stands on the ground, in the ankle's space: below the ball of the foot, say
+    pub sole: [f32; 3],
+    /// of the knee; see TwoBone
+    pub bend_axis: [f32; 3],
+    /// 0 … 1
+    pub weight: f32,
+}
+impl Default for Foot {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            foot_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Foot>() == 40);
+
+/// Two legs or more. The clips have been made for level ground, through the scene's origin.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Feet {
+    pub feet: *const Foot,
+    pub foot_count: usize,
+    /// moved up and down, with all that hangs on it, the hips too; none: stays
+    pub pelvis: u32,
+    /// ≥ 0: by how much at most it goes down, or up; world
+    pub lower_m: f32,
+    /// 0 … 1: it goes down, too, where a leg would be longer than this share of its bones
+    pub reach: f32,
+    /// 0 … 1.5: by how much at most a foot leans with the ground
+    pub slope_rad: f32,
+    /// > 0: the time in which all but 2 % of a step in the ground, or of a release, is over
+    pub ease_s: f32,
+}
+impl Default for Feet {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            feet_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Feet>() == 40);
+
+/// What the game knows of a foot in this frame; world.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct FootGround {
+    /// false: as if the ground were level at the height of the scene's origin
+    pub hit: bool,
+    /// of a ray along `up` through foot_sole(), or anywhere on the plane that it hit
+    pub point: [f32; 3],
+    /// of any length; steeper than 80°: no hit
+    pub normal: [f32; 3],
+    /// the sole stays at its place until this is false again
+    pub planted: bool,
+}
+impl Default for FootGround {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            foot_ground_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<FootGround>() == 32);
+
+/// The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
+/// the animation has the foot. World; on a moving platform, let the world be the platform.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct FootMotion {
+    /// of the sole, as shown last
+    pub place: [f32; 3],
+    /// of the sole from its target
+    pub offset: [f32; 3],
+    pub offset_speed: [f32; 3],
+    /// of the ground's normal that the foot leans by from the ground's own
+    pub lean: [f32; 3],
+    pub lean_speed: [f32; 3],
+    /// the ground, last
+    pub point: [f32; 3],
+    pub normal: [f32; 3],
+    /// level: of the ankle's axis `axis` when it was planted
+    pub heading: [f32; 3],
+    /// about up, from the animated to the planted heading
+    pub turn: [f32; 4],
+    /// how much of it is left
+    pub turn_share: f32,
+    pub turn_share_speed: f32,
+    pub axis: u8,
+    pub planted: u8,
+    pub begun: u8,
+    pub hit: u8,
+    /// whether the leg was long enough
+    pub reached: u8,
+}
+impl Default for FootMotion {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            foot_motion_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<FootMotion>() == 128);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct FeetFrame {
+    /// since the last frame
+    pub dt_s: f32,
+    /// Where the character stands: a turn, one scale above 0, a shift.
+    pub world_from_scene: Affine,
+    /// a unit vector; world
+    pub up: [f32; 3],
+    /// feet begin anew, none is planted where it was
+    pub teleported: bool,
+    /// 0 … 1, times each foot's; the motion goes on
+    pub weight: f32,
+}
+impl Default for FeetFrame {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            feet_frame_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<FeetFrame>() == 96);
+
+pub const MAX_SPRING_COLLIDERS: usize = 32;
+
+/// frames are cut into equal steps no longer than this …
+pub const MAX_SPRING_STEP_S: f32 = 1.0 / 60.0;
+
+/// … and time beyond so many is left out
+pub const MAX_SPRING_STEPS: i32 = 8;
+
+/// shorter frames are saved up
+pub const MIN_SPRING_FRAME_S: f32 = 0.001;
+
+/// A joint that swings, by the bone that goes from it to the next joint of its chain.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringJoint {
+    pub joint: u16,
+    /// 0 … 15: of small swings about the animated direction, without damping and gravity
+    pub frequency_hz: f32,
+    /// 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+    pub damping_ratio: f32,
+    /// -10 … 10, times SpringFrame::gravity
+    pub gravity: f32,
+    /// 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+    pub drag: f32,
+    /// ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+    pub radius_m: f32,
+    /// 0 … 1, of what is shown; the motion itself goes on
+    pub weight: f32,
+}
+impl Default for SpringJoint {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            spring_joint_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringJoint>() == 28);
+
+/// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringChain {
+    pub joints: *const SpringJoint,
+    pub joint_count: usize,
+    /// end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+    pub tip: [f32; 3],
+}
+impl Default for SpringChain {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            spring_chain_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringChain>() == 32);
+
+/// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+/// space is where that is most.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringCollider {
+    pub joint: u16,
+    /// in the joint's space
+    pub from: [f32; 3],
+    pub to: [f32; 3],
+    /// in the joint's space
+    pub radius_m: f32,
+}
+impl Default for SpringCollider {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            spring_collider_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringCollider>() == 32);
+
+#[repr(C)]
+pub struct SpringGroup {
+    _private: [u8; 0],
+}
+
+#[repr(C)]
+pub struct SpringRoot {
+    _private: [u8; 0],
+}
+
+#[repr(C)]
+pub struct JointRange {
+    _private: [u8; 0],
+}
+
+/// Chains of one character. To keep or to copy a motion, copy the memory.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Springs {
+    pub groups: *mut SpringGroup,
+    pub roots: *mut SpringRoot,
+    /// joints whose matrices springs change
+    pub below: *mut JointRange,
+    pub group_count: u32,
+    pub root_count: u32,
+    pub below_count: u32,
+    /// of the skeleton
+    pub joint_count: u32,
+    pub saved_s: f32,
+}
+impl Default for Springs {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            springs_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Springs>() == 48);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringFrame {
+    /// since the last frame
+    pub dt_s: f32,
+    /// Where the character stands: a turn, one scale, a shift. Motion in the world is felt, by this and by the pose.
+    pub world_from_scene: Affine,
+    /// m/s², world
+    pub gravity: [f32; 3],
+    /// m/s, world; acts by `drag`
+    pub wind: [f32; 3],
+    pub colliders: *const SpringCollider,
+    pub collider_count: usize,
+    /// chains whose first joint moves further than this in one frame are moved along …
+    pub teleport_m: f32,
+    /// … and so are all if this is set
+    pub teleported: bool,
+    /// 0 … 1, times each joint's
+    pub weight: f32,
+}
+impl Default for SpringFrame {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            spring_frame_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringFrame>() == 128);
+
+pub const NO_CHANNEL: u32 = 0xFFFFFFFF;
+
+/// An instance's vertices, in the caller's memory. Copies are views of the same vertices.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct MorphedGeometry {
+    /// as the bind geometry, but that skin, normals and tangents are the instance's own
+    pub geometry: Geometry,
+    pub bind: Geometry,
+    /// a block's first float in the skin; one more for the end
+    pub offsets: *const u32,
+    /// a bit a block: differs from the bind pose
+    pub moved: *mut u32,
+    /// a bit a block: written since morph_coordinates()
+    pub changed: *mut u32,
+    /// one, MorphAttributes: what differs in the blocks moved
+    pub attributes: *mut u32,
+}
+impl Default for MorphedGeometry {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MorphedGeometry>() == 528);
+
+/// The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct JointReach {
+    pub centre: [f32; 3],
+    /// ≥ 0; below 0: nothing follows this entry
+    pub half: [f32; 3],
+}
+impl Default for JointReach {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<JointReach>() == 24);
+
+/// What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
+/// and about 0, in mesh space.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct MorphReach {
+    pub least: [f32; 3],
+    pub most: [f32; 3],
+}
+impl Default for MorphReach {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<MorphReach>() == 24);
+
+/// Views into the caller's memory.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Reach {
+    /// one a palette entry, half-joints behind
+    pub joints: *mut JointReach,
+    pub joint_count: usize,
+    /// one a morph target
+    pub targets: *mut MorphReach,
+    pub target_count: usize,
+    /// the sum of what all examples may add
+    pub pose_space: MorphReach,
+}
+impl Default for Reach {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Reach>() == 56);
+
+/// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NormalTransform(pub u8);
+impl NormalTransform {
+    /// Normals through the inverse transpose of M (its cofactors), tangents through M, both unit: exact for any blend that
+    /// can be inverted, mirrored or unevenly scaled ones too.
+    pub const INVERSE_TRANSPOSE: Self = Self(0);
+    /// Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
+    /// where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
+    /// normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
+    /// (docs/architecture.md). Tangents are inverse_transpose's up to length.
+    pub const BLENDED_MATRIX: Self = Self(1);
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SkinOutput {
+    /// 3 a slot; required
+    pub positions: *mut f32,
+    pub position_count: usize,
+    /// 3 a slot; leave empty to skip
+    pub normals: *mut f32,
+    pub normal_count: usize,
+    /// 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
+    /// ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
+    /// normals. Leave empty to skip.
+    pub tangents: *mut f32,
+    pub tangent_count: usize,
+    pub normal_transform: NormalTransform,
+}
+impl Default for SkinOutput {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            skin_output_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SkinOutput>() == 56);
+
+/// A mesh in animation space, for as_tangents().
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct AsPart {
+    pub mesh: *const Mesh,
+    /// from as_coordinates()
+    pub coordinates: *const f32,
+    pub coordinate_count: usize,
+    /// as_tangent_count() floats, to be written
+    pub tangents: *mut f32,
+    pub tangent_count: usize,
+}
+impl Default for AsPart {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            as_part_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AsPart>() == 40);
+
+pub const NO_CLIP: u32 = 0xFFFFFFFF;
+
+/// What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Animation {
+    /// that they are from: the character's file, or a clip pack
+    pub clips: File,
+    /// of the longest
+    pub duration_s: f32,
+    /// One a skeleton of the character: which clip it plays; kNoClip: it rests.
+    pub clip_of_skeleton: *const u32,
+    pub clip_of_skeleton_count: usize,
+    /// One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
+    /// skeleton plays.
+    pub channels: *const u32,
+    pub channel_count: usize,
+}
+impl Default for Animation {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Animation>() == 152);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Animations {
+    /// One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
+    /// A clip without a name has nothing to do with others.
+    pub all: *const Animation,
+    pub all_count: usize,
+}
+impl Default for Animations {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Animations>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct CharacterOptions {
+    /// that are blended at once, at most; at least 1
+    pub layers: u32,
+    /// of detail, as in File::mesh
+    pub level: u32,
+    /// on the CPU; false: neither palettes nor morphed vertices, a gles3::Skinner has them
+    pub skin: bool,
+    /// skin by skin_as(), too
+    pub animation_space: bool,
+}
+impl Default for CharacterOptions {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            character_options_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CharacterOptions>() == 12);
+
+/// A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
+/// the other alike; all calls of stage 3½ do.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct CharacterSkeleton {
+    pub skeleton: Skeleton,
+    /// skeleton.soa_size()
+    pub local: *mut SoaTransform,
+    pub local_count: usize,
+    /// skeleton.joint_count
+    pub scene_from_joint: *mut Affine,
+    pub scene_from_joint_count: usize,
+}
+impl Default for CharacterSkeleton {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CharacterSkeleton>() == 96);
+
+/// A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct CharacterMesh {
+    /// of the level asked for; with `skin` its geometry is this character's own, morphed
+    pub mesh: Mesh,
+    /// of morph targets
+    pub weights: *mut f32,
+    pub weight_count: usize,
+    /// empty without `skin`
+    pub palette: *mut Affine,
+    pub palette_count: usize,
+    /// empty without `skin` and `animation_space`
+    pub coordinates: *mut f32,
+    pub coordinate_count: usize,
+    /// with `skin`
+    pub morphed: MorphedGeometry,
+    /// what it lies in
+    pub vertices: *mut c_void,
+    pub vertices_bytes: usize,
+    /// in Animation::channels
+    pub first_target: u32,
+}
+impl Default for CharacterMesh {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<CharacterMesh>() == 968);
+
+/// Views into the caller's memory. A copy is the same character.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Character {
+    pub file: File,
+    pub options: CharacterOptions,
+    pub skeletons: *mut CharacterSkeleton,
+    pub skeleton_count: usize,
+    pub meshes: *mut CharacterMesh,
+    pub mesh_count: usize,
+    /// of morph targets, of all meshes
+    pub target_count: u32,
+    /// Scratch, of the largest skeleton.
+    /// a pose a layer
+    pub sampled: *mut SoaTransform,
+    pub sampled_count: usize,
+    pub blended: *mut BlendLayer,
+    pub blended_count: usize,
+    pub change: *mut AdditiveTransform,
+    pub change_count: usize,
+}
+impl Default for Character {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Character>() == 216);
+
+/// An animation at a time, and how much of it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct AnimationLayer {
+    /// made for the character's file
+    pub animation: *const Animation,
+    /// see playback.h
+    pub time_s: f32,
+    /// 0 … kMaxBlendWeight
+    pub weight: f32,
+}
+impl Default for AnimationLayer {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            animation_layer_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<AnimationLayer>() == 16);
+
+extern "C" {
+    #[link_name = "mrw_abi"]
+    pub fn abi() -> u32;
+    #[link_name = "mrw_data_error_init"]
+    pub fn data_error_init(out: *mut DataError);
+    /// One word or two in English, never null.
+    #[link_name = "mrw_status_text"]
+    pub fn status_text(status: Status) -> *const c_char;
+    /// From now on `handler` is told of every call that returns Status::bad_argument, on the thread of that call and before
+    /// it returns. null: nobody is told. Returns the handler before.
+    ///
+    /// The runtime itself never logs. Without a call of this nobody is told in a build with NDEBUG, and in one without a
+    /// line goes to stderr. A library built with MARROW_CALL_ERRORS=OFF, as it is by default for MinSizeRel, holds no names
+    /// and no conditions, and tells nobody whatever is set here.
+    ///
+    /// Bad data in a file is no bad call: see DataError.
+    /// Thread-safe; the handler must be so too, and the one before may still be running on other threads. It may call
+    /// anything of Marrow, may set another handler, and may stop the program.
+    #[link_name = "mrw_set_call_error_handler"]
+    pub fn set_call_error_handler(handler: CallErrorHandler) -> CallErrorHandler;
+    /// How many bytes of any alignment hold a block of `bytes`.
+    #[link_name = "mrw_block_bytes"]
+    pub fn block_bytes(bytes: usize) -> usize;
+    #[link_name = "mrw_is_on_boundary"]
+    pub fn is_on_boundary(first: *const c_void) -> bool;
+    /// What lies behind the first boundary in `memory`; empty if there is none.
+    #[link_name = "mrw_block_in"]
+    pub fn block_in(memory: *mut c_void, memory_bytes: usize, out: *mut Block) -> Status;
+    #[link_name = "mrw_bytes_init"]
+    pub fn bytes_init(out: *mut Bytes);
+    /// Whether these are the first bytes of a packed file. Anything else is for load() to judge.
+    #[link_name = "mrw_is_packed"]
+    pub fn is_packed(bytes: *const c_void, byte_count: usize) -> bool;
+    /// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
+    /// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
+    /// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+    /// May be null: error.
+    #[link_name = "mrw_find_unpack_sizes"]
+    pub fn find_unpack_sizes(packed: *const c_void, packed_bytes: usize, out: *mut UnpackSizes, error: *mut DataError) -> Status;
+    /// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
+    /// to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+    ///
+    /// packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
+    /// bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); out_of_memory, by Draco;
+    /// bad_argument. On failure
+    /// `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
+    /// order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
+    /// nothing else does.
+    /// May be null: error.
+    #[link_name = "mrw_unpack"]
+    pub fn unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, file: *mut Bytes, error: *mut DataError) -> Status;
+    #[link_name = "mrw_unpacking_init"]
+    pub fn unpacking_init(out: *mut Unpacking);
+    /// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+    /// Cost: the checksum.
+    /// May be null: error.
+    #[link_name = "mrw_begin_unpack"]
+    pub fn begin_unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, out: *mut Unpacking, error: *mut DataError) -> Status;
+    /// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+    /// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+    /// meshopt's is short. A clip takes a copy of its bytes.
+    ///
+    /// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+    /// at a time.
+    /// May be null: error.
+    #[link_name = "mrw_unpack_step"]
+    pub fn unpack_step(unpacking: *mut Unpacking, error: *mut DataError) -> Status;
+    /// For unpack(). Draco allocates while it decodes and frees all of it again.
+    #[link_name = "mrw_draco_decoder"]
+    pub fn draco_decoder(out: *mut MeshDecoder) -> Status;
+    /// For unpack(). Allocates nothing.
+    #[link_name = "mrw_meshopt_decoder"]
+    pub fn meshopt_decoder(out: *mut MeshDecoder) -> Status;
+    #[link_name = "mrw_joint_transform_init"]
+    pub fn joint_transform_init(out: *mut JointTransform);
+    /// How many SoaTransforms hold a pose of `joint_count` joints.
+    #[link_name = "mrw_soa_count"]
+    pub fn soa_count(joint_count: usize) -> usize;
+    /// Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+    /// is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+    #[link_name = "mrw_get_joint"]
+    pub fn get_joint(local: *const SoaTransform, local_count: usize, joint: u32, out: *mut JointTransform) -> Status;
+    /// Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+    /// is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+    #[link_name = "mrw_set_joint"]
+    pub fn set_joint(local: *mut SoaTransform, local_count: usize, joint: u32, transform: *const JointTransform) -> Status;
+    #[link_name = "mrw_rate_limit_init"]
+    pub fn rate_limit_init(out: *mut RateLimit);
+    #[link_name = "mrw_joint_limit_init"]
+    pub fn joint_limit_init(out: *mut JointLimit);
+    #[link_name = "mrw_half_joint_init"]
+    pub fn half_joint_init(out: *mut HalfJoint);
+    /// Whether a limit keeps these rules, as those of make_limit() and load() do.
+    #[link_name = "mrw_is_valid"]
+    pub fn is_valid(limit: *const JointLimit) -> bool;
+    #[link_name = "mrw_file_init"]
+    pub fn file_init(out: *mut File);
+    /// Validates a cooked file (docs/format.md) and makes `out` a view of it.
+    ///
+    /// The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
+    /// read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
+    /// bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
+    /// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
+    /// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
+    /// failure. Cost: one pass over the block; no allocation. Thread-safe.
+    /// May be null: error.
+    #[link_name = "mrw_load"]
+    pub fn load(block: *const c_void, block_bytes: usize, out: *mut File, error: *mut DataError) -> Status;
+    #[link_name = "mrw_file_skeleton_count"]
+    pub fn file_skeleton_count(file: *const File) -> u32;
+    #[link_name = "mrw_file_reference_count"]
+    pub fn file_reference_count(file: *const File) -> u32;
+    #[link_name = "mrw_file_clip_count"]
+    pub fn file_clip_count(file: *const File) -> u32;
+    #[link_name = "mrw_file_mesh_count"]
+    pub fn file_mesh_count(file: *const File) -> u32;
+    #[link_name = "mrw_file_material_count"]
+    pub fn file_material_count(file: *const File) -> u32;
+    #[link_name = "mrw_file_image_count"]
+    pub fn file_image_count(file: *const File) -> u32;
+    #[link_name = "mrw_file_node_count"]
+    pub fn file_node_count(file: *const File) -> u32;
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
+    #[link_name = "mrw_file_skeleton"]
+    pub fn file_skeleton(file: *const File, index: u32, out: *mut Skeleton) -> Status;
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
+    #[link_name = "mrw_file_reference"]
+    pub fn file_reference(file: *const File, index: u32, out: *mut SkeletonReference) -> Status;
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
+    #[link_name = "mrw_file_clip"]
+    pub fn file_clip(file: *const File, index: u32, out: *mut Clip) -> Status;
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    #[link_name = "mrw_file_mesh"]
+    pub fn file_mesh(file: *const File, index: u32, level: u32, out: *mut Mesh) -> Status;
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    #[link_name = "mrw_file_material"]
+    pub fn file_material(file: *const File, index: u32, out: *mut Material) -> Status;
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    #[link_name = "mrw_file_image"]
+    pub fn file_image(file: *const File, index: u32, out: *mut Image) -> Status;
+    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    #[link_name = "mrw_file_node"]
+    pub fn file_node(file: *const File, index: u32, out: *mut Node) -> Status;
+    /// About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
+    /// deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
+    /// Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
+    /// pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
+    #[link_name = "mrw_file_bounds"]
+    pub fn file_bounds(file: *const File, clip: u32, mesh: u32, out: *mut Bounds) -> Status;
+    /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
+    #[link_name = "mrw_file_find_skeleton"]
+    pub fn file_find_skeleton(file: *const File, name: *const c_char) -> u32;
+    /// The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
+    /// frame.
+    #[link_name = "mrw_file_find_joint"]
+    pub fn file_find_joint(file: *const File, skeleton: *const Skeleton, name: *const c_char) -> u32;
+    /// Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
+    /// same name.
+    #[link_name = "mrw_file_find_mesh"]
+    pub fn file_find_mesh(file: *const File, name: *const c_char) -> u32;
+    /// Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+    /// of several skeletons is a clip each, with the same name and duration.
+    #[link_name = "mrw_file_find_clip"]
+    pub fn file_find_clip(file: *const File, name: *const c_char) -> u32;
+    /// Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+    /// of several skeletons is a clip each, with the same name and duration.
+    #[link_name = "mrw_file_find_clip_of"]
+    pub fn file_find_clip_of(file: *const File, name: *const c_char, skeleton: u32) -> u32;
+    /// Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
+    /// a frame.
+    #[link_name = "mrw_file_find_channel"]
+    pub fn file_find_channel(file: *const File, clip: *const Clip, name: *const c_char) -> u32;
+    /// Index of the first node with this name, or node_count().
+    #[link_name = "mrw_file_find_node"]
+    pub fn file_find_node(file: *const File, name: *const c_char) -> u32;
+    /// The property of `node`, a node of this file, with this name; null if there is none.
+    #[link_name = "mrw_file_node_property"]
+    pub fn file_node_property(file: *const File, node: *const Node, name: *const c_char) -> *const Property;
+    /// A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+    /// zero-terminated, never null.
+    #[link_name = "mrw_file_text"]
+    pub fn file_text(file: *const File, name: u32) -> *const c_char;
+    /// A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+    /// zero-terminated, never null.
+    #[link_name = "mrw_property_text"]
+    pub fn property_text(property: *const Property) -> u32;
+    #[link_name = "mrw_skeleton_soa_size"]
+    pub fn skeleton_soa_size(skeleton: *const Skeleton) -> usize;
+    /// How many matrices build_palette() writes.
+    #[link_name = "mrw_mesh_palette_size"]
+    pub fn mesh_palette_size(mesh: *const Mesh) -> u32;
+    #[link_name = "mrw_bounds_is_empty"]
+    pub fn bounds_is_empty(bounds: *const Bounds) -> bool;
+    /// A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
+    /// Of a skeleton that is not there it is the hash of no joints. Cost: one pass over the skeleton.
+    #[link_name = "mrw_skeleton_hash"]
+    pub fn skeleton_hash(file: *const File, skeleton: u32) -> u64;
+    /// Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
+    /// sample(skeleton, pack.clip(i), …) does for every clip whose Clip::skeleton is `reference` what it would do for the
+    /// skeleton's own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and
+    /// within it the pose is nonsense.)
+    ///
+    /// misfits: gets the first ones, as many as it holds; misfit_count, if not null, how many there are. Both may be left
+    /// out. What stands above the roots may differ: it does not concern clips.
+    /// Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
+    /// skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+    /// May be null: misfits_there.
+    #[link_name = "mrw_bind_clips"]
+    pub fn bind_clips(pack: *const File, reference: u32, character: *const File, skeleton: u32, misfits: *mut JointMisfit, misfit_count: usize, misfits_there: *mut usize) -> Status;
+    #[link_name = "mrw_playback_init"]
+    pub fn playback_init(out: *mut Playback);
+    /// Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
+    /// however many times over: a loop loses no time and shows none twice, and so does a turn. Afterwards time_s is in
+    /// 0 … duration_s, and below duration_s in a loop; an end that is reached exactly is passed or turned at only when time
+    /// moves on. Events at a clip's times are due where time_s was before, where it is now, and `turns` say. A time_s
+    /// outside the clip counts as one that has just run there; a duration of 0 makes it 0, without a turn.
+    ///
+    /// Errors: bad_argument if time_s, speed, dt_s or duration_s is not finite, or duration_s is below 0; nothing is
+    /// changed.
+    ///
+    /// Error: dt_s · speed is exact; to add it to the time rounds once, by at most 2⁻⁵³ (time_s + |dt_s · speed|) before and
+    /// 2⁻⁵³ duration_s more where a loop passes its start backwards; finding the place of a time beyond an end is exact. So
+    /// after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the logarithm of the
+    /// turns where there are many. The same bits everywhere; thread-safe on different playbacks.
+    #[link_name = "mrw_advance"]
+    pub fn advance(playback: *mut Playback, duration_s: f32, dt_s: f32) -> Status;
+    /// The time to sample: time_s as a float, which never goes beyond the clip.
+    #[link_name = "mrw_clip_time"]
+    pub fn clip_time(playback: *const Playback) -> f32;
+    /// Whether a clip that plays once has reached the end towards which it runs; it stays true then. A clip at speed 0 runs
+    /// towards none.
+    #[link_name = "mrw_finished"]
+    pub fn finished(playback: *const Playback, duration_s: f32) -> bool;
+    #[link_name = "mrw_sample_options_init"]
+    pub fn sample_options_init(out: *mut SampleOptions);
+    /// Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
+    /// STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
+    /// tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
+    ///
+    /// out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
+    /// Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints or
+    /// is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
+    /// float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
+    /// is. Stateless; thread-safe on different outputs.
+    /// May be null: options.
+    #[link_name = "mrw_sample"]
+    pub fn sample(skeleton: *const Skeleton, clip: *const Clip, time_s: f32, out: *mut SoaTransform, out_count: usize, options: *const SampleOptions) -> Status;
+    /// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
+    /// that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
+    /// within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest
+    /// pose in them.
+    ///
+    /// out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
+    /// additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
+    #[link_name = "mrw_sample_additive"]
+    pub fn sample_additive(skeleton: *const Skeleton, clip: *const Clip, time_s: f32, out: *mut AdditiveTransform, out_count: usize) -> Status;
+    /// Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
+    ///
+    /// out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
+    /// drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
+    /// changes. Errors: bad_argument if `out` is too short or time_s is not
+    /// a number. Cost: a binary search a distinct key-time list and a few operations a channel.
+    #[link_name = "mrw_sample_channels"]
+    pub fn sample_channels(clip: *const Clip, time_s: f32, out: *mut f32, out_count: usize) -> Status;
+    #[link_name = "mrw_curve_init"]
+    pub fn curve_init(out: *mut Curve);
+    #[link_name = "mrw_arc_length_init"]
+    pub fn arc_length_init(out: *mut ArcLength);
+    #[link_name = "mrw_cubic_bezier_ease_init"]
+    pub fn cubic_bezier_ease_init(out: *mut CubicBezierEase);
+    /// How many floats `key_count` keys of `components` hold.
+    #[link_name = "mrw_curve_value_count"]
+    pub fn curve_value_count(kind: CurveKind, components: u32, key_count: usize) -> usize;
+    /// Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: bad_argument if `kind`
+    /// is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
+    /// not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
+    /// interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
+    #[link_name = "mrw_check_curve"]
+    pub fn check_curve(curve: *const Curve) -> Status;
+    /// The value at `time_s`, clamped to the first and last key; one key is a constant.
+    ///
+    /// out: at least curve.components floats. Errors: bad_argument as in check_curve(), if `out` is too short, or time_s is
+    /// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
+    /// At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
+    /// some dozen operations.
+    #[link_name = "mrw_evaluate_curve"]
+    pub fn evaluate_curve(curve: *const Curve, time_s: f32, out: *mut f32, out_count: usize) -> Status;
+    /// The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
+    /// the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
+    /// bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
+    #[link_name = "mrw_curve_velocity"]
+    pub fn curve_velocity(curve: *const Curve, time_s: f32, out: *mut f32, out_count: usize) -> Status;
+    /// Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
+    ///
+    /// keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
+    /// it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
+    /// derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
+    /// Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
+    /// Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
+    /// are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
+    /// tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
+    /// Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+    #[link_name = "mrw_natural_spline"]
+    pub fn natural_spline(keys: *const Curve, out: *mut f32, out_count: usize) -> Status;
+    /// Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
+    ///
+    /// keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
+    /// it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
+    /// derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
+    /// Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
+    /// Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
+    /// are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
+    /// tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
+    /// Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+    #[link_name = "mrw_clamped_spline"]
+    pub fn clamped_spline(keys: *const Curve, first_velocity: *const f32, first_velocity_count: usize, last_velocity: *const f32, last_velocity_count: usize, out: *mut f32, out_count: usize) -> Status;
+    /// A Bézier curve of any degree at u, by de Casteljau's algorithm.
+    ///
+    /// points: degree + 1 points of `components` floats (1 … 4). scratch: at least points.size floats, overlapping nothing.
+    /// out: at least `components`. u outside [0, 1] extrapolates. Errors: bad_argument if there is no point, points.size is
+    /// no multiple of components, a span is too short, or u is not finite; bad_data if the result is not finite.
+    /// Cost: degree · (degree + 1) / 2 interpolations.
+    #[link_name = "mrw_bezier"]
+    pub fn bezier(points: *const f32, point_count: usize, components: u32, u: f32, scratch: *mut f32, scratch_count: usize, out: *mut f32, out_count: usize) -> Status;
+    /// The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
+    /// result has no direction, or is too long to be squared.
+    #[link_name = "mrw_bezier_rotation"]
+    pub fn bezier_rotation(quaternions: *const f32, quaternion_count: usize, u: f32, scratch: *mut f32, scratch_count: usize, out: *mut f32, out_count: usize) -> Status;
+    /// A bicubic patch over 4 × 4 points: the tensor product of two cubics.
+    ///
+    /// points: 16 · components floats, component by component within a point, points along u first, then v. out: at least
+    /// `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
+    /// bad_data, with nothing written, if the result is not finite.
+    /// Cost: 20 blends of four points.
+    #[link_name = "mrw_bicubic_patch"]
+    pub fn bicubic_patch(basis: PatchBasis, points: *const f32, point_count: usize, components: u32, u: f32, v: f32, out: *mut f32, out_count: usize) -> Status;
+    #[link_name = "mrw_arc_length_count"]
+    pub fn arc_length_count(key_count: usize, steps: u32) -> usize;
+    /// Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
+    /// Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
+    /// `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
+    /// linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
+    #[link_name = "mrw_build_arc_length"]
+    pub fn build_arc_length(curve: *const Curve, steps: u32, out: *mut f32, out_count: usize) -> Status;
+    /// The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
+    /// Between two entries the length is taken as linear, so the point found is off along the path by at most
+    /// A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps,
+    /// a quarter of the error. Errors: bad_argument if the table is too short for this curve or `distance` is not a number.
+    /// Cost: a binary search.
+    #[link_name = "mrw_time_at_distance"]
+    pub fn time_at_distance(curve: *const Curve, table: *const ArcLength, distance: f32, time_s: *mut f32) -> Status;
+    /// From 0 at u = 0 to 1 at u = 1, both exactly; u is clamped, and what is not a number counts as 0. back and elastic
+    /// overshoot. out(u) = 1 - in(1 - u), in_out is the one, then the other at half size. As in Penner's, expo and elastic
+    /// leave 0 (out: reach 1) with a jump of 1e-3 or less; back's overshoot is 1.70158, 1.525 times that for in_out;
+    /// elastic's period is 0.3, 0.45 for in_out. Within 1e-6 of the closed forms. Unknown enumerators: linear.
+    #[link_name = "mrw_ease"]
+    pub fn ease(easing: Easing, mode: EaseMode, u: f32) -> f32;
+    /// y at x = u, with u clamped to [0, 1]. The point lies on the curve within 3e-7 in x (4e-7 (1 + |y1| + |y2|) in y):
+    /// where the curve is steep, y is as uncertain as x is. Errors: bad_argument unless x1 and x2 are in [0, 1], y1 and y2
+    /// finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
+    #[link_name = "mrw_ease_by_curve"]
+    pub fn ease_by_curve(curve: *const CubicBezierEase, u: f32, out: *mut f32) -> Status;
+    #[link_name = "mrw_blend_layer_init"]
+    pub fn blend_layer_init(out: *mut BlendLayer);
+    #[link_name = "mrw_additive_layer_init"]
+    pub fn additive_layer_init(out: *mut AdditiveLayer);
+    /// out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
+    /// as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
+    ///
+    /// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it, so the result
+    /// is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
+    /// below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
+    /// single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
+    /// below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
+    ///
+    /// layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
+    /// kMaxBlendWeight.
+    /// Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
+    /// Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
+    #[link_name = "mrw_blend"]
+    pub fn blend(skeleton: *const Skeleton, layers: *const BlendLayer, layer_count: usize, out: *mut SoaTransform, out_count: usize, threshold: f32) -> Status;
+    /// Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
+    /// pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
+    /// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+    #[link_name = "mrw_overlay"]
+    pub fn overlay(skeleton: *const Skeleton, layer: *const BlendLayer, pose: *mut SoaTransform, pose_count: usize) -> Status;
+    /// out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
+    /// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
+    /// their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
+    #[link_name = "mrw_make_additive"]
+    pub fn make_additive(skeleton: *const Skeleton, pose: *const SoaTransform, pose_count: usize, reference: *const SoaTransform, reference_count: usize, out: *mut AdditiveTransform, out_count: usize) -> Status;
+    /// Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
+    /// mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
+    /// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+    #[link_name = "mrw_add"]
+    pub fn add(skeleton: *const Skeleton, layer: *const AdditiveLayer, pose: *mut SoaTransform, pose_count: usize) -> Status;
+    #[link_name = "mrw_inertia_init"]
+    pub fn inertia_init(out: *mut Inertia);
+    #[link_name = "mrw_inertial_start_init"]
+    pub fn inertial_start_init(out: *mut InertialStart);
+    /// The new clip's weight, `time_s` after the fade began: exactly 0 at or before 0 and for what is not a number, exactly
+    /// 1 from duration_s on (at once if that is not above 0).
+    #[link_name = "mrw_fade_weight"]
+    pub fn fade_weight(shape: Fade, time_s: f32, duration_s: f32) -> f32;
+    /// blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
+    /// from, to, out: at least skeleton.soa_size(); out may be either of the poses.
+    /// Errors: bad_argument if a span is too short or the weight not in 0 … 1.
+    #[link_name = "mrw_cross_fade"]
+    pub fn cross_fade(skeleton: *const Skeleton, from: *const SoaTransform, from_count: usize, to: *const SoaTransform, to_count: usize, weight: f32, out: *mut SoaTransform, out_count: usize) -> Status;
+    /// Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is
+    /// shown.
+    ///
+    /// Inertialisation: D. Bollo, GDC 2018. Each component is the quintic with the offset's value and velocity at the start,
+    /// and value, velocity, acceleration and jerk 0 at the end, in the factored form above. A component on its way to zero
+    /// that would pass it before duration_s ends sooner, 5 start / -velocity after the beginning, so no offset
+    /// changes its sign. Other than there, x, y and z are not reduced to a length on a fixed axis, so the whole velocity
+    /// is carried over and not only its part along the offset. The growth of a turn is limited so that it stays below a
+    /// whole one; a turn of more than a quarter in one frame is not carried over faithfully.
+    /// Rotations must be unit quaternions, translations and scales at most 1e15: then all is finite, here and below. To
+    /// begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
+    /// short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
+    /// quaternions a joint, four joints at a time; no allocation.
+    #[link_name = "mrw_begin_inertia"]
+    pub fn begin_inertia(skeleton: *const Skeleton, start: *const InertialStart, duration_s: f32, inertia: *mut Inertia) -> Status;
+    /// pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
+    /// any begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
+    /// Errors: bad_argument if a span is too short or time_s not a number.
+    /// Cost: nine quintics and one exponential a joint, four joints at a time.
+    #[link_name = "mrw_apply_inertia"]
+    pub fn apply_inertia(skeleton: *const Skeleton, inertia: *const Inertia, time_s: f32, pose: *mut SoaTransform, pose_count: usize) -> Status;
+    /// scene_from_joint = scene_from_root · Π parent_from_joint, from the root down; scene_from_root is what the source has
+    /// above the skeleton and never moves, so the matrices are in the source's scene space.
+    ///
+    /// local: at least skeleton.soa_size(); out: at least skeleton.joint_count; they do not overlap.
+    /// Errors: bad_argument if a span is too short.
+    /// Cost: one quaternion-to-matrix (four joints at a time) and one affine product a joint: 70 instructions on x86-64, 49
+    /// on AArch64. Thread-safe on different outputs.
+    #[link_name = "mrw_local_to_model"]
+    pub fn local_to_model(skeleton: *const Skeleton, local: *const SoaTransform, local_count: usize, out: *mut Affine, out_count: usize) -> Status;
+    /// The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
+    /// whatever the count, parents are among them. The others' matrices are left as they are.
+    ///
+    /// local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
+    /// joints.
+    #[link_name = "mrw_local_to_model_first"]
+    pub fn local_to_model_first(skeleton: *const Skeleton, local: *const SoaTransform, local_count: usize, joint_count: u32, out: *mut Affine, out_count: usize) -> Status;
+    /// The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
+    /// kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
+    ///
+    /// local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
+    /// such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
+    /// one comparison for each other joint from `joint` to the last generation.
+    #[link_name = "mrw_local_to_model_below"]
+    pub fn local_to_model_below(skeleton: *const Skeleton, local: *const SoaTransform, local_count: usize, joint: u32, out: *mut Affine, out_count: usize) -> Status;
+    #[link_name = "mrw_limit_description_init"]
+    pub fn limit_description_init(out: *mut LimitDescription);
+    #[link_name = "mrw_rotation_follower_init"]
+    pub fn rotation_follower_init(out: *mut RotationFollower);
+    #[link_name = "mrw_point_follower_init"]
+    pub fn point_follower_init(out: *mut PointFollower);
+    /// Angles least_rad … most_rad; all of them if that is a turn or more.
+    /// Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
+    #[link_name = "mrw_make_angle_range"]
+    pub fn make_angle_range(least_rad: f32, most_rad: f32, out: *mut AngleRange) -> Status;
+    /// `out` is written only on success.
+    /// Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
+    /// above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
+    /// euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+    #[link_name = "mrw_make_limit"]
+    pub fn make_limit(description: *const LimitDescription, joint: u16, out: *mut JointLimit) -> Status;
+    /// local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
+    ///
+    /// What is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes nothing.
+    /// What comes out is inside within the same tolerance.
+    ///
+    /// Outside it is the nearest rotation for a hinge; for a cone the nearest swing, and of the twists the nearest with it;
+    /// for euler boxes one round of exact searches along each angle from the clamped angles. docs/ik/limits.md has how near
+    /// that is. The nearest rotation jumps where one side of the range is as far as the other. So that the result moves
+    /// continuously, over the last quarter of the way from the limit to there it moves through the middle of the range: of a
+    /// turn about an axis to the angle opposite the middle, of a swing to 180°, where in its place the twist is lost; and of
+    /// euler angles to ±90° of the second, where the third and the first are one. Distances are as tangents of a quarter of
+    /// the angle. A range of all angles is a circle, to which nothing leads continuously: it jumps at a swing of 180°, and
+    /// an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
+    ///
+    /// Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
+    /// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+    #[link_name = "mrw_clamp_rotation"]
+    pub fn clamp_rotation(limit: *const JointLimit, local: *mut [f32; 4]) -> Status;
+    /// By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
+    #[link_name = "mrw_limit_excess"]
+    pub fn limit_excess(limit: *const JointLimit, local: *const [f32; 4]) -> f32;
+    /// clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
+    /// local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
+    /// Cost: clamp_rotation() a limit. Thread-safe on different poses.
+    #[link_name = "mrw_limit_pose"]
+    pub fn limit_pose(limits: *const JointLimit, limit_count: usize, local: *mut SoaTransform, local_count: usize) -> Status;
+    /// The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
+    #[link_name = "mrw_find_limit"]
+    pub fn find_limit(limits: *const JointLimit, limit_count: usize, joint: u32) -> *const JointLimit;
+    /// Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+    /// is state.rotation or state.point.
+    ///
+    /// A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+    /// the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+    /// about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+    /// part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+    /// the speed until it is there; without any limit it is on its target.
+    /// Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+    /// they may exceed the acceleration by a few hundredths.
+    ///
+    /// The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+    /// each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+    /// from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+    ///
+    /// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+    /// follower keeps is finite.
+    /// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+    /// on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+    /// quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+    /// on different states.
+    #[link_name = "mrw_follow_rotation"]
+    pub fn follow_rotation(state: *mut RotationFollower, target: *const [f32; 4], dt_s: f32, limit: *const RateLimit) -> Status;
+    /// Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+    /// is state.rotation or state.point.
+    ///
+    /// A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+    /// the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+    /// about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+    /// part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+    /// the speed until it is there; without any limit it is on its target.
+    /// Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+    /// they may exceed the acceleration by a few hundredths.
+    ///
+    /// The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+    /// each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+    /// from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+    ///
+    /// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+    /// follower keeps is finite.
+    /// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+    /// on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+    /// quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+    /// on different states.
+    #[link_name = "mrw_follow_point"]
+    pub fn follow_point(state: *mut PointFollower, target: *const [f32; 3], dt_s: f32, limit: *const RateLimit) -> Status;
+    /// follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
+    /// All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
+    /// way there may lead outside.
+    /// states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
+    /// finite; nothing is written. Joints whose rotation is not finite keep it.
+    #[link_name = "mrw_follow_pose"]
+    pub fn follow_pose(limits: *const JointLimit, limit_count: usize, states: *mut RotationFollower, state_count: usize, dt_s: f32, local: *mut SoaTransform, local_count: usize) -> Status;
+    #[link_name = "mrw_two_bone_init"]
+    pub fn two_bone_init(out: *mut TwoBone);
+    #[link_name = "mrw_two_bone_joints_init"]
+    pub fn two_bone_joints_init(out: *mut TwoBoneJoints);
+    #[link_name = "mrw_two_bone_limb_init"]
+    pub fn two_bone_limb_init(out: *mut TwoBoneLimb);
+    #[link_name = "mrw_aim_init"]
+    pub fn aim_init(out: *mut Aim);
+    /// Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
+    /// difference of the lengths; then the shortest arc to the target and a turn about it, in one quaternion.
+    /// Of a bone of no length, or a target at the start joint, the rest is still done; nothing becomes infinite.
+    /// The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
+    /// one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
+    /// Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+    /// large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+    /// Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent
+    /// the wrong way, the target more than 120° off or near the pole, or there is a twist.
+    #[link_name = "mrw_turn_two_bone"]
+    pub fn turn_two_bone(joints: *const TwoBoneJoints, goal: *const TwoBone, out: *mut TwoBoneTurns) -> Status;
+    /// Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.
+    /// Errors: as above, for all four if one is bad.
+    #[link_name = "mrw_turn_two_bone_x4"]
+    pub fn turn_two_bone_x4(joints: *const [TwoBoneJoints; 4], goals: *const [TwoBone; 4], out: *mut [TwoBoneTurns; 4]) -> Status;
+    /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+    /// 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
+    /// are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+    /// May be null: reached.
+    #[link_name = "mrw_solve_two_bone"]
+    pub fn solve_two_bone(skeleton: *const Skeleton, limb: *const TwoBoneLimb, goal: *const TwoBone, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, reached: *mut bool) -> Status;
+    /// Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
+    /// turn about it, in one quaternion.
+    /// Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
+    /// weight outside 0 … 1.
+    /// Cost: 237 instructions on x86-64, 187 on AArch64.
+    #[link_name = "mrw_turn_aim"]
+    pub fn turn_aim(joint: *const Affine, goal: *const Aim, out: *mut AimTurn) -> Status;
+    /// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+    /// 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
+    /// is written. Cost: the kernel's, and local_to_model_below(joint).
+    /// May be null: reached.
+    #[link_name = "mrw_solve_aim"]
+    pub fn solve_aim(skeleton: *const Skeleton, joint: u32, goal: *const Aim, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, reached: *mut bool) -> Status;
+    /// The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
+    /// looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
+    /// falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
+    /// Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+    /// May be null: reached.
+    #[link_name = "mrw_solve_look_at"]
+    pub fn solve_look_at(skeleton: *const Skeleton, joints: *const u32, joint_count: usize, goal: *const Aim, falloff: f32, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, reached: *mut bool) -> Status;
+    #[link_name = "mrw_ik_goal_init"]
+    pub fn ik_goal_init(out: *mut IkGoal);
+    #[link_name = "mrw_ik_problem_init"]
+    pub fn ik_problem_init(out: *mut IkProblem);
+    #[link_name = "mrw_ik_options_init"]
+    pub fn ik_options_init(out: *mut IkOptions);
+    /// Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+    /// May be null: options.
+    #[link_name = "mrw_ik_scratch_bytes"]
+    pub fn ik_scratch_bytes(skeleton: *const Skeleton, problem: *const IkProblem, options: *const IkOptions) -> usize;
+    /// Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
+    ///
+    /// local: at least skeleton.soa_size(), parent_from_joint; changed: rotations of problem.joints, and the translation of
+    /// joints[0] if it may travel. scene_from_joint: at least skeleton.joint_count, of this pose (local_to_model); brought
+    /// up to date for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
+    /// may be null.
+    /// A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
+    /// Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending,
+    /// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
+    /// of range, or the pose not finite on the way to a goal.
+    /// Cost: docs/ik.md. Thread-safe on different poses and scratch.
+    /// May be null: options, report.
+    #[link_name = "mrw_solve_ik"]
+    pub fn solve_ik(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;
+    /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+    /// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+    ///
+    /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+    /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+    /// Cost: docs/ik.md: tens of microseconds a generation.
+    #[link_name = "mrw_ik_genetic_scratch_bytes"]
+    pub fn ik_genetic_scratch_bytes(skeleton: *const Skeleton, problem: *const IkProblem) -> usize;
+    /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+    /// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+    ///
+    /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+    /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+    /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// May be null: options, report.
+    #[link_name = "mrw_solve_ik_genetic"]
+    pub fn solve_ik_genetic(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;
+    #[link_name = "mrw_foot_init"]
+    pub fn foot_init(out: *mut Foot);
+    #[link_name = "mrw_feet_init"]
+    pub fn feet_init(out: *mut Feet);
+    #[link_name = "mrw_foot_ground_init"]
+    pub fn foot_ground_init(out: *mut FootGround);
+    #[link_name = "mrw_foot_motion_init"]
+    pub fn foot_motion_init(out: *mut FootMotion);
+    #[link_name = "mrw_feet_frame_init"]
+    pub fn feet_frame_init(out: *mut FeetFrame);
+    /// Where a ray for a foot is to go through: its sole as animated, in the world.
+    /// Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
+    #[link_name = "mrw_foot_sole"]
+    pub fn foot_sole(foot: *const Foot, world_from_scene: *const Affine, scene_from_joint: *const Affine, scene_from_joint_count: usize, sole_world: *mut [f32; 3]) -> Status;
+    /// Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
+    /// date. Call it after local_to_model(), and cast the rays before it, from the same pose.
+    ///
+    /// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
+    ///
+    /// The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
+    /// plane about its sole. What is planted keeps its place across `up`, and its heading; along `up` it moves as animated,
+    /// so that a heel can rise. A step in the ground (another plane than in the last frame), and on release the way to the
+    /// target, are an offset from the target that dies away as a critically damped spring at rest does, with the speed
+    /// that it had: exact whatever the frame rate, and without a jump in place or speed. The pelvis moves by the lowest
+    /// sole's ground, and as much further down as the legs need to reach. Ankles keep their animated attitude but for lean
+    /// and heading. See docs/ik/feet.md.
+    ///
+    /// Errors: bad_argument if a span is too short, joints are not as they should be, or a number is not finite, out of its
+    /// range or beyond 1e6; nothing is written.
+    /// Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
+    /// up to three where joints are scaled unevenly: 8100 instructions a foot on x86-64, the skeleton having 27 joints. No
+    /// allocation; thread-safe on different motions and poses.
+    #[link_name = "mrw_place_feet"]
+    pub fn place_feet(skeleton: *const Skeleton, feet: *const Feet, frame: *const FeetFrame, ground: *const FootGround, ground_count: usize, motion: *mut FootMotion, motion_count: usize, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize) -> Status;
+    #[link_name = "mrw_spring_joint_init"]
+    pub fn spring_joint_init(out: *mut SpringJoint);
+    #[link_name = "mrw_spring_chain_init"]
+    pub fn spring_chain_init(out: *mut SpringChain);
+    #[link_name = "mrw_spring_collider_init"]
+    pub fn spring_collider_init(out: *mut SpringCollider);
+    #[link_name = "mrw_springs_init"]
+    pub fn springs_init(out: *mut Springs);
+    #[link_name = "mrw_spring_frame_init"]
+    pub fn spring_frame_init(out: *mut SpringFrame);
+    /// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+    #[link_name = "mrw_springs_bytes"]
+    pub fn springs_bytes(skeleton: *const Skeleton, chains: *const SpringChain, chain_count: usize) -> usize;
+    /// Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
+    ///
+    /// memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
+    /// Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
+    /// a chain has no bone, or the memory does not do; nothing is written.
+    #[link_name = "mrw_make_springs"]
+    pub fn make_springs(skeleton: *const Skeleton, chains: *const SpringChain, chain_count: usize, memory: *mut c_void, memory_bytes: usize, out: *mut Springs) -> Status;
+    /// New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
+    #[link_name = "mrw_set_springs"]
+    pub fn set_springs(skeleton: *const Skeleton, chains: *const SpringChain, chain_count: usize, springs: *mut Springs) -> Status;
+    /// The next frame begins at rest in its pose.
+    #[link_name = "mrw_reset_springs"]
+    pub fn reset_springs(springs: *mut Springs);
+    /// Moves the springs on by a frame and bends `local` by them; the matrices of what hangs below are brought up to date.
+    ///
+    /// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count; local_to_model() has made
+    /// the one from the other. Springs never read what they have written: give them the animated pose of every frame.
+    ///
+    /// Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
+    ///   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
+    /// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
+    /// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
+    /// the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+    /// the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
+    /// not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
+    /// upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is
+    /// carried by it, but does not feel its swing.
+    ///
+    /// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
+    /// before and half after. Drift and kicks have the strengths with which small swings have the exact frequency and decay,
+    /// whatever the step; so a path does not depend on the frame rate but for how the animation's frames cut its curves. The
+    /// energy |u|²/2 - F·d is held down to the work done, so that it never grows without input.
+    /// What hangs on a bone turns by the nearest rotation to its parent's that takes the one direction to the other, which
+    /// is a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965) and costs one product of matrix and
+    /// vector a joint.
+    ///
+    /// Scales that are not one scale, above a joint: directions are then approximate, lengths still kept. A bone shorter
+    /// than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
+    /// Errors: bad_argument if a span is too short, the skeleton has another count of joints, a number is not finite or out
+    /// of its range, or there are more than kMaxSpringColliders; nothing is written.
+    /// Cost: at 60 frames/s 714 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
+    /// thread-safe on different springs and poses.
+    #[link_name = "mrw_simulate_springs"]
+    pub fn simulate_springs(skeleton: *const Skeleton, frame: *const SpringFrame, springs: *mut Springs, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize) -> Status;
+    /// For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
+    /// `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
+    /// compares names; once a load.
+    #[link_name = "mrw_find_weight_channels"]
+    pub fn find_weight_channels(file: *const File, mesh: *const Mesh, clips: *const File, clip: *const Clip, out: *mut u32, out_count: usize) -> Status;
+    /// The weights of a moment: of each target its channel's value, or its default without. channels: from
+    /// find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
+    /// out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
+    #[link_name = "mrw_morph_weights"]
+    pub fn morph_weights(mesh: *const Mesh, channels: *const u32, channel_count: usize, values: *const f32, value_count: usize, out: *mut f32, out_count: usize) -> Status;
+    /// Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
+    #[link_name = "mrw_morphed_bytes"]
+    pub fn morphed_bytes(geometry: *const Geometry) -> usize;
+    /// The bind pose. memory: at least morphed_bytes(), 16-byte aligned (bad_argument otherwise); `out` keeps pointers into
+    /// it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
+    #[link_name = "mrw_make_morphed"]
+    pub fn make_morphed(geometry: *const Geometry, memory: *mut c_void, memory_bytes: usize, out: *mut MorphedGeometry) -> Status;
+    /// Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
+    /// cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
+    /// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
+    /// moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
+    /// however many targets move it, 8, 20 or 29 to undo and normalise.
+    #[link_name = "mrw_morph"]
+    pub fn morph(weights: *const f32, weight_count: usize, morphed: *mut MorphedGeometry) -> Status;
+    /// Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
+    /// Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
+    /// the morphed geometry is the same where no residual changes a weight.
+    ///
+    /// coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
+    /// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
+    #[link_name = "mrw_morph_coordinates"]
+    pub fn morph_coordinates(morphed: *mut MorphedGeometry, coordinates: *mut f32, coordinate_count: usize) -> Status;
+    /// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
+    ///
+    /// joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
+    /// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
+    /// scene_from_joint.size, what half-joints name below joints.size.
+    /// Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
+    ///
+    /// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
+    /// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
+    /// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
+    /// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+    ///
+    /// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
+    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+    /// Thread-safe on different outputs; out overlaps none of the inputs.
+    #[link_name = "mrw_build_palette_of_joints"]
+    pub fn build_palette_of_joints(joints: *const u16, joint_count: usize, bind: *const Affine, bind_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, out: *mut Affine, out_count: usize, half_joints: *const HalfJoint, half_joint_count: usize) -> Status;
+    /// The palette of a mesh.
+    #[link_name = "mrw_build_palette"]
+    pub fn build_palette(mesh: *const Mesh, scene_from_joint: *const Affine, scene_from_joint_count: usize, out: *mut Affine, out_count: usize) -> Status;
+    /// Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
+    /// are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
+    /// not finite do not.
+    #[link_name = "mrw_turns_inside_out"]
+    pub fn turns_inside_out(map: *const Affine) -> bool;
+    /// The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
+    /// double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
+    /// turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
+    /// matrix.
+    #[link_name = "mrw_palette_turns_inside_out"]
+    pub fn palette_turns_inside_out(palette: *const Affine, palette_count: usize) -> bool;
+    /// Bytes that make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
+    #[link_name = "mrw_reach_bytes"]
+    pub fn reach_bytes(mesh: *const Mesh) -> usize;
+    /// Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
+    /// are among those of `mesh`.
+    ///
+    /// mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
+    /// `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
+    #[link_name = "mrw_make_reach"]
+    pub fn make_reach(mesh: *const Mesh, memory: *mut c_void, memory_bytes: usize, out: *mut Reach) -> Status;
+    /// The box of the mesh and a sphere about the box's centre, in the palette's space.
+    ///
+    /// palette: of the mesh, reach.joints.size entries. weights: of its morph targets, any finite numbers; empty: none is
+    /// active. Without a vertex `out` is empty (Bounds::is_empty()). Errors: bad_argument (a span too short, a weight that
+    /// is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its half
+    /// sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
+    /// 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
+    /// instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
+    #[link_name = "mrw_palette_bounds"]
+    pub fn palette_bounds(reach: *const Reach, palette: *const Affine, palette_count: usize, weights: *const f32, weight_count: usize, out: *mut Bounds) -> Status;
+    #[link_name = "mrw_skin_output_init"]
+    pub fn skin_output_init(out: *mut SkinOutput);
+    #[link_name = "mrw_as_part_init"]
+    pub fn as_part_init(out: *mut AsPart);
+    /// Each vertex follows the joint with its largest weight.
+    ///   position = M_j (v, 1)
+    /// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
+    /// tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+    /// Cost: positions 51 / 32; with exact normals 78 / 49.
+    #[link_name = "mrw_skin_rigid"]
+    pub fn skin_rigid(mesh: *const Mesh, palette: *const Affine, palette_count: usize, out: *const SkinOutput) -> Status;
+    /// Skeletal subspace deformation, also called linear blend skinning.
+    ///   position = (Σ_j w_j M_j) (v, 1)
+    /// Cost: positions 39 / 30; with normals through the blended matrix 50 / 35, and tangents 63 / 43; through the inverse
+    /// transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
+    /// or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
+    /// transpose.
+    #[link_name = "mrw_skin_ssd"]
+    pub fn skin_ssd(mesh: *const Mesh, palette: *const Affine, palette_count: usize, out: *const SkinOutput) -> Status;
+    /// How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
+    #[link_name = "mrw_as_coordinate_count"]
+    pub fn as_coordinate_count(geometry: *const Geometry) -> usize;
+    /// Animation-space coordinates of every slot, from lift and residual: q_j = (w_j v + d_j, w_j + δ_j), Σ_j (q_j)_w = 1.
+    /// In the notation of Merry, Marais and Gain (ACM TOG 25(4), 2006) p_j = B_j⁻¹ q_j; B_j⁻¹ stands in the palette here.
+    ///
+    /// As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
+    /// x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
+    /// out: as_coordinate_count() floats. Done once a mesh, not a frame.
+    #[link_name = "mrw_as_coordinates"]
+    pub fn as_coordinates(geometry: *const Geometry, out: *mut f32, out_count: usize) -> Status;
+    /// How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
+    #[link_name = "mrw_as_tangent_count"]
+    pub fn as_tangent_count(geometry: *const Geometry) -> usize;
+    /// Bytes of scratch memory that as_tangents() wants: about 32 a slot and 4 an index.
+    #[link_name = "mrw_as_tangent_scratch_bytes"]
+    pub fn as_tangent_scratch_bytes(parts: *const AsPart, part_count: usize) -> usize;
+    /// Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
+    ///   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
+    ///   Σ_j (τ_j)_w = 0
+    /// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
+    /// residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
+    /// has one. What the triangles do not explain of them goes through the blend: all, if they have no area. Of a
+    /// neighbour's joints those that a vertex lacks count as the one of its own which that neighbour follows most.
+    ///
+    /// parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
+    /// the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
+    /// scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
+    /// no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex.
+    #[link_name = "mrw_as_tangents"]
+    pub fn as_tangents(parts: *const AsPart, part_count: usize, scratch: *mut c_void, scratch_bytes: usize) -> Status;
+    /// Animation space.
+    ///   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
+    ///            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
+    /// Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
+    /// coordinates: from as_coordinates() of this geometry.
+    /// Cost: positions 41 / 32; with normals through the blended matrix 78 / 57, and tangents 93 / 62; through the inverse
+    /// transpose 100 / 68 and 116 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
+    /// more an influence but the last.
+    ///
+    /// tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
+    /// t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
+    /// run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
+    #[link_name = "mrw_skin_as"]
+    pub fn skin_as(mesh: *const Mesh, coordinates: *const f32, coordinate_count: usize, palette: *const Affine, palette_count: usize, out: *const SkinOutput, tangents: *const f32, tangent_count: usize) -> Status;
+    /// Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
+    /// animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
+    ///   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + Geometry::mwe_residual, ∘ element by element
+    /// Elements mean something in one frame only; R is that of the palette entry Geometry::mwe_root: the rotation next to
+    /// its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
+    /// Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
+    /// zero. With blended_matrix it is that blend that is asked whether it mirrors.
+    ///
+    /// Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
+    /// blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
+    /// four influences nine times as much as SSD.
+    #[link_name = "mrw_skin_mwe"]
+    pub fn skin_mwe(mesh: *const Mesh, palette: *const Affine, palette_count: usize, out: *const SkinOutput) -> Status;
+    /// How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
+    /// examples.
+    #[link_name = "mrw_psd_distance_count"]
+    pub fn psd_distance_count(geometry: *const Geometry) -> usize;
+    /// How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
+    /// k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
+    /// rotations as in skin_mwe(); 0 for an entry without a parent.
+    /// out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
+    /// bad_argument if a span is too short.
+    /// Cost: 34 instructions a palette entry and example, x86-64.
+    #[link_name = "mrw_psd_distances"]
+    pub fn psd_distances(geometry: *const Geometry, palette: *const Affine, palette_count: usize, out: *mut f32, out_count: usize) -> Status;
+    /// Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
+    /// weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
+    ///   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: Geometry::pose_space
+    ///   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
+    /// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's.
+    /// distances: from psd_distances() of this geometry and palette. Errors: also bad_argument if they are too few. A
+    /// geometry without examples is SSD's.
+    /// Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
+    /// vertex for each example that moves its block.
+    #[link_name = "mrw_skin_psd"]
+    pub fn skin_psd(mesh: *const Mesh, distances: *const f32, distance_count: usize, palette: *const Affine, palette_count: usize, out: *const SkinOutput) -> Status;
+    #[link_name = "mrw_character_options_init"]
+    pub fn character_options_init(out: *mut CharacterOptions);
+    #[link_name = "mrw_animation_layer_init"]
+    pub fn animation_layer_init(out: *mut AnimationLayer);
+    /// Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
+    #[link_name = "mrw_animations_bytes"]
+    pub fn animations_bytes(file: *const File, clips: *const File) -> usize;
+    /// Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
+    /// its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
+    /// fits none, its clips are left out: no skeleton plays them.
+    ///
+    /// memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
+    /// Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
+    /// a skeleton). Cost: compares names; once a load.
+    #[link_name = "mrw_make_animations"]
+    pub fn make_animations(file: *const File, clips: *const File, memory: *mut c_void, memory_bytes: usize, out: *mut Animations) -> Status;
+    /// The first with this name that moves anything; null if there is none. Cost: compares names.
+    #[link_name = "mrw_find_animation"]
+    pub fn find_animation(animations: *const Animations, name: *const c_char) -> *const Animation;
+    /// Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+    /// May be null: options.
+    #[link_name = "mrw_character_bytes"]
+    pub fn character_bytes(file: *const File, options: *const CharacterOptions) -> usize;
+    /// A character in its rest pose, finished.
+    ///
+    /// `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
+    /// Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
+    /// meshes with morph targets, and as_coordinates().
+    /// May be null: options.
+    #[link_name = "mrw_make_character"]
+    pub fn make_character(file: *const File, options: *const CharacterOptions, memory: *mut c_void, memory_bytes: usize, out: *mut Character) -> Status;
+    /// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
+    /// blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
+    /// reference.
+    ///
+    /// Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
+    /// out of range, a time that is not a number); a part of the character may have been written then.
+    /// Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
+    #[link_name = "mrw_sample_character"]
+    pub fn sample_character(character: *mut Character, layers: *const AnimationLayer, layer_count: usize) -> Status;
+    /// Brings scene_from_joint of all skeletons up to date with `local`.
+    #[link_name = "mrw_character_to_model"]
+    pub fn character_to_model(character: *mut Character) -> Status;
+    /// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
+    #[link_name = "mrw_pose_character"]
+    pub fn pose_character(character: *mut Character, layers: *const AnimationLayer, layer_count: usize) -> Status;
+    /// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
+    /// Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
+    /// mesh.
+    #[link_name = "mrw_finish_character"]
+    pub fn finish_character(character: *mut Character) -> Status;
+}

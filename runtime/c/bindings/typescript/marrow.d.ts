@@ -1,0 +1,3192 @@
+// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// The runtime for JavaScript and TypeScript, as C has it: see docs/c.md.
+
+export const ABI: number;
+export const BLOCK_BOUNDARY: number;
+export const UNPACK_STATE_BYTES: number;
+export const MAX_JOINTS: number;
+export const MAX_INFLUENCES: number;
+export const NO_PARENT: number;
+export const NO_SLOT: number;
+export const MAX_POSE_EXAMPLES: number;
+export const NO_MATERIAL: number;
+export const NO_IMAGE: number;
+export const NO_JOINT: number;
+export const MORPHS_POSITIONS: number;
+export const MORPHS_NORMALS: number;
+export const MORPHS_TANGENTS: number;
+export const MAX_BLEND_WEIGHT: number;
+export const REST_THRESHOLD: number;
+export const LIMIT_TOLERANCE_RAD: number;
+export const WIDEST_SWING_RAD: number;
+export const MAX_SPRING_COLLIDERS: number;
+export const MAX_SPRING_STEP_S: number;
+export const MAX_SPRING_STEPS: number;
+export const MIN_SPRING_FRAME_S: number;
+export const NO_CHANNEL: number;
+export const NO_CLIP: number;
+
+export const Status: {
+  readonly OK: number;
+  /**
+   * the call is wrong: a span too short, a null pointer, an index out of range
+   */
+  readonly BAD_ARGUMENT: number;
+  /**
+   * the data ends before what it announces
+   */
+  readonly TRUNCATED: number;
+  /**
+   * not a cooked file
+   */
+  readonly BAD_MAGIC: number;
+  /**
+   * cooked for another version of the format
+   */
+  readonly BAD_VERSION: number;
+  /**
+   * damaged
+   */
+  readonly BAD_CHECKSUM: number;
+  /**
+   * breaks a rule of docs/format.md
+   */
+  readonly BAD_DATA: number;
+  /**
+   * legal, but needs what this build or this device lacks
+   */
+  readonly UNSUPPORTED: number;
+  /**
+   * the driver refused
+   */
+  readonly GL_ERROR: number;
+  /**
+   * both are good, but not made for each other
+   */
+  readonly MISMATCH: number;
+  /**
+   * a library that allocates for itself found none
+   */
+  readonly OUT_OF_MEMORY: number;
+};
+export type Status = number;
+
+export const LimitKind: {
+  /**
+   * turns freely; for joints that have a rate limit alone
+   */
+  readonly NONE: number;
+  /**
+   * about one axis, between two angles: knees, elbows, fingers
+   */
+  readonly HINGE: number;
+  /**
+   * swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
+   */
+  readonly CONE: number;
+  /**
+   * three angles about three axes, each between two: rigs whose limits came so
+   */
+  readonly EULER: number;
+};
+export type LimitKind = number;
+
+/**
+ * The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
+ */
+export const AxisOrder: {
+  readonly XYZ: number;
+  readonly XZY: number;
+  readonly YXZ: number;
+  readonly YZX: number;
+  readonly ZXY: number;
+  readonly ZYX: number;
+};
+export type AxisOrder = number;
+
+export const TrackPath: {
+  readonly TRANSLATION: number;
+  readonly ROTATION: number;
+  readonly SCALE: number;
+};
+export type TrackPath = number;
+
+export const Interpolation: {
+  readonly STEP: number;
+  readonly LINEAR: number;
+  readonly CUBIC_SPLINE: number;
+};
+export type Interpolation = number;
+
+/**
+ * What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+ */
+export const AlphaMode: {
+  readonly OPAQUE: number;
+  readonly MASK: number;
+  readonly BLEND: number;
+};
+export type AlphaMode = number;
+
+/**
+ * What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+ */
+export const TextureRole: {
+  readonly BASE_COLOUR: number;
+  readonly METALLIC_ROUGHNESS: number;
+  readonly NORMAL: number;
+  readonly OCCLUSION: number;
+  readonly EMISSIVE: number;
+  /**
+   * KHR_materials_pbrSpecularGlossiness; its diffuse colour and texture are the base colour
+   */
+  readonly SPECULAR_GLOSSINESS: number;
+};
+export type TextureRole = number;
+
+export const Wrap: {
+  readonly REPEAT: number;
+  readonly CLAMP_TO_EDGE: number;
+  readonly MIRRORED_REPEAT: number;
+};
+export type Wrap = number;
+
+export const MagFilter: {
+  readonly ANY: number;
+  readonly NEAREST: number;
+  readonly LINEAR: number;
+};
+export type MagFilter = number;
+
+export const MinFilter: {
+  readonly ANY: number;
+  readonly NEAREST: number;
+  readonly LINEAR: number;
+  readonly NEAREST_MIPMAP_NEAREST: number;
+  readonly LINEAR_MIPMAP_NEAREST: number;
+  readonly NEAREST_MIPMAP_LINEAR: number;
+  readonly LINEAR_MIPMAP_LINEAR: number;
+};
+export type MinFilter = number;
+
+/**
+ * A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+ */
+export const ImageFormat: {
+  readonly UNKNOWN: number;
+  readonly PNG: number;
+  readonly JPEG: number;
+  readonly WEBP: number;
+  readonly KTX2: number;
+  readonly DDS: number;
+};
+export type ImageFormat = number;
+
+/**
+ * A number, a truth or a text that an artist gave a node.
+ */
+export const PropertyType: {
+  readonly NUMBER: number;
+  readonly BOOLEAN: number;
+  readonly TEXT: number;
+};
+export type PropertyType = number;
+
+/**
+ * Why a joint keeps a clip pack from fitting a skeleton.
+ */
+export const Misfit: {
+  /**
+   * the skeleton has no joint of this name
+   */
+  readonly MISSING: number;
+  /**
+   * it has, below another joint
+   */
+  readonly OTHER_PARENT: number;
+  /**
+   * it has, with another rest pose, which coded tracks are relative to
+   */
+  readonly OTHER_REST: number;
+  /**
+   * a joint of the skeleton that the clips were made without
+   */
+  readonly EXTRA: number;
+  /**
+   * all joints are there, this one at another place in the order
+   */
+  readonly OTHER_PLACE: number;
+};
+export type Misfit = number;
+
+/**
+ * What happens at the ends of a clip.
+ */
+export const PlayMode: {
+  /**
+   * time stops at the end
+   */
+  readonly ONCE: number;
+  /**
+   * time goes on from the other end; the last pose and the first are one moment
+   */
+  readonly LOOP: number;
+  /**
+   * time turns round
+   */
+  readonly PING_PONG: number;
+};
+export type PlayMode = number;
+
+/**
+ * How values run between two keys, and what a key holds. N is Curve::components, u goes 0 … 1 from one key to the next.
+ */
+export const CurveKind: {
+  /**
+   * key: value. The earlier key's value
+   */
+  readonly STEP: number;
+  /**
+   * key: value. A straight line; for rotations the shorter great arc (slerp)
+   */
+  readonly LINEAR: number;
+  /**
+   * key: in-tangent, value, out-tangent; tangents per second, as glTF 2.0 CUBICSPLINE has it
+   */
+  readonly HERMITE: number;
+  /**
+   * value, one control point, value, one control point, … value; Bernstein form
+   */
+  readonly QUADRATIC_BEZIER: number;
+  /**
+   * value, two control points, value, two control points, … value; Bernstein form
+   */
+  readonly CUBIC_BEZIER: number;
+  /**
+   * key: value. Uniform; Catmull and Rom 1974: the tangent at P1 is (P2 - P0) / 2 a key interval
+   */
+  readonly CATMULL_ROM: number;
+  /**
+   * key: value. Catmull-Rom with knots √|P2 - P1| apart; Barry and Goldman, SIGGRAPH 1988, and
+   * Yuksel, Schaefer and Keyser 2011: no cusps or loops between two keys. Keys less than 1e18 apart
+   */
+  readonly CENTRIPETAL: number;
+};
+export type CurveKind = number;
+
+export const PatchBasis: {
+  /**
+   * through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
+   */
+  readonly CATMULL_ROM: number;
+  /**
+   * through its corners: from point (0, 0) to point (3, 3)
+   */
+  readonly BEZIER: number;
+};
+export type PatchBasis = number;
+
+/**
+ * R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+ */
+export const Easing: {
+  readonly LINEAR: number;
+  readonly QUAD: number;
+  readonly CUBIC: number;
+  readonly QUART: number;
+  readonly QUINT: number;
+  readonly SINE: number;
+  readonly EXPO: number;
+  readonly CIRC: number;
+  readonly BACK: number;
+  readonly ELASTIC: number;
+  readonly BOUNCE: number;
+};
+export type Easing = number;
+
+/**
+ * R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+ */
+export const EaseMode: {
+  readonly IN: number;
+  readonly OUT: number;
+  readonly IN_OUT: number;
+};
+export type EaseMode = number;
+
+/**
+ * How a weight goes from 0 to 1; u = time / duration. curve.h has more shapes.
+ */
+export const Fade: {
+  /**
+   * u
+   */
+  readonly LINEAR: number;
+  /**
+   * 3 u² - 2 u³: no jump of speed
+   */
+  readonly SMOOTHSTEP: number;
+  /**
+   * 6 u⁵ - 15 u⁴ + 10 u³: no jump of acceleration
+   */
+  readonly SMOOTHERSTEP: number;
+};
+export type Fade = number;
+
+export const IkMethod: {
+  readonly FABRIK: number;
+  readonly CCD: number;
+  readonly DAMPED_LEAST_SQUARES: number;
+  readonly GAUSS_NEWTON: number;
+};
+export type IkMethod = number;
+
+export const IkStop: {
+  /**
+   * the error is less than the tolerance
+   */
+  readonly REACHED: number;
+  /**
+   * nothing moved any more: the target is out of reach, or goals contradict each other
+   */
+  readonly STALLED: number;
+  /**
+   * max_iterations are over
+   */
+  readonly ITERATIONS: number;
+};
+export type IkStop = number;
+
+/**
+ * How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
+ */
+export const NormalTransform: {
+  /**
+   * Normals through the inverse transpose of M (its cofactors), tangents through M, both unit: exact for any blend that
+   * can be inverted, mirrored or unevenly scaled ones too.
+   */
+  readonly INVERSE_TRANSPOSE: number;
+  /**
+   * Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
+   * where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
+   * normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
+   * (docs/architecture.md). Tangents are inverse_transpose's up to length.
+   */
+  readonly BLENDED_MATRIX: number;
+};
+export type NormalTransform = number;
+
+export type TypedArray = Float32Array | Float64Array | Uint8Array | Uint16Array | Uint32Array | Int16Array;
+
+/** A struct in the memory of WebAssembly. */
+export interface View { readonly ptr: number; }
+/** Structs or numbers in a row there. Set a field to one, or hand it over as an argument. */
+export interface List<T> extends View {
+  readonly length: number;
+  /** Of structs. */
+  at(index: number): T;
+  /** Of numbers: a view that lasts until memory grows. */
+  readonly array: TypedArray;
+}
+
+/**
+ * Where a block of data breaks the format, and which rule. `rule` is a static string.
+ */
+export interface DataError extends View {
+  status: Status;
+  /**
+   * byte in the block
+   */
+  offset: number;
+  rule: string;
+}
+
+export interface Block extends View {
+  data: number;
+  size: number;
+}
+
+export interface Bytes extends View {
+  data: number;
+  size: number;
+}
+
+/**
+ * One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
+ */
+export interface MeshDecoder extends View {
+  /**
+   * as packed files name it
+   */
+  codec: number;
+  decode: number;
+}
+
+export interface UnpackSizes extends View {
+  /**
+   * of the unpacked file
+   */
+  file_bytes: number;
+  /**
+   * what unpack() wants: the file and, behind it, room to work in
+   */
+  memory_bytes: number;
+}
+
+/**
+ * The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+ *
+ *   Unpacking loading;
+ *   begin_unpack(packed, decoders, memory, loading);
+ *   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
+ *   then          load(loading.file, file)
+ *
+ * A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+ * step. Stopping half way is forgetting it: nothing is to be freed.
+ */
+export interface Unpacking extends View {
+  /**
+   * empty until the last step is done; then as of unpack()
+   */
+  file: List<number>;
+  /**
+   * of total_bytes, for a bar
+   */
+  done_bytes: number;
+  /**
+   * of the unpacked file
+   */
+  total_bytes: number;
+  /**
+   * unpack_step()'s own
+   */
+  readonly state: TypedArray;
+}
+
+/**
+ * Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
+ * Rotations are unit quaternions. Lanes past the last joint hold the identity.
+ */
+export interface SoaTransform extends View {
+  /**
+   * x, y, z; metres
+   */
+  readonly translation: TypedArray;
+  /**
+   * x, y, z, w
+   */
+  readonly rotation: TypedArray;
+  /**
+   * x, y, z
+   */
+  readonly scale: TypedArray;
+}
+
+/**
+ * The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
+ * translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
+ */
+export interface AdditiveTransform extends View {
+  readonly change: SoaTransform;
+}
+
+/**
+ * An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
+ */
+export interface Affine extends View {
+  readonly rows: TypedArray;
+}
+
+/**
+ * The local transform of one joint.
+ */
+export interface JointTransform extends View {
+  /**
+   * metres
+   */
+  readonly translation: TypedArray;
+  /**
+   * a unit quaternion x, y, z, w
+   */
+  readonly rotation: TypedArray;
+  readonly scale: TypedArray;
+}
+
+/**
+ * Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
+ * clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
+ * angle_range() in limits.h.
+ */
+export interface AngleRange extends View {
+  /**
+   * -1 … 1: -180° … 180°
+   */
+  middle: number;
+  /**
+   * 0 … 1; 1: any angle
+   */
+  half_width: number;
+}
+
+/**
+ * The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
+ */
+export interface RateLimit extends View {
+  speed: number;
+  acceleration: number;
+}
+
+/**
+ * How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
+ *
+ * The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
+ * rotation. A local rotation q (parent_from_joint) is seen in them as
+ *   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
+ * so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
+ *
+ * hinge: t is a turn about x, by an angle in angles[0].
+ * cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
+ *   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
+ *   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
+ *   90° this is within 2.3° of an ellipse in the angles themselves.
+ * euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
+ *   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
+ *
+ * A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+ */
+export interface JointLimit extends View {
+  /**
+   * of the skeleton
+   */
+  joint: number;
+  kind: LimitKind;
+  /**
+   * of euler; else xyz
+   */
+  order: AxisOrder;
+  /**
+   * unit quaternion
+   */
+  readonly limit_from_parent: TypedArray;
+  /**
+   * unit quaternion
+   */
+  readonly joint_from_limit: TypedArray;
+  /**
+   * of a cone the middles of the second and third are 0; of a hinge both are 0
+   */
+  readonly angles: AngleRange[];
+  /**
+   * of the local rotation, see follow_pose()
+   */
+  readonly rate: RateLimit;
+}
+
+/**
+ * The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
+ * comes before its children and the roots come first.
+ */
+export interface Skeleton extends View {
+  name: string;
+  joint_count: number;
+  /**
+   * joints 0 … root_count-1 have no parent joint
+   */
+  root_count: number;
+  /**
+   * root_count; what stands above each root and never moves
+   */
+  scene_from_root: number;
+  /**
+   * soa_count(joint_count); the pose of joints that a clip leaves alone
+   */
+  rest: number;
+  /**
+   * joint_count; kNoParent for roots
+   */
+  parents: number;
+  /**
+   * joint_count; see File::text
+   */
+  names: number;
+  /**
+   * ascending by joint; those that the asset came with
+   */
+  limits: List<JointLimit>;
+}
+
+/**
+ * In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
+ */
+export interface SkeletonReference extends View {
+  name: string;
+  joint_count: number;
+  /**
+   * skeleton_hash() of the skeleton
+   */
+  hash: bigint;
+  /**
+   * joint_count; see File::text
+   */
+  names: number;
+  /**
+   * joint_count; of each joint's rest pose
+   */
+  rest_hashes: number;
+  /**
+   * joint_count; kNoParent for roots
+   */
+  parents: number;
+}
+
+/**
+ * One channel of a clip stored without loss: the source's own keys at the source's own times.
+ */
+export interface Track extends View {
+  joint: number;
+  path: TrackPath;
+  interpolation: Interpolation;
+  /**
+   * ≥ 1
+   */
+  key_count: number;
+  /**
+   * into Clip::times; tracks with the same keys share them
+   */
+  first_time: number;
+  /**
+   * into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+   */
+  first_value: number;
+}
+
+/**
+ * Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
+ * stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
+ */
+export interface GroupMasks extends View {
+  moving: number;
+  constant: number;
+}
+
+/**
+ * A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
+ * that keys on a straight line between others may have been left out (docs/architecture.md).
+ */
+export interface Channel extends View {
+  /**
+   * see File::text
+   */
+  name: number;
+  /**
+   * the number where no clip drives it
+   */
+  rest: number;
+  /**
+   * ≥ 1
+   */
+  key_count: number;
+  /**
+   * as in Track
+   */
+  first_time: number;
+  /**
+   * into Clip::values; one float a key, three for cubic_spline (in, value, out)
+   */
+  first_value: number;
+  interpolation: Interpolation;
+  readonly reserved: TypedArray;
+}
+
+/**
+ * Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
+ * packed integers relative to the rest pose (docs/format.md). What does not move stands once.
+ */
+export interface CodedTracks extends View {
+  /**
+   * 0: the clip has no coded tracks; else ≥ 2
+   */
+  frame_count: number;
+  /**
+   * sub-tracks that move
+   */
+  track_count: number;
+  constant_count: number;
+  /**
+   * steps of time a segment; the last may have fewer
+   */
+  segment_intervals: number;
+  /**
+   * of frame 0
+   */
+  start_s: number;
+  /**
+   * of uneven ones the mean
+   */
+  frames_per_s: number;
+  /**
+   * frame_count, ascending; null: even steps
+   */
+  times_s: number;
+  /**
+   * one a group of four joints
+   */
+  masks: number;
+  /**
+   * bytes into payload
+   */
+  segment_offsets: number;
+  constants: number;
+  payload: number;
+}
+
+/**
+ * An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
+ */
+export interface Clip extends View {
+  name: string;
+  /**
+   * which skeleton of the file; in a clip pack, which reference
+   */
+  skeleton: number;
+  /**
+   * of that skeleton
+   */
+  joint_count: number;
+  /**
+   * time of the last key; ≥ 0
+   */
+  duration_s: number;
+  /**
+   * for sample_additive(), not for sample()
+   */
+  additive: boolean;
+  /**
+   * additive: the pose that changes are taken from; null: the rest pose
+   */
+  reference: number;
+  readonly coded: CodedTracks;
+  tracks: List<Track>;
+  channels: List<Channel>;
+  times_s: number;
+  values: number;
+}
+
+/**
+ * Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
+ * fill up its last block repeat its last vertex.
+ */
+export interface Run extends View {
+  /**
+   * ≥ 1
+   */
+  vertex_count: number;
+  /**
+   * 1 … kMaxInfluences
+   */
+  influences: number;
+}
+
+/**
+ * What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+ * blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+ */
+export interface MorphTarget extends View {
+  /**
+   * into Geometry::target_blocks
+   */
+  first_block: number;
+  block_count: number;
+  /**
+   * into Geometry::target_records
+   */
+  first_record: number;
+  /**
+   * MorphAttributes; 0 if it moves nothing
+   */
+  attributes: number;
+  /**
+   * metres, mesh space
+   */
+  position_step: number;
+  normal_step: number;
+  tangent_step: number;
+  reserved: number;
+}
+
+/**
+ * What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+ * the deltas of some blocks.
+ */
+export interface PoseSpace extends View {
+  /**
+   * width of the Gaussian, a share of 1: sin of half an angle
+   */
+  sigma: number;
+  /**
+   * positions alone; empty: none
+   */
+  examples: List<MorphTarget>;
+  /**
+   * as Geometry::target_blocks
+   */
+  blocks: number;
+  /**
+   * as Geometry::target_records
+   */
+  records: number;
+  /**
+   * for each example and palette entry x y z w, up to a positive factor
+   */
+  rotations: number;
+  /**
+   * a palette entry: the one that its rotation is relative to, or kNoParent
+   */
+  parents: number;
+}
+
+/**
+ * Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
+ * (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
+ */
+export interface Geometry extends View {
+  /**
+   * vertices with padding; a multiple of 4
+   */
+  slot_count: number;
+  /**
+   * without padding
+   */
+  vertex_count: number;
+  /**
+   * 3 a triangle; counter-clockwise fronts
+   */
+  index_count: number;
+  /**
+   * 2 or 4
+   */
+  index_bytes: number;
+  /**
+   * how many palette entries the sets refer to
+   */
+  joint_count: number;
+  /**
+   * slots
+   */
+  indices: number;
+  runs: List<Run>;
+  /**
+   * for each run its k palette entries, run after run
+   */
+  sets: number;
+  /**
+   * a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+   */
+  skin: number;
+  /**
+   * a block: x[4] y[4] z[4]; unit; null if absent
+   */
+  normals: number;
+  /**
+   * a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+   */
+  tangents: number;
+  /**
+   * a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+   */
+  as_residual: number;
+  /**
+   * a block: k times three rows x[4] y[4] z[4] t[4]; null if absent
+   */
+  mwe_residual: number;
+  /**
+   * palette entry whose frame they are meant in
+   */
+  mwe_root: number;
+  /**
+   * a slot: u v; null if absent
+   */
+  uvs: number;
+  /**
+   * a slot: r g b a, linear; null if absent
+   */
+  colours: number;
+  /**
+   * The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
+   * part of a primitive in parts.
+   */
+  source_slots: List<number>;
+  targets: List<MorphTarget>;
+  /**
+   * as wide as indices; for each target the blocks it moves, ascending
+   */
+  target_blocks: number;
+  /**
+   * twelve a record
+   */
+  target_records: number;
+  readonly pose_space: PoseSpace;
+  /**
+   * of the bind positions, mesh space
+   */
+  readonly box_min: TypedArray;
+  readonly box_max: TypedArray;
+}
+
+/**
+ * A morph target of a mesh: what it is called and what drives it.
+ */
+export interface MeshTarget extends View {
+  /**
+   * see File::text; may be empty
+   */
+  name: number;
+  /**
+   * name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+   */
+  channel: number;
+  /**
+   * where no clip does
+   */
+  weight: number;
+}
+
+/**
+ * An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
+ * are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
+ */
+export interface Texture extends View {
+  /**
+   * which image of the file
+   */
+  image: number;
+  /**
+   * none twice in a material
+   */
+  role: TextureRole;
+  wrap_u: Wrap;
+  wrap_v: Wrap;
+  mag: MagFilter;
+  min: MinFilter;
+  reserved: number;
+}
+
+export interface Material extends View {
+  name: string;
+  alpha: AlphaMode;
+  /**
+   * mask: what is less opaque is not drawn
+   */
+  alpha_cutoff: number;
+  /**
+   * KHR_materials_unlit: the base colour is what is seen
+   */
+  unlit: boolean;
+  /**
+   * linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
+   */
+  readonly emissive: TypedArray;
+  textures: List<Texture>;
+}
+
+/**
+ * A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+ */
+export interface Image extends View {
+  name: string;
+  /**
+   * relative to the source file and percent-encoded, as it stood there; empty if it had none
+   */
+  uri: string;
+  format: ImageFormat;
+  /**
+   * empty: by reference
+   */
+  bytes: List<number>;
+  /**
+   * of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
+   */
+  fallback: number;
+}
+
+/**
+ * A number, a truth or a text that an artist gave a node.
+ */
+export interface Property extends View {
+  /**
+   * see File::text; of nested ones the path, as in "door/hinges/0"
+   */
+  name: number;
+  type: PropertyType;
+  readonly reserved: TypedArray;
+  /**
+   * finite; of a boolean 1 or 0
+   * see File::text
+   */
+  number: number;
+}
+
+/**
+ * A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+ * scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+ */
+export interface Node extends View {
+  name: string;
+  /**
+   * which skeleton of the file
+   */
+  skeleton: number;
+  joint: number;
+  joint_from_node: number;
+  properties: List<Property>;
+}
+
+/**
+ * A helper between two joints of a palette, for what bends or twists there: see build_palette().
+ */
+export interface HalfJoint extends View {
+  /**
+   * palette entries, below Mesh::joint_count, not the same
+   */
+  parent: number;
+  joint: number;
+  /**
+   * of the way from parent to joint; above 0, below 1
+   */
+  share: number;
+}
+
+/**
+ * A level of detail: another geometry over the same palette.
+ */
+export interface MeshLod extends View {
+  /**
+   * which of the file
+   */
+  geometry: number;
+  /**
+   * the farthest that a vertex of the full mesh is from it, in the clips it was made with
+   */
+  error_m: number;
+}
+
+/**
+ * A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
+ */
+export interface Bounds extends View {
+  readonly box_min: TypedArray;
+  readonly box_max: TypedArray;
+  /**
+   * below 0: empty, or not known
+   */
+  radius_m: number;
+}
+
+/**
+ * Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
+ */
+export interface Mesh extends View {
+  name: string;
+  material: string;
+  /**
+   * which material of the file, if it has more than what stands here
+   */
+  material_index: number;
+  /**
+   * which skeleton of the file
+   */
+  skeleton: number;
+  /**
+   * meshes with the same number share their geometry
+   */
+  geometry_index: number;
+  /**
+   * palette entries that are joints
+   */
+  joint_count: number;
+  /**
+   * joint_count; palette entry → joint of the skeleton
+   */
+  joints: number;
+  /**
+   * joint_count; joint_from_mesh in the bind pose
+   */
+  inverse_bind: number;
+  /**
+   * linear RGBA
+   */
+  readonly base_colour: TypedArray;
+  double_sided: boolean;
+  /**
+   * One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
+   * vertex order needs to know: see Geometry::source_slots.
+   */
+  is_next_part: boolean;
+  /**
+   * palette entries behind those of the joints
+   */
+  half_joints: List<HalfJoint>;
+  /**
+   * as many as the geometry's
+   */
+  targets: List<MeshTarget>;
+  /**
+   * levels 1, 2, …, ever coarser; level 0 is the mesh in full
+   */
+  lods: List<MeshLod>;
+  /**
+   * of the level asked for
+   */
+  readonly geometry: Geometry;
+}
+
+/**
+ * A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
+ */
+export interface File extends View {
+}
+
+export interface JointMisfit extends View {
+  how: Misfit;
+  /**
+   * of the pack's reference; `extra`: of the skeleton
+   */
+  joint: number;
+}
+
+/**
+ * The state of a playing clip: plain numbers that may be set, copied and stored at will. A clip that is to run
+ * backwards once begins with time_s = its duration.
+ */
+export interface Playback extends View {
+  /**
+   * in the clip
+   */
+  time_s: number;
+  /**
+   * seconds of the clip a second; 0 pauses, below 0 runs backwards
+   */
+  speed: number;
+  mode: PlayMode;
+  /**
+   * ping_pong: on the way back, so time runs against speed
+   */
+  returning: boolean;
+  /**
+   * Of the last advance(). loop: how often time went from the clip's end to its start, less how often the other way
+   * round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
+   */
+  turns: number;
+}
+
+export interface SampleOptions extends View {
+  /**
+   * A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
+   * Joints whose bit is 0 keep what `out` holds. Empty: all joints. Every group of four without a joint of the set
+   * costs a few operations only.
+   */
+  joints: List<number>;
+  /**
+   * `out` already holds what this function made of the same clip, for any time and at least the same joints: only what
+   * moves in the clip is written again. The result has the same bits.
+   */
+  prefilled: boolean;
+}
+
+/**
+ * Keys, as a view. catmull_rom and centripetal draw a smooth path whatever the times are, but its velocity is
+ * continuous only where key intervals are even (or go with √distance, centripetal); for motion that is smooth over
+ * uneven keys make a spline. Beyond the first and last key they continue with a mirrored point, so that the path leaves
+ * and arrives straight.
+ */
+export interface Curve extends View {
+  kind: CurveKind;
+  /**
+   * Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
+   * nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
+   * A blend that has no direction gives the earlier key's.
+   */
+  rotation: boolean;
+  /**
+   * floats a value: 1 … 4
+   */
+  components: number;
+  /**
+   * one a key, strictly increasing; seconds, or whatever the curve runs over
+   */
+  times_s: List<number>;
+  /**
+   * curve_value_count() floats
+   */
+  values: List<number>;
+}
+
+/**
+ * Arc length: where on a path to be for its speed to be even.
+ *
+ * The table holds the length of the path up to each of `steps` equal parts of every key interval.
+ */
+export interface ArcLength extends View {
+  /**
+   * a key interval, at least 1
+   */
+  steps: number;
+  lengths: List<number>;
+}
+
+/**
+ * The timing function of CSS Easing Functions Level 1: the cubic Bézier curve (0, 0), (x1, y1), (x2, y2), (1, 1), y
+ * over x.
+ */
+export interface CubicBezierEase extends View {
+  /**
+   * CSS "ease"
+   */
+  x1: number;
+  y1: number;
+  x2: number;
+  y2: number;
+}
+
+/**
+ * A pose and how much of it.
+ */
+export interface BlendLayer extends View {
+  /**
+   * at least skeleton.soa_size()
+   */
+  pose: List<SoaTransform>;
+  /**
+   * 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
+   */
+  weight: number;
+  /**
+   * A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint;
+   * else at least 4 · skeleton.soa_size() floats, in joint order, so that a group's factors are read at once.
+   */
+  mask: List<number>;
+}
+
+export interface AdditiveLayer extends View {
+  /**
+   * at least skeleton.soa_size()
+   */
+  change: List<AdditiveTransform>;
+  /**
+   * 0 … 1
+   */
+  weight: number;
+  /**
+   * as in BlendLayer
+   */
+  mask: List<number>;
+}
+
+/**
+ * How far four joints are from the new clip's pose, and how that fades. Each of the nine components of a joint, x y z
+ * of the translation, of the rotation vector (axis times angle, in the parent's axes) and of the scale, fades by
+ * itself:
+ *   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
+ */
+export interface InertialOffset extends View {
+  readonly start: TypedArray;
+  readonly slope: TypedArray;
+  /**
+   * 1 / seconds
+   */
+  readonly rate: TypedArray;
+}
+
+/**
+ * A transition under way; the memory is the caller's and can be used again for the next one.
+ */
+export interface Inertia extends View {
+  /**
+   * at least skeleton.soa_size()
+   */
+  offsets: List<InertialOffset>;
+  /**
+   * 0: none, or over
+   */
+  duration_s: number;
+}
+
+/**
+ * What was shown in the last two frames, and what the new clip would show.
+ */
+export interface InertialStart extends View {
+  /**
+   * shown one frame earlier
+   */
+  before: List<SoaTransform>;
+  /**
+   * shown last
+   */
+  now: List<SoaTransform>;
+  /**
+   * the new clip at the time of `now`
+   */
+  target: List<SoaTransform>;
+  /**
+   * the new clip one frame earlier; empty: taken to stand still
+   */
+  target_was: List<SoaTransform>;
+  /**
+   * between the two, > 0; less than 1e-6 counts as that
+   */
+  frame_s: number;
+}
+
+/**
+ * A limit as people think of it.
+ */
+export interface LimitDescription extends View {
+  kind: LimitKind;
+  order: AxisOrder;
+  /**
+   * the local rotation where all angles are 0: most often the joint's rest
+   */
+  readonly zero: TypedArray;
+  /**
+   * the limit's x in the joint's axes: a hinge's axis, or what a cone points along
+   */
+  readonly axis: TypedArray;
+  /**
+   * its y, made perpendicular to x
+   */
+  readonly across: TypedArray;
+  /**
+   * hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
+   * is the half-width, and `least` its negative. Euler: the three angles.
+   */
+  readonly least_rad: TypedArray;
+  readonly most_rad: TypedArray;
+  readonly rate: RateLimit;
+}
+
+/**
+ * Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
+ * point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
+ * takes its target as it is, at rest.
+ */
+export interface RotationFollower extends View {
+  /**
+   * where it is: x y z w
+   */
+  readonly rotation: TypedArray;
+  /**
+   * of the last call
+   */
+  readonly target: TypedArray;
+  /**
+   * radians a second, about the parent's axes
+   */
+  readonly velocity: TypedArray;
+  /**
+   * of the last call
+   */
+  frame_s: number;
+  mode: number;
+}
+
+export interface PointFollower extends View {
+  readonly point: TypedArray;
+  readonly target: TypedArray;
+  readonly velocity: TypedArray;
+  frame_s: number;
+  mode: number;
+}
+
+/**
+ * What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
+ */
+export interface TwoBone extends View {
+  /**
+   * where the end joint is to be; scene, metres
+   */
+  readonly target: TypedArray;
+  /**
+   * 0 … 1: 0 changes no bit, 1 reaches; between, both turns are blended
+   */
+  weight: number;
+  /**
+   * The direction, from the start joint, to whose side the middle joint points; scene. Zero: the side it has in the
+   * pose, carried along the shortest way. Less than 0.1 rad off the direction of the target a pole says little, and
+   * the answer goes over to that of the pose.
+   */
+  readonly pole: TypedArray;
+  /**
+   * turns the limb about the line from start to target, away from the pole; a few turns at most
+   */
+  twist_rad: number;
+  /**
+   * About what the middle joint bends, by positive angles; in its local space. Says which way a straight limb bends,
+   * and which way it is to bend if the pose has it bent the other way. Zero: as in the pose, and a straight limb
+   * towards the pole.
+   */
+  readonly bend_axis: TypedArray;
+  /**
+   * The share of the limb's length from which on it stretches ever more slowly, 0 … 1, so that the middle joint does
+   * not snap when the target goes out of reach. 1: straight to full stretch, and the target is reached exactly to
+   * there; 0.97 is a usual choice.
+   */
+  soft: number;
+  /**
+   * ≥ 1: the bones may be this many times as long, if the target is reached no other way
+   */
+  max_stretch: number;
+}
+
+/**
+ * Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
+ */
+export interface TwoBoneTurns extends View {
+  readonly start: TypedArray;
+  readonly mid: TypedArray;
+  /**
+   * for the translations of all joints from below start down to end; 1: unless max_stretch > 1
+   */
+  stretch: number;
+  /**
+   * The target is within reach: at weight 1 the end comes to it within 1e-4 of the limb's length.
+   */
+  reached: boolean;
+}
+
+/**
+ * The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
+ */
+export interface TwoBoneJoints extends View {
+  start: number;
+  mid: number;
+  end: number;
+}
+
+/**
+ * Joints of a skeleton; other joints may lie between them.
+ */
+export interface TwoBoneLimb extends View {
+  start: number;
+  mid: number;
+  end: number;
+}
+
+/**
+ * What is asked of a joint that looks or points at something: an eye, a head, a gun.
+ */
+export interface Aim extends View {
+  /**
+   * scene, metres
+   */
+  readonly target: TypedArray;
+  /**
+   * 0 … 1: 0 changes no bit, 1 aims
+   */
+  weight: number;
+  /**
+   * The scene direction to whose side of the target's direction `up` is turned. Zero: nothing is; the shortest way to
+   * the target is taken. Less than 0.1 rad off the target's direction it says little, as a TwoBone's pole.
+   */
+  readonly pole: TypedArray;
+  /**
+   * turns about the direction of the target, on top; a few turns at most
+   */
+  twist_rad: number;
+  /**
+   * what is to go through the target; in the joint's local space
+   */
+  readonly forward: TypedArray;
+  /**
+   * local; not along forward. Of no use without a pole
+   */
+  readonly up: TypedArray;
+  /**
+   * where forward begins: an eye before the head's joint; local
+   */
+  readonly offset: TypedArray;
+}
+
+export interface AimTurn extends View {
+  /**
+   * a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
+   */
+  readonly turn: TypedArray;
+  /**
+   * The target can be seen: at weight 1 the ray from the offset along forward goes through it. It cannot where the
+   * target is nearer to the joint than the ray ever gets, or than the offset, or where forward has no length.
+   */
+  reached: boolean;
+}
+
+/**
+ * Where a point of a joint shall be, how the joint shall be turned, or both. What counts of a goal is its weights: 0
+ * and it does not, of twice the weight and it gives way half as far where goals contradict each other.
+ */
+export interface IkGoal extends View {
+  joint: number;
+  /**
+   * 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
+   */
+  priority: number;
+  /**
+   * the point of the joint that shall reach `position`; the joint's space, metres
+   */
+  readonly offset: TypedArray;
+  /**
+   * scene space, metres
+   */
+  readonly position: TypedArray;
+  /**
+   * of the joint's axes, in scene space: a unit quaternion x, y, z, w
+   */
+  readonly rotation: TypedArray;
+  /**
+   * 0 … 100
+   */
+  position_weight: number;
+  /**
+   * metres a radian: the distance that is as bad as being turned wrong by a radian
+   */
+  rotation_weight: number;
+}
+
+export interface IkProblem extends View {
+  goals: List<IkGoal>;
+  /**
+   * that may turn: ascending, so that parents come first. Others are stiff
+   */
+  joints: List<number>;
+  /**
+   * one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
+   */
+  stiffness: List<number>;
+  /**
+   * joints ascending, as in a skeleton; those of joints that do not turn are left out
+   */
+  limits: List<JointLimit>;
+  /**
+   * Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
+   * as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
+   * scene space, metres
+   */
+  readonly pole: TypedArray;
+  pole_weight: number;
+  /**
+   * By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
+   * stays. Jacobian methods only.
+   */
+  root_travel_m: number;
+}
+
+export interface IkOptions extends View {
+  method: IkMethod;
+  max_iterations: number;
+  /**
+   * an error (see IkReport) of less ends the iteration
+   */
+  tolerance_m: number;
+  /**
+   * of the Jacobian methods: more is calmer and slower
+   */
+  damping: number;
+  /**
+   * of solve_ik_genetic: the same seed, the same result
+   */
+  seed: number;
+  /**
+   * 0 leaves every bit as it was; between, rotations lie between
+   */
+  weight: number;
+  /**
+   * Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
+   * become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
+   * their lengths. Changes local translations of the joints on the way.
+   */
+  stretch: number;
+}
+
+export interface IkReport extends View {
+  /**
+   * √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
+   */
+  error_m: number;
+  iterations: number;
+  why: IkStop;
+}
+
+/**
+ * A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
+ * its angle.
+ */
+export interface Foot extends View {
+  hip: number;
+  knee: number;
+  ankle: number;
+  /**
+   * what stands on the ground, in the ankle's space: below the ball of the foot, say
+   */
+  readonly sole: TypedArray;
+  /**
+   * of the knee; see TwoBone
+   */
+  readonly bend_axis: TypedArray;
+  /**
+   * 0 … 1
+   */
+  weight: number;
+}
+
+/**
+ * Two legs or more. The clips have been made for level ground, through the scene's origin.
+ */
+export interface Feet extends View {
+  feet: List<Foot>;
+  /**
+   * moved up and down, with all that hangs on it, the hips too; none: stays
+   */
+  pelvis: number;
+  /**
+   * ≥ 0: by how much at most it goes down, or up; world
+   */
+  lower_m: number;
+  /**
+   * 0 … 1: it goes down, too, where a leg would be longer than this share of its bones
+   */
+  reach: number;
+  /**
+   * 0 … 1.5: by how much at most a foot leans with the ground
+   */
+  slope_rad: number;
+  /**
+   * > 0: the time in which all but 2 % of a step in the ground, or of a release, is over
+   */
+  ease_s: number;
+}
+
+/**
+ * What the game knows of a foot in this frame; world.
+ */
+export interface FootGround extends View {
+  /**
+   * false: as if the ground were level at the height of the scene's origin
+   */
+  hit: boolean;
+  /**
+   * of a ray along `up` through foot_sole(), or anywhere on the plane that it hit
+   */
+  readonly point: TypedArray;
+  /**
+   * of any length; steeper than 80°: no hit
+   */
+  readonly normal: TypedArray;
+  /**
+   * the sole stays at its place until this is false again
+   */
+  planted: boolean;
+}
+
+/**
+ * The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
+ * the animation has the foot. World; on a moving platform, let the world be the platform.
+ */
+export interface FootMotion extends View {
+  /**
+   * of the sole, as shown last
+   */
+  readonly place: TypedArray;
+  /**
+   * of the sole from its target
+   */
+  readonly offset: TypedArray;
+  readonly offset_speed: TypedArray;
+  /**
+   * of the ground's normal that the foot leans by from the ground's own
+   */
+  readonly lean: TypedArray;
+  readonly lean_speed: TypedArray;
+  /**
+   * the ground, last
+   */
+  readonly point: TypedArray;
+  readonly normal: TypedArray;
+  /**
+   * level: of the ankle's axis `axis` when it was planted
+   */
+  readonly heading: TypedArray;
+  /**
+   * about up, from the animated to the planted heading
+   */
+  readonly turn: TypedArray;
+  /**
+   * how much of it is left
+   */
+  turn_share: number;
+  turn_share_speed: number;
+  axis: number;
+  planted: number;
+  begun: number;
+  hit: number;
+  /**
+   * whether the leg was long enough
+   */
+  reached: number;
+}
+
+export interface FeetFrame extends View {
+  /**
+   * since the last frame
+   */
+  dt_s: number;
+  /**
+   * Where the character stands: a turn, one scale above 0, a shift.
+   */
+  readonly world_from_scene: Affine;
+  /**
+   * a unit vector; world
+   */
+  readonly up: TypedArray;
+  /**
+   * feet begin anew, none is planted where it was
+   */
+  teleported: boolean;
+  /**
+   * 0 … 1, times each foot's; the motion goes on
+   */
+  weight: number;
+}
+
+/**
+ * A joint that swings, by the bone that goes from it to the next joint of its chain.
+ */
+export interface SpringJoint extends View {
+  joint: number;
+  /**
+   * 0 … 15: of small swings about the animated direction, without damping and gravity
+   */
+  frequency_hz: number;
+  /**
+   * 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+   */
+  damping_ratio: number;
+  /**
+   * -10 … 10, times SpringFrame::gravity
+   */
+  gravity: number;
+  /**
+   * 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+   */
+  drag: number;
+  /**
+   * ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+   */
+  radius_m: number;
+  /**
+   * 0 … 1, of what is shown; the motion itself goes on
+   */
+  weight: number;
+}
+
+/**
+ * Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+ */
+export interface SpringChain extends View {
+  joints: List<SpringJoint>;
+  /**
+   * end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+   */
+  readonly tip: TypedArray;
+}
+
+/**
+ * A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+ * space is where that is most.
+ */
+export interface SpringCollider extends View {
+  joint: number;
+  /**
+   * in the joint's space
+   */
+  readonly from: TypedArray;
+  readonly to: TypedArray;
+  /**
+   * in the joint's space
+   */
+  radius_m: number;
+}
+
+/**
+ * Chains of one character. To keep or to copy a motion, copy the memory.
+ */
+export interface Springs extends View {
+  groups: number;
+  roots: number;
+  /**
+   * joints whose matrices springs change
+   */
+  below: number;
+  group_count: number;
+  root_count: number;
+  below_count: number;
+  /**
+   * of the skeleton
+   */
+  joint_count: number;
+  saved_s: number;
+}
+
+export interface SpringFrame extends View {
+  /**
+   * since the last frame
+   */
+  dt_s: number;
+  /**
+   * Where the character stands: a turn, one scale, a shift. Motion in the world is felt, by this and by the pose.
+   */
+  readonly world_from_scene: Affine;
+  /**
+   * m/s², world
+   */
+  readonly gravity: TypedArray;
+  /**
+   * m/s, world; acts by `drag`
+   */
+  readonly wind: TypedArray;
+  colliders: List<SpringCollider>;
+  /**
+   * chains whose first joint moves further than this in one frame are moved along …
+   */
+  teleport_m: number;
+  /**
+   * … and so are all if this is set
+   */
+  teleported: boolean;
+  /**
+   * 0 … 1, times each joint's
+   */
+  weight: number;
+}
+
+/**
+ * An instance's vertices, in the caller's memory. Copies are views of the same vertices.
+ */
+export interface MorphedGeometry extends View {
+  /**
+   * as the bind geometry, but that skin, normals and tangents are the instance's own
+   */
+  readonly geometry: Geometry;
+  readonly bind: Geometry;
+  /**
+   * a block's first float in the skin; one more for the end
+   */
+  offsets: number;
+  /**
+   * a bit a block: differs from the bind pose
+   */
+  moved: number;
+  /**
+   * a bit a block: written since morph_coordinates()
+   */
+  changed: number;
+  /**
+   * one, MorphAttributes: what differs in the blocks moved
+   */
+  attributes: number;
+}
+
+/**
+ * The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
+ */
+export interface JointReach extends View {
+  readonly centre: TypedArray;
+  /**
+   * ≥ 0; below 0: nothing follows this entry
+   */
+  readonly half: TypedArray;
+}
+
+/**
+ * What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
+ * and about 0, in mesh space.
+ */
+export interface MorphReach extends View {
+  readonly least: TypedArray;
+  readonly most: TypedArray;
+}
+
+/**
+ * Views into the caller's memory.
+ */
+export interface Reach extends View {
+  /**
+   * one a palette entry, half-joints behind
+   */
+  joints: List<JointReach>;
+  /**
+   * one a morph target
+   */
+  targets: List<MorphReach>;
+  /**
+   * the sum of what all examples may add
+   */
+  readonly pose_space: MorphReach;
+}
+
+export interface SkinOutput extends View {
+  /**
+   * 3 a slot; required
+   */
+  positions: List<number>;
+  /**
+   * 3 a slot; leave empty to skip
+   */
+  normals: List<number>;
+  /**
+   * 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
+   * ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
+   * normals. Leave empty to skip.
+   */
+  tangents: List<number>;
+  normal_transform: NormalTransform;
+}
+
+/**
+ * A mesh in animation space, for as_tangents().
+ */
+export interface AsPart extends View {
+  mesh: number;
+  /**
+   * from as_coordinates()
+   */
+  coordinates: List<number>;
+  /**
+   * as_tangent_count() floats, to be written
+   */
+  tangents: List<number>;
+}
+
+/**
+ * What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
+ */
+export interface Animation extends View {
+  /**
+   * that they are from: the character's file, or a clip pack
+   */
+  readonly clips: File;
+  /**
+   * of the longest
+   */
+  duration_s: number;
+  /**
+   * One a skeleton of the character: which clip it plays; kNoClip: it rests.
+   */
+  clip_of_skeleton: List<number>;
+  /**
+   * One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
+   * skeleton plays.
+   */
+  channels: List<number>;
+}
+
+export interface Animations extends View {
+  /**
+   * One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
+   * A clip without a name has nothing to do with others.
+   */
+  all: List<Animation>;
+}
+
+export interface CharacterOptions extends View {
+  /**
+   * that are blended at once, at most; at least 1
+   */
+  layers: number;
+  /**
+   * of detail, as in File::mesh
+   */
+  level: number;
+  /**
+   * on the CPU; false: neither palettes nor morphed vertices, a gles3::Skinner has them
+   */
+  skin: boolean;
+  /**
+   * skin by skin_as(), too
+   */
+  animation_space: boolean;
+}
+
+/**
+ * A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
+ * the other alike; all calls of stage 3½ do.
+ */
+export interface CharacterSkeleton extends View {
+  readonly skeleton: Skeleton;
+  /**
+   * skeleton.soa_size()
+   */
+  local: List<SoaTransform>;
+  /**
+   * skeleton.joint_count
+   */
+  scene_from_joint: List<Affine>;
+}
+
+/**
+ * A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
+ */
+export interface CharacterMesh extends View {
+  /**
+   * of the level asked for; with `skin` its geometry is this character's own, morphed
+   */
+  readonly mesh: Mesh;
+  /**
+   * of morph targets
+   */
+  weights: List<number>;
+  /**
+   * empty without `skin`
+   */
+  palette: List<Affine>;
+  /**
+   * empty without `skin` and `animation_space`
+   */
+  coordinates: List<number>;
+  /**
+   * with `skin`
+   */
+  readonly morphed: MorphedGeometry;
+  /**
+   * what it lies in
+   */
+  vertices: List<number>;
+  /**
+   * in Animation::channels
+   */
+  first_target: number;
+}
+
+/**
+ * Views into the caller's memory. A copy is the same character.
+ */
+export interface Character extends View {
+  readonly file: File;
+  readonly options: CharacterOptions;
+  skeletons: List<CharacterSkeleton>;
+  meshes: List<CharacterMesh>;
+  /**
+   * of morph targets, of all meshes
+   */
+  target_count: number;
+  /**
+   * Scratch, of the largest skeleton.
+   * a pose a layer
+   */
+  sampled: List<SoaTransform>;
+  blended: List<BlendLayer>;
+  change: List<AdditiveTransform>;
+}
+
+/**
+ * An animation at a time, and how much of it.
+ */
+export interface AnimationLayer extends View {
+  /**
+   * made for the character's file
+   */
+  animation: number;
+  /**
+   * see playback.h
+   */
+  time_s: number;
+  /**
+   * 0 … kMaxBlendWeight
+   */
+  weight: number;
+}
+
+export interface Structs {
+  DataError: DataError;
+  Block: Block;
+  Bytes: Bytes;
+  MeshDecoder: MeshDecoder;
+  UnpackSizes: UnpackSizes;
+  Unpacking: Unpacking;
+  SoaTransform: SoaTransform;
+  AdditiveTransform: AdditiveTransform;
+  Affine: Affine;
+  JointTransform: JointTransform;
+  AngleRange: AngleRange;
+  RateLimit: RateLimit;
+  JointLimit: JointLimit;
+  Skeleton: Skeleton;
+  SkeletonReference: SkeletonReference;
+  Track: Track;
+  GroupMasks: GroupMasks;
+  Channel: Channel;
+  CodedTracks: CodedTracks;
+  Clip: Clip;
+  Run: Run;
+  MorphTarget: MorphTarget;
+  PoseSpace: PoseSpace;
+  Geometry: Geometry;
+  MeshTarget: MeshTarget;
+  Texture: Texture;
+  Material: Material;
+  Image: Image;
+  Property: Property;
+  Node: Node;
+  HalfJoint: HalfJoint;
+  MeshLod: MeshLod;
+  Bounds: Bounds;
+  Mesh: Mesh;
+  File: File;
+  JointMisfit: JointMisfit;
+  Playback: Playback;
+  SampleOptions: SampleOptions;
+  Curve: Curve;
+  ArcLength: ArcLength;
+  CubicBezierEase: CubicBezierEase;
+  BlendLayer: BlendLayer;
+  AdditiveLayer: AdditiveLayer;
+  InertialOffset: InertialOffset;
+  Inertia: Inertia;
+  InertialStart: InertialStart;
+  LimitDescription: LimitDescription;
+  RotationFollower: RotationFollower;
+  PointFollower: PointFollower;
+  TwoBone: TwoBone;
+  TwoBoneTurns: TwoBoneTurns;
+  TwoBoneJoints: TwoBoneJoints;
+  TwoBoneLimb: TwoBoneLimb;
+  Aim: Aim;
+  AimTurn: AimTurn;
+  IkGoal: IkGoal;
+  IkProblem: IkProblem;
+  IkOptions: IkOptions;
+  IkReport: IkReport;
+  Foot: Foot;
+  Feet: Feet;
+  FootGround: FootGround;
+  FootMotion: FootMotion;
+  FeetFrame: FeetFrame;
+  SpringJoint: SpringJoint;
+  SpringChain: SpringChain;
+  SpringCollider: SpringCollider;
+  Springs: Springs;
+  SpringFrame: SpringFrame;
+  MorphedGeometry: MorphedGeometry;
+  JointReach: JointReach;
+  MorphReach: MorphReach;
+  Reach: Reach;
+  SkinOutput: SkinOutput;
+  AsPart: AsPart;
+  Animation: Animation;
+  Animations: Animations;
+  CharacterOptions: CharacterOptions;
+  CharacterSkeleton: CharacterSkeleton;
+  CharacterMesh: CharacterMesh;
+  Character: Character;
+  AnimationLayer: AnimationLayer;
+}
+
+export class Marrow {
+  /** Compiles the bytes of marrow.wasm, or takes a module. Throws if it is of another ABI. */
+  static load(wasm: BufferSource | WebAssembly.Module): Promise<Marrow>;
+  /** A struct as C++ has it by default, and with these values; zeros where there is no default. */
+  make<K extends keyof Structs>(name: K, values?: Partial<Structs[K]>): Structs[K];
+  /** A list of zeros, or of structs as by make(); of bytes on a boundary of 16. */
+  list<K extends keyof Structs>(name: K, length: number): List<Structs[K]>;
+  list(type: 'f32' | 'u8' | 'u16' | 'u32' | 'byte', length: number): List<number>;
+  /** A list of these bytes. */
+  bytes(from: Uint8Array): List<number>;
+  /** The struct at a pointer. */
+  view<K extends keyof Structs>(name: K, ptr: number): Structs[K];
+  /** Gives back what make() and list() made. */
+  free(made: View): void;
+  /** Throws an Error with the text of the status, unless it is ok. */
+  must(status: Status): void;
+  /** Is told of bad calls; null: nobody. */
+  onCallError(handler: ((name: string, condition: string) => void) | null): void;
+
+  abi(): number;
+  /**
+   * One word or two in English, never null.
+   */
+  status_text(status: Status): string;
+  /**
+   * How many bytes of any alignment hold a block of `bytes`.
+   */
+  block_bytes(bytes: number): number;
+  is_on_boundary(first: View | number | null): boolean;
+  /**
+   * What lies behind the first boundary in `memory`; empty if there is none.
+   */
+  block_in(memory: List<number> | null, out: Block | null): Status;
+  /**
+   * Whether these are the first bytes of a packed file. Anything else is for load() to judge.
+   */
+  is_packed(bytes: List<number> | null): boolean;
+  /**
+   * How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
+   * else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
+   * should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+   * May be null: error.
+   */
+  find_unpack_sizes(packed: List<number> | null, out: UnpackSizes | null, error: DataError | null): Status;
+  /**
+   * Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
+   * to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+   *
+   * packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
+   * bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); out_of_memory, by Draco;
+   * bad_argument. On failure
+   * `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
+   * order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
+   * nothing else does.
+   * May be null: error.
+   */
+  unpack(packed: List<number> | null, decoders: List<MeshDecoder> | null, memory: List<number> | null, file: Bytes | null, error: DataError | null): Status;
+  /**
+   * Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+   * Cost: the checksum.
+   * May be null: error.
+   */
+  begin_unpack(packed: List<number> | null, decoders: List<MeshDecoder> | null, memory: List<number> | null, out: Unpacking | null, error: DataError | null): Status;
+  /**
+   * Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+   * last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+   * meshopt's is short. A clip takes a copy of its bytes.
+   *
+   * Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+   * at a time.
+   * May be null: error.
+   */
+  unpack_step(unpacking: Unpacking | null, error: DataError | null): Status;
+  /**
+   * How many SoaTransforms hold a pose of `joint_count` joints.
+   */
+  soa_count(joint_count: number): number;
+  /**
+   * Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+   * is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+   */
+  get_joint(local: List<SoaTransform> | null, joint: number, out: JointTransform | null): Status;
+  /**
+   * Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+   * is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+   */
+  set_joint(local: List<SoaTransform> | null, joint: number, transform: JointTransform | null): Status;
+  /**
+   * Whether a limit keeps these rules, as those of make_limit() and load() do.
+   */
+  is_valid(limit: JointLimit | null): boolean;
+  /**
+   * Validates a cooked file (docs/format.md) and makes `out` a view of it.
+   *
+   * The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
+   * read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
+   * bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
+   * what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
+   * are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
+   * failure. Cost: one pass over the block; no allocation. Thread-safe.
+   * May be null: error.
+   */
+  load(block: List<number> | null, out: File | null, error: DataError | null): Status;
+  file_skeleton_count(file: File | null): number;
+  file_reference_count(file: File | null): number;
+  file_clip_count(file: File | null): number;
+  file_mesh_count(file: File | null): number;
+  file_material_count(file: File | null): number;
+  file_image_count(file: File | null): number;
+  file_node_count(file: File | null): number;
+  /**
+   * An index that is not below the count gives what is empty. Cost: a few loads.
+   */
+  file_skeleton(file: File | null, index: number, out: Skeleton | null): Status;
+  /**
+   * An index that is not below the count gives what is empty. Cost: a few loads.
+   */
+  file_reference(file: File | null, index: number, out: SkeletonReference | null): Status;
+  /**
+   * An index that is not below the count gives what is empty. Cost: a few loads.
+   */
+  file_clip(file: File | null, index: number, out: Clip | null): Status;
+  /**
+   * level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+   */
+  file_mesh(file: File | null, index: number, level: number, out: Mesh | null): Status;
+  /**
+   * level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+   */
+  file_material(file: File | null, index: number, out: Material | null): Status;
+  /**
+   * level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+   */
+  file_image(file: File | null, index: number, out: Image | null): Status;
+  /**
+   * level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+   */
+  file_node(file: File | null, index: number, out: Node | null): Status;
+  /**
+   * About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
+   * deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
+   * Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
+   * pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
+   */
+  file_bounds(file: File | null, clip: number, mesh: number, out: Bounds | null): Status;
+  /**
+   * Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
+   */
+  file_find_skeleton(file: File | null, name: string | null): number;
+  /**
+   * The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
+   * frame.
+   */
+  file_find_joint(file: File | null, skeleton: Skeleton | null, name: string | null): number;
+  /**
+   * Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
+   * same name.
+   */
+  file_find_mesh(file: File | null, name: string | null): number;
+  /**
+   * Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+   * of several skeletons is a clip each, with the same name and duration.
+   */
+  file_find_clip(file: File | null, name: string | null): number;
+  /**
+   * Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+   * of several skeletons is a clip each, with the same name and duration.
+   */
+  file_find_clip_of(file: File | null, name: string | null, skeleton: number): number;
+  /**
+   * Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
+   * a frame.
+   */
+  file_find_channel(file: File | null, clip: Clip | null, name: string | null): number;
+  /**
+   * Index of the first node with this name, or node_count().
+   */
+  file_find_node(file: File | null, name: string | null): number;
+  /**
+   * The property of `node`, a node of this file, with this name; null if there is none.
+   */
+  file_node_property(file: File | null, node: Node | null, name: string | null): Property | null;
+  /**
+   * A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+   * zero-terminated, never null.
+   */
+  file_text(file: File | null, name: number): string;
+  /**
+   * A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+   * zero-terminated, never null.
+   */
+  property_text(property: Property | null): number;
+  skeleton_soa_size(skeleton: Skeleton | null): number;
+  /**
+   * How many matrices build_palette() writes.
+   */
+  mesh_palette_size(mesh: Mesh | null): number;
+  bounds_is_empty(bounds: Bounds | null): boolean;
+  /**
+   * A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
+   * Of a skeleton that is not there it is the hash of no joints. Cost: one pass over the skeleton.
+   */
+  skeleton_hash(file: File | null, skeleton: number): bigint;
+  /**
+   * Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
+   * sample(skeleton, pack.clip(i), …) does for every clip whose Clip::skeleton is `reference` what it would do for the
+   * skeleton's own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and
+   * within it the pose is nonsense.)
+   *
+   * misfits: gets the first ones, as many as it holds; misfit_count, if not null, how many there are. Both may be left
+   * out. What stands above the roots may differ: it does not concern clips.
+   * Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
+   * skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+   * May be null: misfits_there.
+   */
+  bind_clips(pack: File | null, reference: number, character: File | null, skeleton: number, misfits: List<JointMisfit> | null, misfits_there: View | number | null): Status;
+  /**
+   * Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
+   * however many times over: a loop loses no time and shows none twice, and so does a turn. Afterwards time_s is in
+   * 0 … duration_s, and below duration_s in a loop; an end that is reached exactly is passed or turned at only when time
+   * moves on. Events at a clip's times are due where time_s was before, where it is now, and `turns` say. A time_s
+   * outside the clip counts as one that has just run there; a duration of 0 makes it 0, without a turn.
+   *
+   * Errors: bad_argument if time_s, speed, dt_s or duration_s is not finite, or duration_s is below 0; nothing is
+   * changed.
+   *
+   * Error: dt_s · speed is exact; to add it to the time rounds once, by at most 2⁻⁵³ (time_s + |dt_s · speed|) before and
+   * 2⁻⁵³ duration_s more where a loop passes its start backwards; finding the place of a time beyond an end is exact. So
+   * after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the logarithm of the
+   * turns where there are many. The same bits everywhere; thread-safe on different playbacks.
+   */
+  advance(playback: Playback | null, duration_s: number, dt_s: number): Status;
+  /**
+   * The time to sample: time_s as a float, which never goes beyond the clip.
+   */
+  clip_time(playback: Playback | null): number;
+  /**
+   * Whether a clip that plays once has reached the end towards which it runs; it stays true then. A clip at speed 0 runs
+   * towards none.
+   */
+  finished(playback: Playback | null, duration_s: number): boolean;
+  /**
+   * Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
+   * STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
+   * tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
+   *
+   * out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
+   * Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints or
+   * is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
+   * float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
+   * is. Stateless; thread-safe on different outputs.
+   * May be null: options.
+   */
+  sample(skeleton: Skeleton | null, clip: Clip | null, time_s: number, out: List<SoaTransform> | null, options: SampleOptions | null): Status;
+  /**
+   * Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
+   * that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
+   * within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest
+   * pose in them.
+   *
+   * out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
+   * additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
+   */
+  sample_additive(skeleton: Skeleton | null, clip: Clip | null, time_s: number, out: List<AdditiveTransform> | null): Status;
+  /**
+   * Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
+   *
+   * out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
+   * drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
+   * changes. Errors: bad_argument if `out` is too short or time_s is not
+   * a number. Cost: a binary search a distinct key-time list and a few operations a channel.
+   */
+  sample_channels(clip: Clip | null, time_s: number, out: List<number> | null): Status;
+  /**
+   * How many floats `key_count` keys of `components` hold.
+   */
+  curve_value_count(kind: CurveKind, components: number, key_count: number): number;
+  /**
+   * Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: bad_argument if `kind`
+   * is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
+   * not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
+   * interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
+   */
+  check_curve(curve: Curve | null): Status;
+  /**
+   * The value at `time_s`, clamped to the first and last key; one key is a constant.
+   *
+   * out: at least curve.components floats. Errors: bad_argument as in check_curve(), if `out` is too short, or time_s is
+   * not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
+   * At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
+   * some dozen operations.
+   */
+  evaluate_curve(curve: Curve | null, time_s: number, out: List<number> | null): Status;
+  /**
+   * The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
+   * the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
+   * bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
+   */
+  curve_velocity(curve: Curve | null, time_s: number, out: List<number> | null): Status;
+  /**
+   * Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
+   *
+   * keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
+   * it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
+   * derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
+   * Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
+   * Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
+   * are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
+   * tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
+   * Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+   */
+  natural_spline(keys: Curve | null, out: List<number> | null): Status;
+  /**
+   * Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
+   *
+   * keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
+   * it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
+   * derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
+   * Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
+   * Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
+   * are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
+   * tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
+   * Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+   */
+  clamped_spline(keys: Curve | null, first_velocity: List<number> | null, last_velocity: List<number> | null, out: List<number> | null): Status;
+  /**
+   * A Bézier curve of any degree at u, by de Casteljau's algorithm.
+   *
+   * points: degree + 1 points of `components` floats (1 … 4). scratch: at least points.size floats, overlapping nothing.
+   * out: at least `components`. u outside [0, 1] extrapolates. Errors: bad_argument if there is no point, points.size is
+   * no multiple of components, a span is too short, or u is not finite; bad_data if the result is not finite.
+   * Cost: degree · (degree + 1) / 2 interpolations.
+   */
+  bezier(points: List<number> | null, components: number, u: number, scratch: List<number> | null, out: List<number> | null): Status;
+  /**
+   * The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
+   * result has no direction, or is too long to be squared.
+   */
+  bezier_rotation(quaternions: List<number> | null, u: number, scratch: List<number> | null, out: List<number> | null): Status;
+  /**
+   * A bicubic patch over 4 × 4 points: the tensor product of two cubics.
+   *
+   * points: 16 · components floats, component by component within a point, points along u first, then v. out: at least
+   * `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
+   * bad_data, with nothing written, if the result is not finite.
+   * Cost: 20 blends of four points.
+   */
+  bicubic_patch(basis: PatchBasis, points: List<number> | null, components: number, u: number, v: number, out: List<number> | null): Status;
+  arc_length_count(key_count: number, steps: number): number;
+  /**
+   * Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
+   * Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
+   * `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
+   * linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
+   */
+  build_arc_length(curve: Curve | null, steps: number, out: List<number> | null): Status;
+  /**
+   * The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
+   * Between two entries the length is taken as linear, so the point found is off along the path by at most
+   * A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps,
+   * a quarter of the error. Errors: bad_argument if the table is too short for this curve or `distance` is not a number.
+   * Cost: a binary search.
+   */
+  time_at_distance(curve: Curve | null, table: ArcLength | null, distance: number, time_s: View | number | null): Status;
+  /**
+   * From 0 at u = 0 to 1 at u = 1, both exactly; u is clamped, and what is not a number counts as 0. back and elastic
+   * overshoot. out(u) = 1 - in(1 - u), in_out is the one, then the other at half size. As in Penner's, expo and elastic
+   * leave 0 (out: reach 1) with a jump of 1e-3 or less; back's overshoot is 1.70158, 1.525 times that for in_out;
+   * elastic's period is 0.3, 0.45 for in_out. Within 1e-6 of the closed forms. Unknown enumerators: linear.
+   */
+  ease(easing: Easing, mode: EaseMode, u: number): number;
+  /**
+   * y at x = u, with u clamped to [0, 1]. The point lies on the curve within 3e-7 in x (4e-7 (1 + |y1| + |y2|) in y):
+   * where the curve is steep, y is as uncertain as x is. Errors: bad_argument unless x1 and x2 are in [0, 1], y1 and y2
+   * finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
+   */
+  ease_by_curve(curve: CubicBezierEase | null, u: number, out: View | number | null): Status;
+  /**
+   * out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
+   * as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
+   *
+   * Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it, so the result
+   * is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
+   * below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
+   * single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
+   * below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
+   *
+   * layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
+   * kMaxBlendWeight.
+   * Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
+   * Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
+   */
+  blend(skeleton: Skeleton | null, layers: List<BlendLayer> | null, out: List<SoaTransform> | null, threshold: number): Status;
+  /**
+   * Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
+   * pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
+   * Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+   */
+  overlay(skeleton: Skeleton | null, layer: BlendLayer | null, pose: List<SoaTransform> | null): Status;
+  /**
+   * out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
+   * scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
+   * their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
+   */
+  make_additive(skeleton: Skeleton | null, pose: List<SoaTransform> | null, reference: List<SoaTransform> | null, out: List<AdditiveTransform> | null): Status;
+  /**
+   * Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
+   * mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
+   * Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+   */
+  add(skeleton: Skeleton | null, layer: AdditiveLayer | null, pose: List<SoaTransform> | null): Status;
+  /**
+   * The new clip's weight, `time_s` after the fade began: exactly 0 at or before 0 and for what is not a number, exactly
+   * 1 from duration_s on (at once if that is not above 0).
+   */
+  fade_weight(shape: Fade, time_s: number, duration_s: number): number;
+  /**
+   * blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
+   * from, to, out: at least skeleton.soa_size(); out may be either of the poses.
+   * Errors: bad_argument if a span is too short or the weight not in 0 … 1.
+   */
+  cross_fade(skeleton: Skeleton | null, from: List<SoaTransform> | null, to: List<SoaTransform> | null, weight: number, out: List<SoaTransform> | null): Status;
+  /**
+   * Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is
+   * shown.
+   *
+   * Inertialisation: D. Bollo, GDC 2018. Each component is the quintic with the offset's value and velocity at the start,
+   * and value, velocity, acceleration and jerk 0 at the end, in the factored form above. A component on its way to zero
+   * that would pass it before duration_s ends sooner, 5 start / -velocity after the beginning, so no offset
+   * changes its sign. Other than there, x, y and z are not reduced to a length on a fixed axis, so the whole velocity
+   * is carried over and not only its part along the offset. The growth of a turn is limited so that it stays below a
+   * whole one; a turn of more than a quarter in one frame is not carried over faithfully.
+   * Rotations must be unit quaternions, translations and scales at most 1e15: then all is finite, here and below. To
+   * begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
+   * short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
+   * quaternions a joint, four joints at a time; no allocation.
+   */
+  begin_inertia(skeleton: Skeleton | null, start: InertialStart | null, duration_s: number, inertia: Inertia | null): Status;
+  /**
+   * pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
+   * any begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
+   * Errors: bad_argument if a span is too short or time_s not a number.
+   * Cost: nine quintics and one exponential a joint, four joints at a time.
+   */
+  apply_inertia(skeleton: Skeleton | null, inertia: Inertia | null, time_s: number, pose: List<SoaTransform> | null): Status;
+  /**
+   * scene_from_joint = scene_from_root · Π parent_from_joint, from the root down; scene_from_root is what the source has
+   * above the skeleton and never moves, so the matrices are in the source's scene space.
+   *
+   * local: at least skeleton.soa_size(); out: at least skeleton.joint_count; they do not overlap.
+   * Errors: bad_argument if a span is too short.
+   * Cost: one quaternion-to-matrix (four joints at a time) and one affine product a joint: 70 instructions on x86-64, 49
+   * on AArch64. Thread-safe on different outputs.
+   */
+  local_to_model(skeleton: Skeleton | null, local: List<SoaTransform> | null, out: List<Affine> | null): Status;
+  /**
+   * The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
+   * whatever the count, parents are among them. The others' matrices are left as they are.
+   *
+   * local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
+   * joints.
+   */
+  local_to_model_first(skeleton: Skeleton | null, local: List<SoaTransform> | null, joint_count: number, out: List<Affine> | null): Status;
+  /**
+   * The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
+   * kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
+   *
+   * local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
+   * such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
+   * one comparison for each other joint from `joint` to the last generation.
+   */
+  local_to_model_below(skeleton: Skeleton | null, local: List<SoaTransform> | null, joint: number, out: List<Affine> | null): Status;
+  /**
+   * Angles least_rad … most_rad; all of them if that is a turn or more.
+   * Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
+   */
+  make_angle_range(least_rad: number, most_rad: number, out: AngleRange | null): Status;
+  /**
+   * `out` is written only on success.
+   * Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
+   * above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
+   * euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+   */
+  make_limit(description: LimitDescription | null, joint: number, out: JointLimit | null): Status;
+  /**
+   * local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
+   *
+   * What is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes nothing.
+   * What comes out is inside within the same tolerance.
+   *
+   * Outside it is the nearest rotation for a hinge; for a cone the nearest swing, and of the twists the nearest with it;
+   * for euler boxes one round of exact searches along each angle from the clamped angles. docs/ik/limits.md has how near
+   * that is. The nearest rotation jumps where one side of the range is as far as the other. So that the result moves
+   * continuously, over the last quarter of the way from the limit to there it moves through the middle of the range: of a
+   * turn about an axis to the angle opposite the middle, of a swing to 180°, where in its place the twist is lost; and of
+   * euler angles to ±90° of the second, where the third and the first are one. Distances are as tangents of a quarter of
+   * the angle. A range of all angles is a circle, to which nothing leads continuously: it jumps at a swing of 180°, and
+   * an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
+   *
+   * Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
+   * Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+   */
+  clamp_rotation(limit: JointLimit | null, local: View | number | null): Status;
+  /**
+   * By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
+   */
+  limit_excess(limit: JointLimit | null, local: View | number | null): number;
+  /**
+   * clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
+   * local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
+   * Cost: clamp_rotation() a limit. Thread-safe on different poses.
+   */
+  limit_pose(limits: List<JointLimit> | null, local: List<SoaTransform> | null): Status;
+  /**
+   * The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
+   */
+  find_limit(limits: List<JointLimit> | null, joint: number): JointLimit | null;
+  /**
+   * Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+   * is state.rotation or state.point.
+   *
+   * A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+   * the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+   * about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+   * part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+   * the speed until it is there; without any limit it is on its target.
+   * Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+   * they may exceed the acceleration by a few hundredths.
+   *
+   * The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+   * each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+   * from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+   *
+   * dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+   * follower keeps is finite.
+   * Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+   * on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+   * quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+   * on different states.
+   */
+  follow_rotation(state: RotationFollower | null, target: View | number | null, dt_s: number, limit: RateLimit | null): Status;
+  /**
+   * Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+   * is state.rotation or state.point.
+   *
+   * A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+   * the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+   * about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+   * part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+   * the speed until it is there; without any limit it is on its target.
+   * Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+   * they may exceed the acceleration by a few hundredths.
+   *
+   * The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+   * each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+   * from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+   *
+   * dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+   * follower keeps is finite.
+   * Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+   * on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+   * quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+   * on different states.
+   */
+  follow_point(state: PointFollower | null, target: View | number | null, dt_s: number, limit: RateLimit | null): Status;
+  /**
+   * follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
+   * All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
+   * way there may lead outside.
+   * states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
+   * finite; nothing is written. Joints whose rotation is not finite keep it.
+   */
+  follow_pose(limits: List<JointLimit> | null, states: List<RotationFollower> | null, dt_s: number, local: List<SoaTransform> | null): Status;
+  /**
+   * Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
+   * difference of the lengths; then the shortest arc to the target and a turn about it, in one quaternion.
+   * Of a bone of no length, or a target at the start joint, the rest is still done; nothing becomes infinite.
+   * The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
+   * one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
+   * Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+   * large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+   * Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent
+   * the wrong way, the target more than 120° off or near the pole, or there is a twist.
+   */
+  turn_two_bone(joints: TwoBoneJoints | null, goal: TwoBone | null, out: TwoBoneTurns | null): Status;
+  /**
+   * Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.
+   * Errors: as above, for all four if one is bad.
+   */
+  turn_two_bone_x4(joints: View | number | null, goals: View | number | null, out: View | number | null): Status;
+  /**
+   * The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+   * 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
+   * are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+   * May be null: reached.
+   */
+  solve_two_bone(skeleton: Skeleton | null, limb: TwoBoneLimb | null, goal: TwoBone | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, reached: View | number | null): Status;
+  /**
+   * Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
+   * turn about it, in one quaternion.
+   * Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
+   * weight outside 0 … 1.
+   * Cost: 237 instructions on x86-64, 187 on AArch64.
+   */
+  turn_aim(joint: Affine | null, goal: Aim | null, out: AimTurn | null): Status;
+  /**
+   * The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+   * 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
+   * is written. Cost: the kernel's, and local_to_model_below(joint).
+   * May be null: reached.
+   */
+  solve_aim(skeleton: Skeleton | null, joint: number, goal: Aim | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, reached: View | number | null): Status;
+  /**
+   * The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
+   * looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
+   * falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
+   * Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+   * May be null: reached.
+   */
+  solve_look_at(skeleton: Skeleton | null, joints: List<number> | null, goal: Aim | null, falloff: number, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, reached: View | number | null): Status;
+  /**
+   * Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+   * May be null: options.
+   */
+  ik_scratch_bytes(skeleton: Skeleton | null, problem: IkProblem | null, options: IkOptions | null): number;
+  /**
+   * Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
+   *
+   * local: at least skeleton.soa_size(), parent_from_joint; changed: rotations of problem.joints, and the translation of
+   * joints[0] if it may travel. scene_from_joint: at least skeleton.joint_count, of this pose (local_to_model); brought
+   * up to date for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
+   * may be null.
+   * A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
+   * Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending,
+   * there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
+   * of range, or the pose not finite on the way to a goal.
+   * Cost: docs/ik.md. Thread-safe on different poses and scratch.
+   * May be null: options, report.
+   */
+  solve_ik(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;
+  /**
+   * The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+   * the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+   *
+   * A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+   * the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+   * with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+   * to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+   * Cost: docs/ik.md: tens of microseconds a generation.
+   */
+  ik_genetic_scratch_bytes(skeleton: Skeleton | null, problem: IkProblem | null): number;
+  /**
+   * The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+   * the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+   *
+   * A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+   * the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+   * with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+   * to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+   * Cost: docs/ik.md: tens of microseconds a generation.
+   * May be null: options, report.
+   */
+  solve_ik_genetic(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;
+  /**
+   * Where a ray for a foot is to go through: its sole as animated, in the world.
+   * Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
+   */
+  foot_sole(foot: Foot | null, world_from_scene: Affine | null, scene_from_joint: List<Affine> | null, sole_world: View | number | null): Status;
+  /**
+   * Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
+   * date. Call it after local_to_model(), and cast the rays before it, from the same pose.
+   *
+   * local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
+   *
+   * The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
+   * plane about its sole. What is planted keeps its place across `up`, and its heading; along `up` it moves as animated,
+   * so that a heel can rise. A step in the ground (another plane than in the last frame), and on release the way to the
+   * target, are an offset from the target that dies away as a critically damped spring at rest does, with the speed
+   * that it had: exact whatever the frame rate, and without a jump in place or speed. The pelvis moves by the lowest
+   * sole's ground, and as much further down as the legs need to reach. Ankles keep their animated attitude but for lean
+   * and heading. See docs/ik/feet.md.
+   *
+   * Errors: bad_argument if a span is too short, joints are not as they should be, or a number is not finite, out of its
+   * range or beyond 1e6; nothing is written.
+   * Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
+   * up to three where joints are scaled unevenly: 8100 instructions a foot on x86-64, the skeleton having 27 joints. No
+   * allocation; thread-safe on different motions and poses.
+   */
+  place_feet(skeleton: Skeleton | null, feet: Feet | null, frame: FeetFrame | null, ground: List<FootGround> | null, motion: List<FootMotion> | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null): Status;
+  /**
+   * What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+   */
+  springs_bytes(skeleton: Skeleton | null, chains: List<SpringChain> | null): number;
+  /**
+   * Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
+   *
+   * memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
+   * Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
+   * a chain has no bone, or the memory does not do; nothing is written.
+   */
+  make_springs(skeleton: Skeleton | null, chains: List<SpringChain> | null, memory: List<number> | null, out: Springs | null): Status;
+  /**
+   * New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
+   */
+  set_springs(skeleton: Skeleton | null, chains: List<SpringChain> | null, springs: Springs | null): Status;
+  /**
+   * The next frame begins at rest in its pose.
+   */
+  reset_springs(springs: Springs | null): void;
+  /**
+   * Moves the springs on by a frame and bends `local` by them; the matrices of what hangs below are brought up to date.
+   *
+   * local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count; local_to_model() has made
+   * the one from the other. Springs never read what they have written: give them the animated pose of every frame.
+   *
+   * Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
+   *   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
+   * of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
+   * with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
+   * the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+   * the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
+   * not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
+   * upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is
+   * carried by it, but does not feel its swing.
+   *
+   * Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
+   * before and half after. Drift and kicks have the strengths with which small swings have the exact frequency and decay,
+   * whatever the step; so a path does not depend on the frame rate but for how the animation's frames cut its curves. The
+   * energy |u|²/2 - F·d is held down to the work done, so that it never grows without input.
+   * What hangs on a bone turns by the nearest rotation to its parent's that takes the one direction to the other, which
+   * is a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965) and costs one product of matrix and
+   * vector a joint.
+   *
+   * Scales that are not one scale, above a joint: directions are then approximate, lengths still kept. A bone shorter
+   * than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
+   * Errors: bad_argument if a span is too short, the skeleton has another count of joints, a number is not finite or out
+   * of its range, or there are more than kMaxSpringColliders; nothing is written.
+   * Cost: at 60 frames/s 714 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
+   * thread-safe on different springs and poses.
+   */
+  simulate_springs(skeleton: Skeleton | null, frame: SpringFrame | null, springs: Springs | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null): Status;
+  /**
+   * For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
+   * `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
+   * compares names; once a load.
+   */
+  find_weight_channels(file: File | null, mesh: Mesh | null, clips: File | null, clip: Clip | null, out: List<number> | null): Status;
+  /**
+   * The weights of a moment: of each target its channel's value, or its default without. channels: from
+   * find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
+   * out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
+   */
+  morph_weights(mesh: Mesh | null, channels: List<number> | null, values: List<number> | null, out: List<number> | null): Status;
+  /**
+   * Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
+   */
+  morphed_bytes(geometry: Geometry | null): number;
+  /**
+   * The bind pose. memory: at least morphed_bytes(), 16-byte aligned (bad_argument otherwise); `out` keeps pointers into
+   * it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
+   */
+  make_morphed(geometry: Geometry | null, memory: List<number> | null, out: MorphedGeometry | null): Status;
+  /**
+   * Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
+   * cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
+   * Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
+   * moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
+   * however many targets move it, 8, 20 or 29 to undo and normalise.
+   */
+  morph(weights: List<number> | null, morphed: MorphedGeometry | null): Status;
+  /**
+   * Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
+   * Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
+   * the morphed geometry is the same where no residual changes a weight.
+   *
+   * coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
+   * Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
+   */
+  morph_coordinates(morphed: MorphedGeometry | null, coordinates: List<number> | null): Status;
+  /**
+   * out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
+   *
+   * joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
+   * bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
+   * scene_from_joint.size, what half-joints name below joints.size.
+   * Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
+   *
+   * half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
+   * and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
+   * and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
+   * helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+   *
+   * The same palette serves SSD and animation space (docs/architecture.md, "One palette").
+   * Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+   * Thread-safe on different outputs; out overlaps none of the inputs.
+   */
+  build_palette_of_joints(joints: List<number> | null, bind: List<Affine> | null, scene_from_joint: List<Affine> | null, out: List<Affine> | null, half_joints: List<HalfJoint> | null): Status;
+  /**
+   * The palette of a mesh.
+   */
+  build_palette(mesh: Mesh | null, scene_from_joint: List<Affine> | null, out: List<Affine> | null): Status;
+  /**
+   * Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
+   * are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
+   * not finite do not.
+   */
+  turns_inside_out(map: Affine | null): boolean;
+  /**
+   * The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
+   * double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
+   * turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
+   * matrix.
+   */
+  palette_turns_inside_out(palette: List<Affine> | null): boolean;
+  /**
+   * Bytes that make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
+   */
+  reach_bytes(mesh: Mesh | null): number;
+  /**
+   * Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
+   * are among those of `mesh`.
+   *
+   * mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
+   * `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
+   */
+  make_reach(mesh: Mesh | null, memory: List<number> | null, out: Reach | null): Status;
+  /**
+   * The box of the mesh and a sphere about the box's centre, in the palette's space.
+   *
+   * palette: of the mesh, reach.joints.size entries. weights: of its morph targets, any finite numbers; empty: none is
+   * active. Without a vertex `out` is empty (Bounds::is_empty()). Errors: bad_argument (a span too short, a weight that
+   * is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its half
+   * sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
+   * 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
+   * instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
+   */
+  palette_bounds(reach: Reach | null, palette: List<Affine> | null, weights: List<number> | null, out: Bounds | null): Status;
+  /**
+   * Each vertex follows the joint with its largest weight.
+   *   position = M_j (v, 1)
+   * palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
+   * tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+   * Cost: positions 51 / 32; with exact normals 78 / 49.
+   */
+  skin_rigid(mesh: Mesh | null, palette: List<Affine> | null, out: SkinOutput | null): Status;
+  /**
+   * Skeletal subspace deformation, also called linear blend skinning.
+   *   position = (Σ_j w_j M_j) (v, 1)
+   * Cost: positions 39 / 30; with normals through the blended matrix 50 / 35, and tangents 63 / 43; through the inverse
+   * transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
+   * or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
+   * transpose.
+   */
+  skin_ssd(mesh: Mesh | null, palette: List<Affine> | null, out: SkinOutput | null): Status;
+  /**
+   * How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
+   */
+  as_coordinate_count(geometry: Geometry | null): number;
+  /**
+   * Animation-space coordinates of every slot, from lift and residual: q_j = (w_j v + d_j, w_j + δ_j), Σ_j (q_j)_w = 1.
+   * In the notation of Merry, Marais and Gain (ACM TOG 25(4), 2006) p_j = B_j⁻¹ q_j; B_j⁻¹ stands in the palette here.
+   *
+   * As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
+   * x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
+   * out: as_coordinate_count() floats. Done once a mesh, not a frame.
+   */
+  as_coordinates(geometry: Geometry | null, out: List<number> | null): Status;
+  /**
+   * How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
+   */
+  as_tangent_count(geometry: Geometry | null): number;
+  /**
+   * Bytes of scratch memory that as_tangents() wants: about 32 a slot and 4 an index.
+   */
+  as_tangent_scratch_bytes(parts: List<AsPart> | null): number;
+  /**
+   * Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
+   *   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
+   *   Σ_j (τ_j)_w = 0
+   * They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
+   * residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
+   * has one. What the triangles do not explain of them goes through the blend: all, if they have no area. Of a
+   * neighbour's joints those that a vertex lacks count as the one of its own which that neighbour follows most.
+   *
+   * parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
+   * the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
+   * scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
+   * no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex.
+   */
+  as_tangents(parts: List<AsPart> | null, scratch: List<number> | null): Status;
+  /**
+   * Animation space.
+   *   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
+   *            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
+   * Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
+   * coordinates: from as_coordinates() of this geometry.
+   * Cost: positions 41 / 32; with normals through the blended matrix 78 / 57, and tangents 93 / 62; through the inverse
+   * transpose 100 / 68 and 116 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
+   * more an influence but the last.
+   *
+   * tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
+   * t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
+   * run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
+   */
+  skin_as(mesh: Mesh | null, coordinates: List<number> | null, palette: List<Affine> | null, out: SkinOutput | null, tangents: List<number> | null): Status;
+  /**
+   * Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
+   * animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
+   *   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + Geometry::mwe_residual, ∘ element by element
+   * Elements mean something in one frame only; R is that of the palette entry Geometry::mwe_root: the rotation next to
+   * its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
+   * Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
+   * zero. With blended_matrix it is that blend that is asked whether it mirrors.
+   *
+   * Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
+   * blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
+   * four influences nine times as much as SSD.
+   */
+  skin_mwe(mesh: Mesh | null, palette: List<Affine> | null, out: SkinOutput | null): Status;
+  /**
+   * How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
+   * examples.
+   */
+  psd_distance_count(geometry: Geometry | null): number;
+  /**
+   * How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
+   * k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
+   * rotations as in skin_mwe(); 0 for an entry without a parent.
+   * out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
+   * bad_argument if a span is too short.
+   * Cost: 34 instructions a palette entry and example, x86-64.
+   */
+  psd_distances(geometry: Geometry | null, palette: List<Affine> | null, out: List<number> | null): Status;
+  /**
+   * Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
+   * weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
+   *   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: Geometry::pose_space
+   *   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
+   * where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's.
+   * distances: from psd_distances() of this geometry and palette. Errors: also bad_argument if they are too few. A
+   * geometry without examples is SSD's.
+   * Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
+   * vertex for each example that moves its block.
+   */
+  skin_psd(mesh: Mesh | null, distances: List<number> | null, palette: List<Affine> | null, out: SkinOutput | null): Status;
+  /**
+   * Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
+   */
+  animations_bytes(file: File | null, clips: File | null): number;
+  /**
+   * Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
+   * its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
+   * fits none, its clips are left out: no skeleton plays them.
+   *
+   * memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
+   * Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
+   * a skeleton). Cost: compares names; once a load.
+   */
+  make_animations(file: File | null, clips: File | null, memory: List<number> | null, out: Animations | null): Status;
+  /**
+   * The first with this name that moves anything; null if there is none. Cost: compares names.
+   */
+  find_animation(animations: Animations | null, name: string | null): Animation | null;
+  /**
+   * Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+   * May be null: options.
+   */
+  character_bytes(file: File | null, options: CharacterOptions | null): number;
+  /**
+   * A character in its rest pose, finished.
+   *
+   * `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
+   * Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
+   * meshes with morph targets, and as_coordinates().
+   * May be null: options.
+   */
+  make_character(file: File | null, options: CharacterOptions | null, memory: List<number> | null, out: Character | null): Status;
+  /**
+   * Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
+   * blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
+   * reference.
+   *
+   * Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
+   * out of range, a time that is not a number); a part of the character may have been written then.
+   * Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
+   */
+  sample_character(character: Character | null, layers: List<AnimationLayer> | null): Status;
+  /**
+   * Brings scene_from_joint of all skeletons up to date with `local`.
+   */
+  character_to_model(character: Character | null): Status;
+  /**
+   * Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
+   */
+  pose_character(character: Character | null, layers: List<AnimationLayer> | null): Status;
+  /**
+   * Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
+   * Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
+   * mesh.
+   */
+  finish_character(character: Character | null): Status;
+}

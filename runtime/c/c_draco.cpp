@@ -1,0 +1,18 @@
+// Made by tools/c_api from runtime/c/api.txt: one line of C++ a function. Do not edit.
+#include "c/twin.h"
+
+#include "marrow/draco.h"
+
+// clang-format off
+using namespace marrow;
+using namespace marrow::c;
+
+extern "C" {
+
+mrw_status mrw_draco_decoder(mrw_mesh_decoder* out) {
+  MRW_NEEDS(leads_to<MeshDecoder>(out), MRW_BAD_ARGUMENT);
+  give<MeshDecoder>(out, marrow::draco_decoder());
+  return MRW_OK;
+}
+
+}  // extern "C"

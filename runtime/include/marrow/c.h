@@ -1,0 +1,2346 @@
+// The whole runtime for C99, and for all languages that call C: see docs/c.md. Library marrow::c.
+//
+// Made by tools/c_api from runtime/c/api.txt and the C++ headers, whose words these are: do not edit. Where they name a
+// C++ function or type, here it is mrw_ and that name in small letters; a Span is a pointer and a count, a null pointer
+// with a count of 0 is empty. What is "empty by default" or "may be null" there may be null here.
+//
+// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's, and
+// nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return MRW_BAD_ARGUMENT,
+// and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told why.
+#ifndef MARROW_C_H
+#define MARROW_C_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// clang-format off
+#if defined(__GNUC__)
+#define MRW_ALIGN(bytes) __attribute__((aligned(bytes)))
+#define MRW_NODISCARD __attribute__((warn_unused_result))
+#elif defined(_MSC_VER)
+#define MRW_ALIGN(bytes) __declspec(align(bytes))
+#define MRW_NODISCARD
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// A number that all rows of the description give: it changes with every struct, enum, constant and function.
+#define MRW_ABI 0x340c2e10u
+// That of the library. A program compares it with its own MRW_ABI before it calls anything else.
+uint32_t mrw_abi(void);
+
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What a call came to: one enum for the whole runtime, with text. No exceptions, no logging.
+
+typedef uint8_t mrw_status;
+enum {
+  MRW_OK = 0,
+  MRW_BAD_ARGUMENT = 1,  // the call is wrong: a span too short, a null pointer, an index out of range
+  MRW_TRUNCATED = 2,  // the data ends before what it announces
+  MRW_BAD_MAGIC = 3,  // not a cooked file
+  MRW_BAD_VERSION = 4,  // cooked for another version of the format
+  MRW_BAD_CHECKSUM = 5,  // damaged
+  MRW_BAD_DATA = 6,  // breaks a rule of docs/format.md
+  MRW_UNSUPPORTED = 7,  // legal, but needs what this build or this device lacks
+  MRW_GL_ERROR = 8,  // the driver refused
+  MRW_MISMATCH = 9,  // both are good, but not made for each other
+  MRW_OUT_OF_MEMORY = 10,  // a library that allocates for itself found none
+};
+
+// Where a block of data breaks the format, and which rule. `rule` is a static string.
+typedef struct mrw_data_error mrw_data_error;
+struct mrw_data_error {
+  mrw_status status;
+  uint32_t offset;  // byte in the block
+  const char* rule;
+};
+void mrw_data_error_init(mrw_data_error* out);
+
+// One word or two in English, never null.
+const char* mrw_status_text(mrw_status status);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Who is told when a call is wrong: which function, and what it asks for and did not get.
+
+typedef void (*mrw_call_error_handler)(const char* function, const char* condition);
+
+// From now on `handler` is told of every call that returns Status::bad_argument, on the thread of that call and before
+// it returns. null: nobody is told. Returns the handler before.
+//
+// The runtime itself never logs. Without a call of this nobody is told in a build with NDEBUG, and in one without a
+// line goes to stderr. A library built with MARROW_CALL_ERRORS=OFF, as it is by default for MinSizeRel, holds no names
+// and no conditions, and tells nobody whatever is set here.
+//
+// Bad data in a file is no bad call: see DataError.
+// Thread-safe; the handler must be so too, and the one before may still be running on other threads. It may call
+// anything of Marrow, may set another handler, and may stop the program.
+mrw_call_error_handler mrw_set_call_error_handler(mrw_call_error_handler handler);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Blocks of memory on boundaries of 16 bytes, as load() and whatever lays things out in the caller's memory want them.
+//
+//   std::vector<std::byte> memory(block_bytes(size));
+//   const Span<std::byte> block = block_in(memory);  // at least `size` bytes
+
+#define MRW_BLOCK_BOUNDARY 16u
+
+typedef struct mrw_block mrw_block;
+struct mrw_block {
+  void* data;
+  size_t size;
+};
+
+// How many bytes of any alignment hold a block of `bytes`.
+size_t mrw_block_bytes(size_t bytes);
+
+bool mrw_is_on_boundary(const void* first);
+
+// What lies behind the first boundary in `memory`; empty if there is none.
+MRW_NODISCARD mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Before stage 1, for packed files: what a game ships → what load() reads.
+//
+// A packed file holds its meshes compressed. Unpacking it yields a cooked file as `marrow cook --mesh-codec none` would
+// have written it, but for what quantisation took. The codecs are libraries of their own, so that a game links only the
+// one it ships with: marrow/draco.h (smallest), marrow/meshopt.h (fastest).
+
+typedef struct mrw_bytes mrw_bytes;
+struct mrw_bytes {
+  const void* data;
+  size_t size;
+};
+void mrw_bytes_init(mrw_bytes* out);
+
+// One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
+typedef struct mrw_mesh_decoder mrw_mesh_decoder;
+struct mrw_mesh_decoder {
+  uint32_t codec;  // as packed files name it
+  void (*decode)(void);
+};
+
+#define MRW_UNPACK_STATE_BYTES 512u
+
+typedef struct mrw_unpack_sizes mrw_unpack_sizes;
+struct mrw_unpack_sizes {
+  uint32_t file_bytes;  // of the unpacked file
+  uint32_t memory_bytes;  // what unpack() wants: the file and, behind it, room to work in
+};
+
+// Whether these are the first bytes of a packed file. Anything else is for load() to judge.
+bool mrw_is_packed(const void* bytes, size_t byte_count);
+
+// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
+// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
+// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+// May be null: error.
+MRW_NODISCARD mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
+    mrw_data_error* error);
+
+// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
+// to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+//
+// packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
+// bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); out_of_memory, by Draco;
+// bad_argument. On failure
+// `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
+// order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
+// nothing else does.
+// May be null: error.
+MRW_NODISCARD mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
+    size_t decoder_count, void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error);
+
+// The same in steps, for a game that loads while it plays: as many a frame as its time allows.
+//
+//   Unpacking loading;
+//   begin_unpack(packed, decoders, memory, loading);
+//   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
+//   then          load(loading.file, file)
+//
+// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
+// step. Stopping half way is forgetting it: nothing is to be freed.
+typedef struct mrw_unpacking mrw_unpacking;
+struct MRW_ALIGN(8) mrw_unpacking {
+  const void* file;  // empty until the last step is done; then as of unpack()
+  size_t file_bytes;
+  uint32_t done_bytes;  // of total_bytes, for a bar
+  uint32_t total_bytes;  // of the unpacked file
+  uint8_t state[512];  // unpack_step()'s own
+};
+void mrw_unpacking_init(mrw_unpacking* out);
+
+// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
+// Cost: the checksum.
+// May be null: error.
+MRW_NODISCARD mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
+    size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error);
+
+// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
+// meshopt's is short. A clip takes a copy of its bytes.
+//
+// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
+// at a time.
+// May be null: error.
+MRW_NODISCARD mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Meshes compressed with Google's Draco: the smallest files, about a microsecond a vertex to decode. Library
+// marrow::draco.
+
+// For unpack(). Draco allocates while it decodes and frees all of it again.
+MRW_NODISCARD mrw_status mrw_draco_decoder(mrw_mesh_decoder* out);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Meshes compressed with meshoptimizer's vertex and index codecs: several times as fast to decode as Draco, and meant
+// to be compressed once more by whatever packs the game's data. Library marrow::meshopt.
+
+// For unpack(). Allocates nothing.
+MRW_NODISCARD mrw_status mrw_meshopt_decoder(mrw_mesh_decoder* out);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The two forms of a pose that stages hand on: local transforms in groups of four joints, and model-space matrices.
+
+// Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
+// Rotations are unit quaternions. Lanes past the last joint hold the identity.
+typedef struct mrw_soa_transform mrw_soa_transform;
+struct MRW_ALIGN(16) mrw_soa_transform {
+  float translation[3][4];  // x, y, z; metres
+  float rotation[4][4];  // x, y, z, w
+  float scale[3][4];  // x, y, z
+};
+
+// The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
+// translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
+typedef struct mrw_additive_transform mrw_additive_transform;
+struct mrw_additive_transform {
+  mrw_soa_transform change;
+};
+
+// An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
+typedef struct mrw_affine mrw_affine;
+struct MRW_ALIGN(16) mrw_affine {
+  float rows[3][4];
+};
+
+// The local transform of one joint.
+typedef struct mrw_joint_transform mrw_joint_transform;
+struct mrw_joint_transform {
+  float translation[3];  // metres
+  float rotation[4];  // a unit quaternion x, y, z, w
+  float scale[3];
+};
+void mrw_joint_transform_init(mrw_joint_transform* out);
+
+// How many SoaTransforms hold a pose of `joint_count` joints.
+size_t mrw_soa_count(size_t joint_count);
+
+// Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
+// is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+MRW_NODISCARD mrw_status mrw_get_joint(const mrw_soa_transform* local, size_t local_count, uint32_t joint,
+    mrw_joint_transform* out);
+MRW_NODISCARD mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t joint,
+    const mrw_joint_transform* transform);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 1, load: one validated block of memory, seen as skeletons, clips and meshes.
+
+// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+#define MRW_MAX_JOINTS 32767u
+#define MRW_MAX_INFLUENCES 8u
+#define MRW_NO_PARENT 0xFFFFu
+#define MRW_NO_SLOT 0xFFFFFFFFu
+
+// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+// the deltas of some blocks.
+#define MRW_MAX_POSE_EXAMPLES 32u
+
+// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+#define MRW_NO_MATERIAL 0xFFFFFFFFu
+
+// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+#define MRW_NO_IMAGE 0xFFFFFFFFu
+
+// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+#define MRW_NO_JOINT 0xFFFFu
+
+typedef uint8_t mrw_limit_kind;
+enum {
+  MRW_LIMIT_KIND_NONE = 0,  // turns freely; for joints that have a rate limit alone
+  MRW_LIMIT_KIND_HINGE = 1,  // about one axis, between two angles: knees, elbows, fingers
+  MRW_LIMIT_KIND_CONE = 2,  // swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
+  MRW_LIMIT_KIND_EULER = 3,  // three angles about three axes, each between two: rigs whose limits came so
+};
+
+// The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
+typedef uint8_t mrw_axis_order;
+enum {
+  MRW_AXIS_ORDER_XYZ = 0,
+  MRW_AXIS_ORDER_XZY = 1,
+  MRW_AXIS_ORDER_YXZ = 2,
+  MRW_AXIS_ORDER_YZX = 3,
+  MRW_AXIS_ORDER_ZXY = 4,
+  MRW_AXIS_ORDER_ZYX = 5,
+};
+
+typedef uint8_t mrw_track_path;
+enum {
+  MRW_TRACK_PATH_TRANSLATION = 0,
+  MRW_TRACK_PATH_ROTATION = 1,
+  MRW_TRACK_PATH_SCALE = 2,
+};
+
+typedef uint8_t mrw_interpolation;
+enum {
+  MRW_INTERPOLATION_STEP = 0,
+  MRW_INTERPOLATION_LINEAR = 1,
+  MRW_INTERPOLATION_CUBIC_SPLINE = 2,
+};
+
+// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+#define MRW_MORPHS_POSITIONS 1u
+#define MRW_MORPHS_NORMALS 2u
+#define MRW_MORPHS_TANGENTS 4u
+
+// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+typedef uint8_t mrw_alpha_mode;
+enum {
+  MRW_ALPHA_MODE_OPAQUE = 0,
+  MRW_ALPHA_MODE_MASK = 1,
+  MRW_ALPHA_MODE_BLEND = 2,
+};
+typedef uint8_t mrw_texture_role;
+enum {
+  MRW_TEXTURE_ROLE_BASE_COLOUR = 0,
+  MRW_TEXTURE_ROLE_METALLIC_ROUGHNESS = 1,
+  MRW_TEXTURE_ROLE_NORMAL = 2,
+  MRW_TEXTURE_ROLE_OCCLUSION = 3,
+  MRW_TEXTURE_ROLE_EMISSIVE = 4,
+  // KHR_materials_pbrSpecularGlossiness; its diffuse colour and texture are the base colour
+  MRW_TEXTURE_ROLE_SPECULAR_GLOSSINESS = 5,
+};
+
+typedef uint8_t mrw_wrap;
+enum {
+  MRW_WRAP_REPEAT = 0,
+  MRW_WRAP_CLAMP_TO_EDGE = 1,
+  MRW_WRAP_MIRRORED_REPEAT = 2,
+};
+
+typedef uint8_t mrw_mag_filter;
+enum {
+  MRW_MAG_FILTER_ANY = 0,
+  MRW_MAG_FILTER_NEAREST = 1,
+  MRW_MAG_FILTER_LINEAR = 2,
+};
+
+typedef uint8_t mrw_min_filter;
+enum {
+  MRW_MIN_FILTER_ANY = 0,
+  MRW_MIN_FILTER_NEAREST = 1,
+  MRW_MIN_FILTER_LINEAR = 2,
+  MRW_MIN_FILTER_NEAREST_MIPMAP_NEAREST = 3,
+  MRW_MIN_FILTER_LINEAR_MIPMAP_NEAREST = 4,
+  MRW_MIN_FILTER_NEAREST_MIPMAP_LINEAR = 5,
+  MRW_MIN_FILTER_LINEAR_MIPMAP_LINEAR = 6,
+};
+
+// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+typedef uint8_t mrw_image_format;
+enum {
+  MRW_IMAGE_FORMAT_UNKNOWN = 0,
+  MRW_IMAGE_FORMAT_PNG = 1,
+  MRW_IMAGE_FORMAT_JPEG = 2,
+  MRW_IMAGE_FORMAT_WEBP = 3,
+  MRW_IMAGE_FORMAT_KTX2 = 4,
+  MRW_IMAGE_FORMAT_DDS = 5,
+};
+
+// A number, a truth or a text that an artist gave a node.
+typedef uint8_t mrw_property_type;
+enum {
+  MRW_PROPERTY_TYPE_NUMBER = 0,
+  MRW_PROPERTY_TYPE_BOOLEAN = 1,
+  MRW_PROPERTY_TYPE_TEXT = 2,
+};
+
+// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
+// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
+// angle_range() in limits.h.
+typedef struct mrw_angle_range mrw_angle_range;
+struct mrw_angle_range {
+  float middle;  // -1 … 1: -180° … 180°
+  float half_width;  // 0 … 1; 1: any angle
+};
+
+// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
+typedef struct mrw_rate_limit mrw_rate_limit;
+struct mrw_rate_limit {
+  float speed;
+  float acceleration;
+};
+void mrw_rate_limit_init(mrw_rate_limit* out);
+
+// How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
+//
+// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
+// rotation. A local rotation q (parent_from_joint) is seen in them as
+//   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
+// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
+//
+// hinge: t is a turn about x, by an angle in angles[0].
+// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
+//   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
+//   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
+//   90° this is within 2.3° of an ellipse in the angles themselves.
+// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
+//   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
+//
+// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+typedef struct mrw_joint_limit mrw_joint_limit;
+struct mrw_joint_limit {
+  uint16_t joint;  // of the skeleton
+  mrw_limit_kind kind;
+  mrw_axis_order order;  // of euler; else xyz
+  float limit_from_parent[4];  // unit quaternion
+  float joint_from_limit[4];  // unit quaternion
+  mrw_angle_range angles[3];  // of a cone the middles of the second and third are 0; of a hinge both are 0
+  mrw_rate_limit rate;  // of the local rotation, see follow_pose()
+};
+void mrw_joint_limit_init(mrw_joint_limit* out);
+
+// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
+// comes before its children and the roots come first.
+typedef struct mrw_skeleton mrw_skeleton;
+struct mrw_skeleton {
+  const char* name;
+  uint32_t joint_count;
+  uint32_t root_count;  // joints 0 … root_count-1 have no parent joint
+  const mrw_affine* scene_from_root;  // root_count; what stands above each root and never moves
+  const mrw_soa_transform* rest;  // soa_count(joint_count); the pose of joints that a clip leaves alone
+  const uint16_t* parents;  // joint_count; kNoParent for roots
+  const uint32_t* names;  // joint_count; see File::text
+  const mrw_joint_limit* limits;  // ascending by joint; those that the asset came with
+  size_t limit_count;
+};
+
+// In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
+typedef struct mrw_skeleton_reference mrw_skeleton_reference;
+struct mrw_skeleton_reference {
+  const char* name;
+  uint32_t joint_count;
+  uint64_t hash;  // skeleton_hash() of the skeleton
+  const uint32_t* names;  // joint_count; see File::text
+  const uint32_t* rest_hashes;  // joint_count; of each joint's rest pose
+  const uint16_t* parents;  // joint_count; kNoParent for roots
+};
+
+// One channel of a clip stored without loss: the source's own keys at the source's own times.
+typedef struct mrw_track mrw_track;
+struct mrw_track {
+  uint16_t joint;
+  mrw_track_path path;
+  mrw_interpolation interpolation;
+  uint32_t key_count;  // ≥ 1
+  uint32_t first_time;  // into Clip::times; tracks with the same keys share them
+  uint32_t first_value;  // into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+};
+
+// Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
+// stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
+typedef struct mrw_group_masks mrw_group_masks;
+struct mrw_group_masks {
+  uint16_t moving;
+  uint16_t constant;
+};
+
+// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
+// that keys on a straight line between others may have been left out (docs/architecture.md).
+typedef struct mrw_channel mrw_channel;
+struct mrw_channel {
+  uint32_t name;  // see File::text
+  float rest;  // the number where no clip drives it
+  uint32_t key_count;  // ≥ 1
+  uint32_t first_time;  // as in Track
+  uint32_t first_value;  // into Clip::values; one float a key, three for cubic_spline (in, value, out)
+  mrw_interpolation interpolation;
+  uint8_t reserved[3];
+};
+
+// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
+// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
+typedef struct mrw_coded_tracks mrw_coded_tracks;
+struct mrw_coded_tracks {
+  uint32_t frame_count;  // 0: the clip has no coded tracks; else ≥ 2
+  uint32_t track_count;  // sub-tracks that move
+  uint32_t constant_count;
+  uint32_t segment_intervals;  // steps of time a segment; the last may have fewer
+  float start_s;  // of frame 0
+  float frames_per_s;  // of uneven ones the mean
+  const float* times_s;  // frame_count, ascending; null: even steps
+  const mrw_group_masks* masks;  // one a group of four joints
+  const uint32_t* segment_offsets;  // bytes into payload
+  const void* constants;
+  const void* payload;
+};
+
+// An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
+typedef struct mrw_clip mrw_clip;
+struct mrw_clip {
+  const char* name;
+  uint32_t skeleton;  // which skeleton of the file; in a clip pack, which reference
+  uint32_t joint_count;  // of that skeleton
+  float duration_s;  // time of the last key; ≥ 0
+  bool additive;  // for sample_additive(), not for sample()
+  const mrw_soa_transform* reference;  // additive: the pose that changes are taken from; null: the rest pose
+  mrw_coded_tracks coded;
+  const mrw_track* tracks;
+  size_t track_count;
+  const mrw_channel* channels;
+  size_t channel_count;
+  const float* times_s;
+  const float* values;
+};
+
+// Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
+// fill up its last block repeat its last vertex.
+typedef struct mrw_run mrw_run;
+struct mrw_run {
+  uint32_t vertex_count;  // ≥ 1
+  uint32_t influences;  // 1 … kMaxInfluences
+};
+
+// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
+// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+typedef struct mrw_morph_target mrw_morph_target;
+struct mrw_morph_target {
+  uint32_t first_block;  // into Geometry::target_blocks
+  uint32_t block_count;
+  uint32_t first_record;  // into Geometry::target_records
+  uint32_t attributes;  // MorphAttributes; 0 if it moves nothing
+  float position_step;  // metres, mesh space
+  float normal_step;
+  float tangent_step;
+  uint32_t reserved;
+};
+
+// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
+// the deltas of some blocks.
+typedef struct mrw_pose_space mrw_pose_space;
+struct mrw_pose_space {
+  float sigma;  // width of the Gaussian, a share of 1: sin of half an angle
+  const mrw_morph_target* examples;  // positions alone; empty: none
+  size_t example_count;
+  const void* blocks;  // as Geometry::target_blocks
+  const int16_t* records;  // as Geometry::target_records
+  const int16_t* rotations;  // for each example and palette entry x y z w, up to a positive factor
+  const uint16_t* parents;  // a palette entry: the one that its rotation is relative to, or kNoParent
+};
+
+// Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
+// (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
+typedef struct mrw_geometry mrw_geometry;
+struct mrw_geometry {
+  uint32_t slot_count;  // vertices with padding; a multiple of 4
+  uint32_t vertex_count;  // without padding
+  uint32_t index_count;  // 3 a triangle; counter-clockwise fronts
+  uint32_t index_bytes;  // 2 or 4
+  uint32_t joint_count;  // how many palette entries the sets refer to
+  const void* indices;  // slots
+  const mrw_run* runs;
+  size_t run_count;
+  const uint16_t* sets;  // for each run its k palette entries, run after run
+  const float* skin;  // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
+  const float* normals;  // a block: x[4] y[4] z[4]; unit; null if absent
+  const float* tangents;  // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
+  const float* as_residual;  // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
+  const float* mwe_residual;  // a block: k times three rows x[4] y[4] z[4] t[4]; null if absent
+  uint32_t mwe_root;  // palette entry whose frame they are meant in
+  const float* uvs;  // a slot: u v; null if absent
+  const uint8_t* colours;  // a slot: r g b a, linear; null if absent
+  // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
+  // part of a primitive in parts.
+  const uint32_t* source_slots;
+  size_t source_slot_count;
+  const mrw_morph_target* targets;
+  size_t target_count;
+  const void* target_blocks;  // as wide as indices; for each target the blocks it moves, ascending
+  const int16_t* target_records;  // twelve a record
+  mrw_pose_space pose_space;
+  float box_min[3];  // of the bind positions, mesh space
+  float box_max[3];
+};
+
+// A morph target of a mesh: what it is called and what drives it.
+typedef struct mrw_mesh_target mrw_mesh_target;
+struct mrw_mesh_target {
+  uint32_t name;  // see File::text; may be empty
+  uint32_t channel;  // name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+  float weight;  // where no clip does
+};
+
+// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
+// are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
+typedef struct mrw_texture mrw_texture;
+struct mrw_texture {
+  uint16_t image;  // which image of the file
+  mrw_texture_role role;  // none twice in a material
+  mrw_wrap wrap_u;
+  mrw_wrap wrap_v;
+  mrw_mag_filter mag;
+  mrw_min_filter min;
+  uint8_t reserved;
+};
+
+typedef struct mrw_material mrw_material;
+struct mrw_material {
+  const char* name;
+  mrw_alpha_mode alpha;
+  float alpha_cutoff;  // mask: what is less opaque is not drawn
+  bool unlit;  // KHR_materials_unlit: the base colour is what is seen
+  float emissive[3];  // linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
+  const mrw_texture* textures;
+  size_t texture_count;
+};
+
+// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+typedef struct mrw_image mrw_image;
+struct mrw_image {
+  const char* name;
+  const char* uri;  // relative to the source file and percent-encoded, as it stood there; empty if it had none
+  mrw_image_format format;
+  const void* bytes;  // empty: by reference
+  size_t byte_count;
+  uint32_t fallback;  // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
+};
+
+// A number, a truth or a text that an artist gave a node.
+typedef struct mrw_property mrw_property;
+struct mrw_property {
+  uint32_t name;  // see File::text; of nested ones the path, as in "door/hinges/0"
+  mrw_property_type type;
+  uint8_t reserved[3];
+  // finite; of a boolean 1 or 0
+  // see File::text
+  double number;
+};
+
+// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
+// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+typedef struct mrw_node mrw_node;
+struct mrw_node {
+  const char* name;
+  uint32_t skeleton;  // which skeleton of the file
+  uint16_t joint;
+  const mrw_affine* joint_from_node;
+  const mrw_property* properties;
+  size_t property_count;
+};
+
+// A helper between two joints of a palette, for what bends or twists there: see build_palette().
+typedef struct mrw_half_joint mrw_half_joint;
+struct mrw_half_joint {
+  uint16_t parent;  // palette entries, below Mesh::joint_count, not the same
+  uint16_t joint;
+  float share;  // of the way from parent to joint; above 0, below 1
+};
+void mrw_half_joint_init(mrw_half_joint* out);
+
+// A level of detail: another geometry over the same palette.
+typedef struct mrw_mesh_lod mrw_mesh_lod;
+struct mrw_mesh_lod {
+  uint32_t geometry;  // which of the file
+  float error_m;  // the farthest that a vertex of the full mesh is from it, in the clips it was made with
+};
+
+// A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
+typedef struct mrw_bounds mrw_bounds;
+struct mrw_bounds {
+  float box_min[3];
+  float box_max[3];
+  float radius_m;  // below 0: empty, or not known
+};
+
+// Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
+typedef struct mrw_mesh mrw_mesh;
+struct mrw_mesh {
+  const char* name;
+  const char* material;
+  uint32_t material_index;  // which material of the file, if it has more than what stands here
+  uint32_t skeleton;  // which skeleton of the file
+  uint32_t geometry_index;  // meshes with the same number share their geometry
+  uint32_t joint_count;  // palette entries that are joints
+  const uint16_t* joints;  // joint_count; palette entry → joint of the skeleton
+  const mrw_affine* inverse_bind;  // joint_count; joint_from_mesh in the bind pose
+  float base_colour[4];  // linear RGBA
+  bool double_sided;
+  // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
+  // vertex order needs to know: see Geometry::source_slots.
+  bool is_next_part;
+  const mrw_half_joint* half_joints;  // palette entries behind those of the joints
+  size_t half_joint_count;
+  const mrw_mesh_target* targets;  // as many as the geometry's
+  size_t target_count;
+  const mrw_mesh_lod* lods;  // levels 1, 2, …, ever coarser; level 0 is the mesh in full
+  size_t lod_count;
+  mrw_geometry geometry;  // of the level asked for
+};
+
+// Whether a limit keeps these rules, as those of make_limit() and load() do.
+bool mrw_is_valid(const mrw_joint_limit* limit);
+
+// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
+typedef struct mrw_file mrw_file;
+struct mrw_file {
+  const void* block;
+  const void* sections;
+  size_t section_count;
+  uint32_t numbers[22];
+};
+void mrw_file_init(mrw_file* out);
+
+// Validates a cooked file (docs/format.md) and makes `out` a view of it.
+//
+// The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
+// read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
+// bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
+// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
+// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
+// failure. Cost: one pass over the block; no allocation. Thread-safe.
+// May be null: error.
+MRW_NODISCARD mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error);
+
+uint32_t mrw_file_skeleton_count(const mrw_file* file);
+
+uint32_t mrw_file_reference_count(const mrw_file* file);
+
+uint32_t mrw_file_clip_count(const mrw_file* file);
+
+uint32_t mrw_file_mesh_count(const mrw_file* file);
+
+uint32_t mrw_file_material_count(const mrw_file* file);
+
+uint32_t mrw_file_image_count(const mrw_file* file);
+
+uint32_t mrw_file_node_count(const mrw_file* file);
+
+// An index that is not below the count gives what is empty. Cost: a few loads.
+MRW_NODISCARD mrw_status mrw_file_skeleton(const mrw_file* file, uint32_t index, mrw_skeleton* out);
+MRW_NODISCARD mrw_status mrw_file_reference(const mrw_file* file, uint32_t index, mrw_skeleton_reference* out);
+MRW_NODISCARD mrw_status mrw_file_clip(const mrw_file* file, uint32_t index, mrw_clip* out);
+
+// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+MRW_NODISCARD mrw_status mrw_file_mesh(const mrw_file* file, uint32_t index, uint32_t level, mrw_mesh* out);
+MRW_NODISCARD mrw_status mrw_file_material(const mrw_file* file, uint32_t index, mrw_material* out);
+MRW_NODISCARD mrw_status mrw_file_image(const mrw_file* file, uint32_t index, mrw_image* out);
+MRW_NODISCARD mrw_status mrw_file_node(const mrw_file* file, uint32_t index, mrw_node* out);
+
+// About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
+// deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
+// Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
+// pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
+MRW_NODISCARD mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, uint32_t mesh, mrw_bounds* out);
+
+// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
+uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name);
+
+// The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
+// frame.
+uint32_t mrw_file_find_joint(const mrw_file* file, const mrw_skeleton* skeleton, const char* name);
+
+// Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
+// same name.
+uint32_t mrw_file_find_mesh(const mrw_file* file, const char* name);
+
+// Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
+// of several skeletons is a clip each, with the same name and duration.
+uint32_t mrw_file_find_clip(const mrw_file* file, const char* name);
+uint32_t mrw_file_find_clip_of(const mrw_file* file, const char* name, uint32_t skeleton);
+
+// Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
+// a frame.
+uint32_t mrw_file_find_channel(const mrw_file* file, const mrw_clip* clip, const char* name);
+
+// Index of the first node with this name, or node_count().
+uint32_t mrw_file_find_node(const mrw_file* file, const char* name);
+
+// The property of `node`, a node of this file, with this name; null if there is none.
+const mrw_property* mrw_file_node_property(const mrw_file* file, const mrw_node* node, const char* name);
+
+// A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+// zero-terminated, never null.
+const char* mrw_file_text(const mrw_file* file, uint32_t name);
+uint32_t mrw_property_text(const mrw_property* property);
+
+size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton);
+
+// How many matrices build_palette() writes.
+uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
+
+bool mrw_bounds_is_empty(const mrw_bounds* bounds);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Clips apart from their character: does a clip pack fit a skeleton, and if not, which joints are in the way.
+
+// Why a joint keeps a clip pack from fitting a skeleton.
+typedef uint8_t mrw_misfit;
+enum {
+  MRW_MISFIT_MISSING = 0,  // the skeleton has no joint of this name
+  MRW_MISFIT_OTHER_PARENT = 1,  // it has, below another joint
+  MRW_MISFIT_OTHER_REST = 2,  // it has, with another rest pose, which coded tracks are relative to
+  MRW_MISFIT_EXTRA = 3,  // a joint of the skeleton that the clips were made without
+  MRW_MISFIT_OTHER_PLACE = 4,  // all joints are there, this one at another place in the order
+};
+
+typedef struct mrw_joint_misfit mrw_joint_misfit;
+struct mrw_joint_misfit {
+  mrw_misfit how;
+  uint32_t joint;  // of the pack's reference; `extra`: of the skeleton
+};
+
+// A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
+// Of a skeleton that is not there it is the hash of no joints. Cost: one pass over the skeleton.
+uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton);
+
+// Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
+// sample(skeleton, pack.clip(i), …) does for every clip whose Clip::skeleton is `reference` what it would do for the
+// skeleton's own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and
+// within it the pose is nonsense.)
+//
+// misfits: gets the first ones, as many as it holds; misfit_count, if not null, how many there are. Both may be left
+// out. What stands above the roots may differ: it does not concern clips.
+// Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
+// skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+// May be null: misfits_there.
+MRW_NODISCARD mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character,
+    uint32_t skeleton, mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 1½, playback: where in its clip a character is, moved on from frame to frame.
+
+// What happens at the ends of a clip.
+typedef uint8_t mrw_play_mode;
+enum {
+  MRW_PLAY_MODE_ONCE = 0,  // time stops at the end
+  MRW_PLAY_MODE_LOOP = 1,  // time goes on from the other end; the last pose and the first are one moment
+  MRW_PLAY_MODE_PING_PONG = 2,  // time turns round
+};
+
+// The state of a playing clip: plain numbers that may be set, copied and stored at will. A clip that is to run
+// backwards once begins with time_s = its duration.
+typedef struct mrw_playback mrw_playback;
+struct mrw_playback {
+  double time_s;  // in the clip
+  float speed;  // seconds of the clip a second; 0 pauses, below 0 runs backwards
+  mrw_play_mode mode;
+  bool returning;  // ping_pong: on the way back, so time runs against speed
+  // Of the last advance(). loop: how often time went from the clip's end to its start, less how often the other way
+  // round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
+  int32_t turns;
+};
+void mrw_playback_init(mrw_playback* out);
+
+// Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
+// however many times over: a loop loses no time and shows none twice, and so does a turn. Afterwards time_s is in
+// 0 … duration_s, and below duration_s in a loop; an end that is reached exactly is passed or turned at only when time
+// moves on. Events at a clip's times are due where time_s was before, where it is now, and `turns` say. A time_s
+// outside the clip counts as one that has just run there; a duration of 0 makes it 0, without a turn.
+//
+// Errors: bad_argument if time_s, speed, dt_s or duration_s is not finite, or duration_s is below 0; nothing is
+// changed.
+//
+// Error: dt_s · speed is exact; to add it to the time rounds once, by at most 2⁻⁵³ (time_s + |dt_s · speed|) before and
+// 2⁻⁵³ duration_s more where a loop passes its start backwards; finding the place of a time beyond an end is exact. So
+// after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the logarithm of the
+// turns where there are many. The same bits everywhere; thread-safe on different playbacks.
+MRW_NODISCARD mrw_status mrw_advance(mrw_playback* playback, float duration_s, float dt_s);
+
+// The time to sample: time_s as a float, which never goes beyond the clip.
+float mrw_clip_time(const mrw_playback* playback);
+
+// Whether a clip that plays once has reached the end towards which it runs; it stays true then. A clip at speed 0 runs
+// towards none.
+bool mrw_finished(const mrw_playback* playback, float duration_s);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 2, sample: a clip at a time → local transforms of every joint.
+
+typedef struct mrw_sample_options mrw_sample_options;
+struct mrw_sample_options {
+  // A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
+  // Joints whose bit is 0 keep what `out` holds. Empty: all joints. Every group of four without a joint of the set
+  // costs a few operations only.
+  const uint32_t* joints;
+  size_t joint_count;
+  // `out` already holds what this function made of the same clip, for any time and at least the same joints: only what
+  // moves in the clip is written again. The result has the same bits.
+  bool prefilled;
+};
+void mrw_sample_options_init(mrw_sample_options* out);
+
+// Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
+// STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
+// tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
+//
+// out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
+// Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints or
+// is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
+// float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
+// is. Stateless; thread-safe on different outputs.
+// May be null: options.
+MRW_NODISCARD mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
+    mrw_soa_transform* out, size_t out_count, const mrw_sample_options* options);
+
+// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
+// that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
+// within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest
+// pose in them.
+//
+// out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
+// additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
+MRW_NODISCARD mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
+    mrw_additive_transform* out, size_t out_count);
+
+// Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
+//
+// out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
+// drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
+// changes. Errors: bad_argument if `out` is too short or time_s is not
+// a number. Cost: a binary search a distinct key-time list and a few operations a channel.
+MRW_NODISCARD mrw_status mrw_sample_channels(const mrw_clip* clip, float time_s, float* out, size_t out_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Curves through keys, easings and patches: a time, or any other parameter, → numbers; beside the road of data, for
+// user channels and procedural motion.
+//
+// Everything is plain functions over the caller's memory; nothing is kept, nothing is allocated, all is thread-safe on
+// different outputs. Results are the same bits on every processor.
+
+// How values run between two keys, and what a key holds. N is Curve::components, u goes 0 … 1 from one key to the next.
+typedef uint8_t mrw_curve_kind;
+enum {
+  MRW_CURVE_KIND_STEP = 0,  // key: value. The earlier key's value
+  MRW_CURVE_KIND_LINEAR = 1,  // key: value. A straight line; for rotations the shorter great arc (slerp)
+  // key: in-tangent, value, out-tangent; tangents per second, as glTF 2.0 CUBICSPLINE has it
+  MRW_CURVE_KIND_HERMITE = 2,
+  MRW_CURVE_KIND_QUADRATIC_BEZIER = 3,  // value, one control point, value, one control point, … value; Bernstein form
+  MRW_CURVE_KIND_CUBIC_BEZIER = 4,  // value, two control points, value, two control points, … value; Bernstein form
+  // key: value. Uniform; Catmull and Rom 1974: the tangent at P1 is (P2 - P0) / 2 a key interval
+  MRW_CURVE_KIND_CATMULL_ROM = 5,
+  // key: value. Catmull-Rom with knots √|P2 - P1| apart; Barry and Goldman, SIGGRAPH 1988, and
+  // Yuksel, Schaefer and Keyser 2011: no cusps or loops between two keys. Keys less than 1e18 apart
+  MRW_CURVE_KIND_CENTRIPETAL = 6,
+};
+
+typedef uint8_t mrw_patch_basis;
+enum {
+  MRW_PATCH_BASIS_CATMULL_ROM = 0,  // through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
+  MRW_PATCH_BASIS_BEZIER = 1,  // through its corners: from point (0, 0) to point (3, 3)
+};
+
+// R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+typedef uint8_t mrw_easing;
+enum {
+  MRW_EASING_LINEAR = 0,
+  MRW_EASING_QUAD = 1,
+  MRW_EASING_CUBIC = 2,
+  MRW_EASING_QUART = 3,
+  MRW_EASING_QUINT = 4,
+  MRW_EASING_SINE = 5,
+  MRW_EASING_EXPO = 6,
+  MRW_EASING_CIRC = 7,
+  MRW_EASING_BACK = 8,
+  MRW_EASING_ELASTIC = 9,
+  MRW_EASING_BOUNCE = 10,
+};
+typedef uint8_t mrw_ease_mode;
+enum {
+  MRW_EASE_MODE_IN = 0,
+  MRW_EASE_MODE_OUT = 1,
+  MRW_EASE_MODE_IN_OUT = 2,
+};
+
+// Keys, as a view. catmull_rom and centripetal draw a smooth path whatever the times are, but its velocity is
+// continuous only where key intervals are even (or go with √distance, centripetal); for motion that is smooth over
+// uneven keys make a spline. Beyond the first and last key they continue with a mirrored point, so that the path leaves
+// and arrives straight.
+typedef struct mrw_curve mrw_curve;
+struct mrw_curve {
+  mrw_curve_kind kind;
+  // Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
+  // nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
+  // A blend that has no direction gives the earlier key's.
+  bool rotation;
+  uint32_t components;  // floats a value: 1 … 4
+  const float* times_s;  // one a key, strictly increasing; seconds, or whatever the curve runs over
+  size_t time_count;
+  const float* values;  // curve_value_count() floats
+  size_t value_count;
+};
+void mrw_curve_init(mrw_curve* out);
+
+// Arc length: where on a path to be for its speed to be even.
+//
+// The table holds the length of the path up to each of `steps` equal parts of every key interval.
+typedef struct mrw_arc_length mrw_arc_length;
+struct mrw_arc_length {
+  uint32_t steps;  // a key interval, at least 1
+  const float* lengths;
+  size_t length_count;
+};
+void mrw_arc_length_init(mrw_arc_length* out);
+
+// The timing function of CSS Easing Functions Level 1: the cubic Bézier curve (0, 0), (x1, y1), (x2, y2), (1, 1), y
+// over x.
+typedef struct mrw_cubic_bezier_ease mrw_cubic_bezier_ease;
+struct mrw_cubic_bezier_ease {
+  float x1;  // CSS "ease"
+  float y1;
+  float x2;
+  float y2;
+};
+void mrw_cubic_bezier_ease_init(mrw_cubic_bezier_ease* out);
+
+// How many floats `key_count` keys of `components` hold.
+size_t mrw_curve_value_count(mrw_curve_kind kind, uint32_t components, size_t key_count);
+
+// Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: bad_argument if `kind`
+// is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
+// not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
+// interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
+MRW_NODISCARD mrw_status mrw_check_curve(const mrw_curve* curve);
+
+// The value at `time_s`, clamped to the first and last key; one key is a constant.
+//
+// out: at least curve.components floats. Errors: bad_argument as in check_curve(), if `out` is too short, or time_s is
+// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
+// At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
+// some dozen operations.
+MRW_NODISCARD mrw_status mrw_evaluate_curve(const mrw_curve* curve, float time_s, float* out, size_t out_count);
+
+// The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
+// the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
+// bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
+MRW_NODISCARD mrw_status mrw_curve_velocity(const mrw_curve* curve, float time_s, float* out, size_t out_count);
+
+// Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
+//
+// keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
+// it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
+// derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
+// Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
+// Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
+// are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
+// tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
+// Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+MRW_NODISCARD mrw_status mrw_natural_spline(const mrw_curve* keys, float* out, size_t out_count);
+MRW_NODISCARD mrw_status mrw_clamped_spline(const mrw_curve* keys, const float* first_velocity,
+    size_t first_velocity_count, const float* last_velocity, size_t last_velocity_count, float* out, size_t out_count);
+
+// A Bézier curve of any degree at u, by de Casteljau's algorithm.
+//
+// points: degree + 1 points of `components` floats (1 … 4). scratch: at least points.size floats, overlapping nothing.
+// out: at least `components`. u outside [0, 1] extrapolates. Errors: bad_argument if there is no point, points.size is
+// no multiple of components, a span is too short, or u is not finite; bad_data if the result is not finite.
+// Cost: degree · (degree + 1) / 2 interpolations.
+MRW_NODISCARD mrw_status mrw_bezier(const float* points, size_t point_count, uint32_t components, float u,
+    float* scratch, size_t scratch_count, float* out, size_t out_count);
+
+// The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
+// result has no direction, or is too long to be squared.
+MRW_NODISCARD mrw_status mrw_bezier_rotation(const float* quaternions, size_t quaternion_count, float u, float* scratch,
+    size_t scratch_count, float* out, size_t out_count);
+
+// A bicubic patch over 4 × 4 points: the tensor product of two cubics.
+//
+// points: 16 · components floats, component by component within a point, points along u first, then v. out: at least
+// `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
+// bad_data, with nothing written, if the result is not finite.
+// Cost: 20 blends of four points.
+MRW_NODISCARD mrw_status mrw_bicubic_patch(mrw_patch_basis basis, const float* points, size_t point_count,
+    uint32_t components, float u, float v, float* out, size_t out_count);
+
+size_t mrw_arc_length_count(size_t key_count, uint32_t steps);
+
+// Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
+// Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
+// `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
+// linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
+MRW_NODISCARD mrw_status mrw_build_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count);
+
+// The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
+// Between two entries the length is taken as linear, so the point found is off along the path by at most
+// A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps,
+// a quarter of the error. Errors: bad_argument if the table is too short for this curve or `distance` is not a number.
+// Cost: a binary search.
+MRW_NODISCARD mrw_status mrw_time_at_distance(const mrw_curve* curve, const mrw_arc_length* table, float distance,
+    float* time_s);
+
+// From 0 at u = 0 to 1 at u = 1, both exactly; u is clamped, and what is not a number counts as 0. back and elastic
+// overshoot. out(u) = 1 - in(1 - u), in_out is the one, then the other at half size. As in Penner's, expo and elastic
+// leave 0 (out: reach 1) with a jump of 1e-3 or less; back's overshoot is 1.70158, 1.525 times that for in_out;
+// elastic's period is 0.3, 0.45 for in_out. Within 1e-6 of the closed forms. Unknown enumerators: linear.
+float mrw_ease(mrw_easing easing, mrw_ease_mode mode, float u);
+
+// y at x = u, with u clamped to [0, 1]. The point lies on the curve within 3e-7 in x (4e-7 (1 + |y1| + |y2|) in y):
+// where the curve is steep, y is as uncertain as x is. Errors: bad_argument unless x1 and x2 are in [0, 1], y1 and y2
+// finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
+MRW_NODISCARD mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float* out);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 2½, blend: local poses of one skeleton → one local pose.
+//
+// Three functions, in the order in which a frame uses them: blend() averages, overlay() replaces parts, add() lays
+// changes on top. All work on whole groups of four joints, allocate nothing and are thread-safe on different outputs.
+
+// The largest weight of a layer; results stay far from the limits of float.
+#define MRW_MAX_BLEND_WEIGHT 1e6f
+
+// Below this sum of weights a joint is filled up with its rest pose.
+#define MRW_REST_THRESHOLD 0.1f
+
+// A pose and how much of it.
+typedef struct mrw_blend_layer mrw_blend_layer;
+struct mrw_blend_layer {
+  const mrw_soa_transform* pose;  // at least skeleton.soa_size()
+  size_t pose_count;
+  float weight;  // 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
+  // A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint;
+  // else at least 4 · skeleton.soa_size() floats, in joint order, so that a group's factors are read at once.
+  const float* mask;
+  size_t mask_count;
+};
+void mrw_blend_layer_init(mrw_blend_layer* out);
+
+typedef struct mrw_additive_layer mrw_additive_layer;
+struct mrw_additive_layer {
+  const mrw_additive_transform* change;  // at least skeleton.soa_size()
+  size_t change_count;
+  float weight;  // 0 … 1
+  const float* mask;  // as in BlendLayer
+  size_t mask_count;
+};
+void mrw_additive_layer_init(mrw_additive_layer* out);
+
+// out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
+// as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
+//
+// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it, so the result
+// is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
+// below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
+// single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
+// below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
+//
+// layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
+// kMaxBlendWeight.
+// Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
+// Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
+MRW_NODISCARD mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers, size_t layer_count,
+    mrw_soa_transform* out, size_t out_count, float threshold);
+
+// Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
+// pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
+// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+MRW_NODISCARD mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer,
+    mrw_soa_transform* pose, size_t pose_count);
+
+// out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
+// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
+// their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
+MRW_NODISCARD mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transform* pose,
+    size_t pose_count, const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out,
+    size_t out_count);
+
+// Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
+// mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
+// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+MRW_NODISCARD mrw_status mrw_add(const mrw_skeleton* skeleton, const mrw_additive_layer* layer, mrw_soa_transform* pose,
+    size_t pose_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 2½, transition: from one clip to the next, by cross-fading (both are sampled) or by inertialisation (only the
+// new one is).
+
+// How a weight goes from 0 to 1; u = time / duration. curve.h has more shapes.
+typedef uint8_t mrw_fade;
+enum {
+  MRW_FADE_LINEAR = 0,  // u
+  MRW_FADE_SMOOTHSTEP = 1,  // 3 u² - 2 u³: no jump of speed
+  MRW_FADE_SMOOTHERSTEP = 2,  // 6 u⁵ - 15 u⁴ + 10 u³: no jump of acceleration
+};
+
+// How far four joints are from the new clip's pose, and how that fades. Each of the nine components of a joint, x y z
+// of the translation, of the rotation vector (axis times angle, in the parent's axes) and of the scale, fades by
+// itself:
+//   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
+typedef struct mrw_inertial_offset mrw_inertial_offset;
+struct MRW_ALIGN(16) mrw_inertial_offset {
+  float start[9][4];
+  float slope[9][4];
+  float rate[9][4];  // 1 / seconds
+};
+
+// A transition under way; the memory is the caller's and can be used again for the next one.
+typedef struct mrw_inertia mrw_inertia;
+struct mrw_inertia {
+  mrw_inertial_offset* offsets;  // at least skeleton.soa_size()
+  size_t offset_count;
+  float duration_s;  // 0: none, or over
+};
+void mrw_inertia_init(mrw_inertia* out);
+
+// What was shown in the last two frames, and what the new clip would show.
+typedef struct mrw_inertial_start mrw_inertial_start;
+struct mrw_inertial_start {
+  const mrw_soa_transform* before;  // shown one frame earlier
+  size_t before_count;
+  const mrw_soa_transform* now;  // shown last
+  size_t now_count;
+  const mrw_soa_transform* target;  // the new clip at the time of `now`
+  size_t target_count;
+  const mrw_soa_transform* target_was;  // the new clip one frame earlier; empty: taken to stand still
+  size_t target_was_count;
+  float frame_s;  // between the two, > 0; less than 1e-6 counts as that
+};
+void mrw_inertial_start_init(mrw_inertial_start* out);
+
+// The new clip's weight, `time_s` after the fade began: exactly 0 at or before 0 and for what is not a number, exactly
+// 1 from duration_s on (at once if that is not above 0).
+float mrw_fade_weight(mrw_fade shape, float time_s, float duration_s);
+
+// blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
+// from, to, out: at least skeleton.soa_size(); out may be either of the poses.
+// Errors: bad_argument if a span is too short or the weight not in 0 … 1.
+MRW_NODISCARD mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform* from, size_t from_count,
+    const mrw_soa_transform* to, size_t to_count, float weight, mrw_soa_transform* out, size_t out_count);
+
+// Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is
+// shown.
+//
+// Inertialisation: D. Bollo, GDC 2018. Each component is the quintic with the offset's value and velocity at the start,
+// and value, velocity, acceleration and jerk 0 at the end, in the factored form above. A component on its way to zero
+// that would pass it before duration_s ends sooner, 5 start / -velocity after the beginning, so no offset
+// changes its sign. Other than there, x, y and z are not reduced to a length on a fixed axis, so the whole velocity
+// is carried over and not only its part along the offset. The growth of a turn is limited so that it stays below a
+// whole one; a turn of more than a quarter in one frame is not carried over faithfully.
+// Rotations must be unit quaternions, translations and scales at most 1e15: then all is finite, here and below. To
+// begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
+// short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
+// quaternions a joint, four joints at a time; no allocation.
+MRW_NODISCARD mrw_status mrw_begin_inertia(const mrw_skeleton* skeleton, const mrw_inertial_start* start,
+    float duration_s, mrw_inertia* inertia);
+
+// pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
+// any begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
+// Errors: bad_argument if a span is too short or time_s not a number.
+// Cost: nine quintics and one exponential a joint, four joints at a time.
+MRW_NODISCARD mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* inertia, float time_s,
+    mrw_soa_transform* pose, size_t pose_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 3, local to model: local transforms → one scene-space matrix a joint.
+
+// scene_from_joint = scene_from_root · Π parent_from_joint, from the root down; scene_from_root is what the source has
+// above the skeleton and never moves, so the matrices are in the source's scene space.
+//
+// local: at least skeleton.soa_size(); out: at least skeleton.joint_count; they do not overlap.
+// Errors: bad_argument if a span is too short.
+// Cost: one quaternion-to-matrix (four joints at a time) and one affine product a joint: 70 instructions on x86-64, 49
+// on AArch64. Thread-safe on different outputs.
+MRW_NODISCARD mrw_status mrw_local_to_model(const mrw_skeleton* skeleton, const mrw_soa_transform* local,
+    size_t local_count, mrw_affine* out, size_t out_count);
+
+// The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
+// whatever the count, parents are among them. The others' matrices are left as they are.
+//
+// local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
+// joints.
+MRW_NODISCARD mrw_status mrw_local_to_model_first(const mrw_skeleton* skeleton, const mrw_soa_transform* local,
+    size_t local_count, uint32_t joint_count, mrw_affine* out, size_t out_count);
+
+// The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
+// kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
+//
+// local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
+// such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
+// one comparison for each other joint from `joint` to the last generation.
+MRW_NODISCARD mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_transform* local,
+    size_t local_count, uint32_t joint, mrw_affine* out, size_t out_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Joint limits: how far a joint may turn from its parent, and the nearest rotation where it has turned farther.
+
+// Rotations no farther outside than this keep their bits.
+#define MRW_LIMIT_TOLERANCE_RAD 1e-5f
+
+// The widest swing of a cone: 170°.
+#define MRW_WIDEST_SWING_RAD 2.9670597f
+
+// A limit as people think of it.
+typedef struct mrw_limit_description mrw_limit_description;
+struct mrw_limit_description {
+  mrw_limit_kind kind;
+  mrw_axis_order order;
+  float zero[4];  // the local rotation where all angles are 0: most often the joint's rest
+  float axis[3];  // the limit's x in the joint's axes: a hinge's axis, or what a cone points along
+  float across[3];  // its y, made perpendicular to x
+  // hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
+  // is the half-width, and `least` its negative. Euler: the three angles.
+  float least_rad[3];
+  float most_rad[3];
+  mrw_rate_limit rate;
+};
+void mrw_limit_description_init(mrw_limit_description* out);
+
+// Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
+// point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
+// takes its target as it is, at rest.
+typedef struct mrw_rotation_follower mrw_rotation_follower;
+struct mrw_rotation_follower {
+  float rotation[4];  // where it is: x y z w
+  float target[4];  // of the last call
+  float velocity[3];  // radians a second, about the parent's axes
+  float frame_s;  // of the last call
+  uint32_t mode;
+};
+void mrw_rotation_follower_init(mrw_rotation_follower* out);
+
+typedef struct mrw_point_follower mrw_point_follower;
+struct mrw_point_follower {
+  float point[3];
+  float target[3];
+  float velocity[3];
+  float frame_s;
+  uint32_t mode;
+};
+void mrw_point_follower_init(mrw_point_follower* out);
+
+// Angles least_rad … most_rad; all of them if that is a turn or more.
+// Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
+MRW_NODISCARD mrw_status mrw_make_angle_range(float least_rad, float most_rad, mrw_angle_range* out);
+
+// `out` is written only on success.
+// Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
+// above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
+// euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+MRW_NODISCARD mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joint, mrw_joint_limit* out);
+
+// local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
+//
+// What is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes nothing.
+// What comes out is inside within the same tolerance.
+//
+// Outside it is the nearest rotation for a hinge; for a cone the nearest swing, and of the twists the nearest with it;
+// for euler boxes one round of exact searches along each angle from the clamped angles. docs/ik/limits.md has how near
+// that is. The nearest rotation jumps where one side of the range is as far as the other. So that the result moves
+// continuously, over the last quarter of the way from the limit to there it moves through the middle of the range: of a
+// turn about an axis to the angle opposite the middle, of a swing to 180°, where in its place the twist is lost; and of
+// euler angles to ±90° of the second, where the third and the first are one. Distances are as tangents of a quarter of
+// the angle. A range of all angles is a circle, to which nothing leads continuously: it jumps at a swing of 180°, and
+// an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
+//
+// Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
+// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+MRW_NODISCARD mrw_status mrw_clamp_rotation(const mrw_joint_limit* limit, float local[4]);
+
+// By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
+float mrw_limit_excess(const mrw_joint_limit* limit, const float local[4]);
+
+// clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
+// local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
+// Cost: clamp_rotation() a limit. Thread-safe on different poses.
+MRW_NODISCARD mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_soa_transform* local,
+    size_t local_count);
+
+// The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
+const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limit_count, uint32_t joint);
+
+// Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+// is state.rotation or state.point.
+//
+// A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
+// the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
+// about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
+// part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
+// the speed until it is there; without any limit it is on its target.
+// Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
+// they may exceed the acceleration by a few hundredths.
+//
+// The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
+// each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
+// from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+//
+// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
+// follower keeps is finite.
+// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
+// on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
+// quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
+// on different states.
+MRW_NODISCARD mrw_status mrw_follow_rotation(mrw_rotation_follower* state, const float target[4], float dt_s,
+    const mrw_rate_limit* limit);
+MRW_NODISCARD mrw_status mrw_follow_point(mrw_point_follower* state, const float target[3], float dt_s,
+    const mrw_rate_limit* limit);
+
+// follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
+// All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
+// way there may lead outside.
+// states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
+// finite; nothing is written. Joints whose rotation is not finite keep it.
+MRW_NODISCARD mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count,
+    mrw_rotation_follower* states, size_t state_count, float dt_s, mrw_soa_transform* local, size_t local_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 3½, inverse kinematics in closed form: a limb of two bones reaches for a point, a joint or a chain of them
+// looks at one.
+//
+// Each comes in two forms. A kernel takes scene matrices and gives turns of joints, to be multiplied onto their local
+// rotations from the right (local · turn); it knows no skeleton. A whole call takes a pose, changes local rotations and
+// brings the scene matrices of all that hangs below up to date. What both are asked is one plain struct.
+//
+// Vectors named "scene" are in the space of scene_from_joint, "local" ones in the joint's own; neither need be of unit
+// length. Uniform scales, and scales of the joints themselves, are exact; joints scaled unevenly from above are not
+// rigid when they turn, and come near only. The same call gives the same bits on every processor.
+// Thread-safe on different outputs; no allocation.
+
+// What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
+typedef struct mrw_two_bone mrw_two_bone;
+struct MRW_ALIGN(16) mrw_two_bone {
+  float target[3];  // where the end joint is to be; scene, metres
+  float weight;  // 0 … 1: 0 changes no bit, 1 reaches; between, both turns are blended
+  // The direction, from the start joint, to whose side the middle joint points; scene. Zero: the side it has in the
+  // pose, carried along the shortest way. Less than 0.1 rad off the direction of the target a pole says little, and
+  // the answer goes over to that of the pose.
+  float pole[3];
+  float twist_rad;  // turns the limb about the line from start to target, away from the pole; a few turns at most
+  // About what the middle joint bends, by positive angles; in its local space. Says which way a straight limb bends,
+  // and which way it is to bend if the pose has it bent the other way. Zero: as in the pose, and a straight limb
+  // towards the pole.
+  float bend_axis[3];
+  // The share of the limb's length from which on it stretches ever more slowly, 0 … 1, so that the middle joint does
+  // not snap when the target goes out of reach. 1: straight to full stretch, and the target is reached exactly to
+  // there; 0.97 is a usual choice.
+  float soft;
+  float max_stretch;  // ≥ 1: the bones may be this many times as long, if the target is reached no other way
+};
+void mrw_two_bone_init(mrw_two_bone* out);
+
+// Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
+typedef struct mrw_two_bone_turns mrw_two_bone_turns;
+struct MRW_ALIGN(16) mrw_two_bone_turns {
+  float start[4];
+  float mid[4];
+  float stretch;  // for the translations of all joints from below start down to end; 1: unless max_stretch > 1
+  bool reached;  // The target is within reach: at weight 1 the end comes to it within 1e-4 of the limb's length.
+};
+
+// The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
+typedef struct mrw_two_bone_joints mrw_two_bone_joints;
+struct mrw_two_bone_joints {
+  const mrw_affine* start;
+  const mrw_affine* mid;
+  const mrw_affine* end;
+};
+void mrw_two_bone_joints_init(mrw_two_bone_joints* out);
+
+// Joints of a skeleton; other joints may lie between them.
+typedef struct mrw_two_bone_limb mrw_two_bone_limb;
+struct mrw_two_bone_limb {
+  uint32_t start;
+  uint32_t mid;
+  uint32_t end;
+};
+void mrw_two_bone_limb_init(mrw_two_bone_limb* out);
+
+// What is asked of a joint that looks or points at something: an eye, a head, a gun.
+typedef struct mrw_aim mrw_aim;
+struct MRW_ALIGN(16) mrw_aim {
+  float target[3];  // scene, metres
+  float weight;  // 0 … 1: 0 changes no bit, 1 aims
+  // The scene direction to whose side of the target's direction `up` is turned. Zero: nothing is; the shortest way to
+  // the target is taken. Less than 0.1 rad off the target's direction it says little, as a TwoBone's pole.
+  float pole[3];
+  float twist_rad;  // turns about the direction of the target, on top; a few turns at most
+  float forward[3];  // what is to go through the target; in the joint's local space
+  float up[3];  // local; not along forward. Of no use without a pole
+  float offset[3];  // where forward begins: an eye before the head's joint; local
+};
+void mrw_aim_init(mrw_aim* out);
+
+typedef struct mrw_aim_turn mrw_aim_turn;
+struct MRW_ALIGN(16) mrw_aim_turn {
+  float turn[4];  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
+  // The target can be seen: at weight 1 the ray from the offset along forward goes through it. It cannot where the
+  // target is nearer to the joint than the ray ever gets, or than the offset, or where forward has no length.
+  bool reached;
+};
+
+// Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
+// difference of the lengths; then the shortest arc to the target and a turn about it, in one quaternion.
+// Of a bone of no length, or a target at the start joint, the rest is still done; nothing becomes infinite.
+// The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
+// one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
+// Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+// large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent
+// the wrong way, the target more than 120° off or near the pole, or there is a twist.
+MRW_NODISCARD mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
+    mrw_two_bone_turns* out);
+
+// Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.
+// Errors: as above, for all four if one is bad.
+MRW_NODISCARD mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
+    mrw_two_bone_turns out[4]);
+
+// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+// 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
+// are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+// May be null: reached.
+MRW_NODISCARD mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb,
+    const mrw_two_bone* goal, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, bool* reached);
+
+// Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
+// turn about it, in one quaternion.
+// Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
+// weight outside 0 … 1.
+// Cost: 237 instructions on x86-64, 187 on AArch64.
+MRW_NODISCARD mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out);
+
+// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
+// 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
+// is written. Cost: the kernel's, and local_to_model_below(joint).
+// May be null: reached.
+MRW_NODISCARD mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal,
+    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
+    bool* reached);
+
+// The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
+// looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
+// falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
+// Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+// May be null: reached.
+MRW_NODISCARD mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
+    const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, bool* reached);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, one interface for all
+// methods.
+
+typedef uint8_t mrw_ik_method;
+enum {
+  MRW_IK_METHOD_FABRIK = 0,
+  MRW_IK_METHOD_CCD = 1,
+  MRW_IK_METHOD_DAMPED_LEAST_SQUARES = 2,
+  MRW_IK_METHOD_GAUSS_NEWTON = 3,
+};
+
+typedef uint8_t mrw_ik_stop;
+enum {
+  MRW_IK_STOP_REACHED = 0,  // the error is less than the tolerance
+  MRW_IK_STOP_STALLED = 1,  // nothing moved any more: the target is out of reach, or goals contradict each other
+  MRW_IK_STOP_ITERATIONS = 2,  // max_iterations are over
+};
+
+// Where a point of a joint shall be, how the joint shall be turned, or both. What counts of a goal is its weights: 0
+// and it does not, of twice the weight and it gives way half as far where goals contradict each other.
+typedef struct mrw_ik_goal mrw_ik_goal;
+struct mrw_ik_goal {
+  uint16_t joint;
+  uint8_t priority;  // 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
+  float offset[3];  // the point of the joint that shall reach `position`; the joint's space, metres
+  float position[3];  // scene space, metres
+  float rotation[4];  // of the joint's axes, in scene space: a unit quaternion x, y, z, w
+  float position_weight;  // 0 … 100
+  float rotation_weight;  // metres a radian: the distance that is as bad as being turned wrong by a radian
+};
+void mrw_ik_goal_init(mrw_ik_goal* out);
+
+typedef struct mrw_ik_problem mrw_ik_problem;
+struct mrw_ik_problem {
+  const mrw_ik_goal* goals;
+  size_t goal_count;
+  const uint16_t* joints;  // that may turn: ascending, so that parents come first. Others are stiff
+  size_t joint_count;
+  const float* stiffness;  // one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
+  size_t stiffness_count;
+  const mrw_joint_limit* limits;  // joints ascending, as in a skeleton; those of joints that do not turn are left out
+  size_t limit_count;
+  // Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
+  // as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
+  // scene space, metres
+  float pole[3];
+  float pole_weight;
+  // By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
+  // stays. Jacobian methods only.
+  float root_travel_m;
+};
+void mrw_ik_problem_init(mrw_ik_problem* out);
+
+typedef struct mrw_ik_options mrw_ik_options;
+struct mrw_ik_options {
+  mrw_ik_method method;
+  uint16_t max_iterations;
+  float tolerance_m;  // an error (see IkReport) of less ends the iteration
+  float damping;  // of the Jacobian methods: more is calmer and slower
+  uint32_t seed;  // of solve_ik_genetic: the same seed, the same result
+  float weight;  // 0 leaves every bit as it was; between, rotations lie between
+  // Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
+  // become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
+  // their lengths. Changes local translations of the joints on the way.
+  float stretch;
+};
+void mrw_ik_options_init(mrw_ik_options* out);
+
+typedef struct mrw_ik_report mrw_ik_report;
+struct mrw_ik_report {
+  float error_m;  // √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
+  uint32_t iterations;
+  mrw_ik_stop why;
+};
+
+// Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+// May be null: options.
+size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem, const mrw_ik_options* options);
+
+// Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
+//
+// local: at least skeleton.soa_size(), parent_from_joint; changed: rotations of problem.joints, and the translation of
+// joints[0] if it may travel. scene_from_joint: at least skeleton.joint_count, of this pose (local_to_model); brought
+// up to date for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
+// may be null.
+// A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
+// Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending,
+// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
+// of range, or the pose not finite on the way to a goal.
+// Cost: docs/ik.md. Thread-safe on different poses and scratch.
+// May be null: options, report.
+MRW_NODISCARD mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
+    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report);
+
+// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+//
+// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+// Cost: docs/ik.md: tens of microseconds a generation.
+size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem);
+
+// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
+// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+//
+// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
+// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
+// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
+// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
+// Cost: docs/ik.md: tens of microseconds a generation.
+// May be null: options, report.
+MRW_NODISCARD mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local,
+    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 3½, feet on the ground: soles follow rays, planted feet stay where they are, the pelvis gives way.
+
+// A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
+// its angle.
+typedef struct mrw_foot mrw_foot;
+struct mrw_foot {
+  uint32_t hip;
+  uint32_t knee;
+  uint32_t ankle;
+  float sole[3];  // what stands on the ground, in the ankle's space: below the ball of the foot, say
+  float bend_axis[3];  // of the knee; see TwoBone
+  float weight;  // 0 … 1
+};
+void mrw_foot_init(mrw_foot* out);
+
+// Two legs or more. The clips have been made for level ground, through the scene's origin.
+typedef struct mrw_feet mrw_feet;
+struct mrw_feet {
+  const mrw_foot* feet;
+  size_t foot_count;
+  uint32_t pelvis;  // moved up and down, with all that hangs on it, the hips too; none: stays
+  float lower_m;  // ≥ 0: by how much at most it goes down, or up; world
+  float reach;  // 0 … 1: it goes down, too, where a leg would be longer than this share of its bones
+  float slope_rad;  // 0 … 1.5: by how much at most a foot leans with the ground
+  float ease_s;  // > 0: the time in which all but 2 % of a step in the ground, or of a release, is over
+};
+void mrw_feet_init(mrw_feet* out);
+
+// What the game knows of a foot in this frame; world.
+typedef struct mrw_foot_ground mrw_foot_ground;
+struct mrw_foot_ground {
+  bool hit;  // false: as if the ground were level at the height of the scene's origin
+  float point[3];  // of a ray along `up` through foot_sole(), or anywhere on the plane that it hit
+  float normal[3];  // of any length; steeper than 80°: no hit
+  bool planted;  // the sole stays at its place until this is false again
+};
+void mrw_foot_ground_init(mrw_foot_ground* out);
+
+// The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
+// the animation has the foot. World; on a moving platform, let the world be the platform.
+typedef struct mrw_foot_motion mrw_foot_motion;
+struct mrw_foot_motion {
+  float place[3];  // of the sole, as shown last
+  float offset[3];  // of the sole from its target
+  float offset_speed[3];
+  float lean[3];  // of the ground's normal that the foot leans by from the ground's own
+  float lean_speed[3];
+  float point[3];  // the ground, last
+  float normal[3];
+  float heading[3];  // level: of the ankle's axis `axis` when it was planted
+  float turn[4];  // about up, from the animated to the planted heading
+  float turn_share;  // how much of it is left
+  float turn_share_speed;
+  uint8_t axis;
+  uint8_t planted;
+  uint8_t begun;
+  uint8_t hit;
+  uint8_t reached;  // whether the leg was long enough
+};
+void mrw_foot_motion_init(mrw_foot_motion* out);
+
+typedef struct mrw_feet_frame mrw_feet_frame;
+struct mrw_feet_frame {
+  float dt_s;  // since the last frame
+  mrw_affine world_from_scene;  // Where the character stands: a turn, one scale above 0, a shift.
+  float up[3];  // a unit vector; world
+  bool teleported;  // feet begin anew, none is planted where it was
+  float weight;  // 0 … 1, times each foot's; the motion goes on
+};
+void mrw_feet_frame_init(mrw_feet_frame* out);
+
+// Where a ray for a foot is to go through: its sole as animated, in the world.
+// Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
+MRW_NODISCARD mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene,
+    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float sole_world[3]);
+
+// Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
+// date. Call it after local_to_model(), and cast the rays before it, from the same pose.
+//
+// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
+//
+// The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
+// plane about its sole. What is planted keeps its place across `up`, and its heading; along `up` it moves as animated,
+// so that a heel can rise. A step in the ground (another plane than in the last frame), and on release the way to the
+// target, are an offset from the target that dies away as a critically damped spring at rest does, with the speed
+// that it had: exact whatever the frame rate, and without a jump in place or speed. The pelvis moves by the lowest
+// sole's ground, and as much further down as the legs need to reach. Ankles keep their animated attitude but for lean
+// and heading. See docs/ik/feet.md.
+//
+// Errors: bad_argument if a span is too short, joints are not as they should be, or a number is not finite, out of its
+// range or beyond 1e6; nothing is written.
+// Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
+// up to three where joints are scaled unevenly: 8100 instructions a foot on x86-64, the skeleton having 27 joints. No
+// allocation; thread-safe on different motions and poses.
+MRW_NODISCARD mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
+    const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
+    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
+
+#define MRW_MAX_SPRING_COLLIDERS 32u
+
+// frames are cut into equal steps no longer than this …
+#define MRW_MAX_SPRING_STEP_S (1.0f / 60)
+
+// … and time beyond so many is left out
+#define MRW_MAX_SPRING_STEPS 8
+
+// shorter frames are saved up
+#define MRW_MIN_SPRING_FRAME_S 0.001f
+
+// A joint that swings, by the bone that goes from it to the next joint of its chain.
+typedef struct mrw_spring_joint mrw_spring_joint;
+struct mrw_spring_joint {
+  uint16_t joint;
+  float frequency_hz;  // 0 … 15: of small swings about the animated direction, without damping and gravity
+  float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+  float gravity;  // -10 … 10, times SpringFrame::gravity
+  float drag;  // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+  float radius_m;  // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+  float weight;  // 0 … 1, of what is shown; the motion itself goes on
+};
+void mrw_spring_joint_init(mrw_spring_joint* out);
+
+// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+typedef struct mrw_spring_chain mrw_spring_chain;
+struct mrw_spring_chain {
+  const mrw_spring_joint* joints;
+  size_t joint_count;
+  float tip[3];  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+};
+void mrw_spring_chain_init(mrw_spring_chain* out);
+
+// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+// space is where that is most.
+typedef struct mrw_spring_collider mrw_spring_collider;
+struct mrw_spring_collider {
+  uint16_t joint;
+  float from[3];  // in the joint's space
+  float to[3];
+  float radius_m;  // in the joint's space
+};
+void mrw_spring_collider_init(mrw_spring_collider* out);
+
+// Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in pose/spring_state.h.
+typedef struct mrw_spring_group mrw_spring_group;
+typedef struct mrw_spring_root mrw_spring_root;
+typedef struct mrw_joint_range mrw_joint_range;
+
+// Chains of one character. To keep or to copy a motion, copy the memory.
+typedef struct mrw_springs mrw_springs;
+struct mrw_springs {
+  mrw_spring_group* groups;
+  mrw_spring_root* roots;
+  mrw_joint_range* below;  // joints whose matrices springs change
+  uint32_t group_count;
+  uint32_t root_count;
+  uint32_t below_count;
+  uint32_t joint_count;  // of the skeleton
+  float saved_s;
+};
+void mrw_springs_init(mrw_springs* out);
+
+typedef struct mrw_spring_frame mrw_spring_frame;
+struct mrw_spring_frame {
+  float dt_s;  // since the last frame
+  // Where the character stands: a turn, one scale, a shift. Motion in the world is felt, by this and by the pose.
+  mrw_affine world_from_scene;
+  float gravity[3];  // m/s², world
+  float wind[3];  // m/s, world; acts by `drag`
+  const mrw_spring_collider* colliders;
+  size_t collider_count;
+  float teleport_m;  // chains whose first joint moves further than this in one frame are moved along …
+  bool teleported;  // … and so are all if this is set
+  float weight;  // 0 … 1, times each joint's
+};
+void mrw_spring_frame_init(mrw_spring_frame* out);
+
+// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count);
+
+// Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
+//
+// memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
+// Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
+// a chain has no bone, or the memory does not do; nothing is written.
+MRW_NODISCARD mrw_status mrw_make_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains,
+    size_t chain_count, void* memory, size_t memory_bytes, mrw_springs* out);
+
+// New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
+MRW_NODISCARD mrw_status mrw_set_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains,
+    size_t chain_count, mrw_springs* springs);
+
+// The next frame begins at rest in its pose.
+void mrw_reset_springs(mrw_springs* springs);
+
+// Moves the springs on by a frame and bends `local` by them; the matrices of what hangs below are brought up to date.
+//
+// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count; local_to_model() has made
+// the one from the other. Springs never read what they have written: give them the animated pose of every frame.
+//
+// Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
+//   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
+// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
+// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
+// the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+// the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
+// not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
+// upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is
+// carried by it, but does not feel its swing.
+//
+// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
+// before and half after. Drift and kicks have the strengths with which small swings have the exact frequency and decay,
+// whatever the step; so a path does not depend on the frame rate but for how the animation's frames cut its curves. The
+// energy |u|²/2 - F·d is held down to the work done, so that it never grows without input.
+// What hangs on a bone turns by the nearest rotation to its parent's that takes the one direction to the other, which
+// is a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965) and costs one product of matrix and
+// vector a joint.
+//
+// Scales that are not one scale, above a joint: directions are then approximate, lengths still kept. A bone shorter
+// than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
+// Errors: bad_argument if a span is too short, the skeleton has another count of joints, a number is not finite or out
+// of its range, or there are more than kMaxSpringColliders; nothing is written.
+// Cost: at 60 frames/s 714 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
+// thread-safe on different springs and poses.
+MRW_NODISCARD mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame,
+    mrw_springs* springs, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Before stage 5, morph: weights of morph targets → bind-pose vertices moved, for any deformer.
+//
+//   once a load       find_weight_channels
+//   once an instance  make_morphed
+//   every frame       sample_channels → morph_weights → morph → a Mesh whose geometry is MorphedGeometry::geometry
+//                     goes through skin_rigid, skin_ssd; through morph_coordinates and skin_as in animation space
+//
+// glTF 2.0, section 3.7.2.2: attribute = bind + Σ_i weight_i · change_i, before skinning; normals and tangents are
+// normalised afterwards. Any finite weight is legal.
+
+#define MRW_NO_CHANNEL 0xFFFFFFFFu
+
+// An instance's vertices, in the caller's memory. Copies are views of the same vertices.
+typedef struct mrw_morphed_geometry mrw_morphed_geometry;
+struct mrw_morphed_geometry {
+  mrw_geometry geometry;  // as the bind geometry, but that skin, normals and tangents are the instance's own
+  mrw_geometry bind;
+  const uint32_t* offsets;  // a block's first float in the skin; one more for the end
+  uint32_t* moved;  // a bit a block: differs from the bind pose
+  uint32_t* changed;  // a bit a block: written since morph_coordinates()
+  uint32_t* attributes;  // one, MorphAttributes: what differs in the blocks moved
+};
+
+// For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
+// `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
+// compares names; once a load.
+MRW_NODISCARD mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,
+    const mrw_clip* clip, uint32_t* out, size_t out_count);
+
+// The weights of a moment: of each target its channel's value, or its default without. channels: from
+// find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
+// out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
+MRW_NODISCARD mrw_status mrw_morph_weights(const mrw_mesh* mesh, const uint32_t* channels, size_t channel_count,
+    const float* values, size_t value_count, float* out, size_t out_count);
+
+// Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
+size_t mrw_morphed_bytes(const mrw_geometry* geometry);
+
+// The bind pose. memory: at least morphed_bytes(), 16-byte aligned (bad_argument otherwise); `out` keeps pointers into
+// it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
+MRW_NODISCARD mrw_status mrw_make_morphed(const mrw_geometry* geometry, void* memory, size_t memory_bytes,
+    mrw_morphed_geometry* out);
+
+// Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
+// cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
+// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
+// moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
+// however many targets move it, 8, 20 or 29 to undo and normalise.
+MRW_NODISCARD mrw_status mrw_morph(const float* weights, size_t weight_count, mrw_morphed_geometry* morphed);
+
+// Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
+// Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
+// the morphed geometry is the same where no residual changes a weight.
+//
+// coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
+// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
+MRW_NODISCARD mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates,
+    size_t coordinate_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 4, palette: scene-space joints → the matrices that skinning blends.
+
+// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
+//
+// joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
+// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
+// scene_from_joint.size, what half-joints name below joints.size.
+// Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
+//
+// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
+// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
+// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
+// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+//
+// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+// Thread-safe on different outputs; out overlaps none of the inputs.
+MRW_NODISCARD mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
+    size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
+    size_t out_count, const mrw_half_joint* half_joints, size_t half_joint_count);
+
+// The palette of a mesh.
+MRW_NODISCARD mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, mrw_affine* out, size_t out_count);
+
+// Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
+// are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
+// not finite do not.
+bool mrw_turns_inside_out(const mrw_affine* map);
+
+// The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
+// double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
+// turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
+// matrix.
+bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Beside stage 4, bounds: palette → a box and a sphere about the mesh, for culling and shadows, without its vertices.
+//
+//   over a whole clip   File::bounds(clip, mesh): from the file, no work
+//   in one frame        make_reach() once a load; palette_bounds() every frame
+//
+// Both are about every vertex that rigid skinning, SSD (with half-joints) and pose-space deformation give: those blend
+// with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
+// the file holds for animation space and multi-weights too, as it was measured with them; palette_bounds() knows
+// nothing of their residuals (docs/architecture.md, "Bounds", has how far they went beyond it).
+
+// The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
+typedef struct mrw_joint_reach mrw_joint_reach;
+struct mrw_joint_reach {
+  float centre[3];
+  float half[3];  // ≥ 0; below 0: nothing follows this entry
+};
+
+// What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
+// and about 0, in mesh space.
+typedef struct mrw_morph_reach mrw_morph_reach;
+struct mrw_morph_reach {
+  float least[3];
+  float most[3];
+};
+
+// Views into the caller's memory.
+typedef struct mrw_reach mrw_reach;
+struct mrw_reach {
+  mrw_joint_reach* joints;  // one a palette entry, half-joints behind
+  size_t joint_count;
+  mrw_morph_reach* targets;  // one a morph target
+  size_t target_count;
+  mrw_morph_reach pose_space;  // the sum of what all examples may add
+};
+
+// Bytes that make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
+size_t mrw_reach_bytes(const mrw_mesh* mesh);
+
+// Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
+// are among those of `mesh`.
+//
+// mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
+// `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
+MRW_NODISCARD mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_reach* out);
+
+// The box of the mesh and a sphere about the box's centre, in the palette's space.
+//
+// palette: of the mesh, reach.joints.size entries. weights: of its morph targets, any finite numbers; empty: none is
+// active. Without a vertex `out` is empty (Bounds::is_empty()). Errors: bad_argument (a span too short, a weight that
+// is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its half
+// sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
+// 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
+// instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
+MRW_NODISCARD mrw_status mrw_palette_bounds(const mrw_reach* reach, const mrw_affine* palette, size_t palette_count,
+    const float* weights, size_t weight_count, mrw_bounds* out);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Stage 5, skin on the CPU: bind vertices and a palette → deformed vertices.
+//
+// Every deformer writes whole slots (Geometry::slot_count, padding included), so that indices can be used as they are.
+// Positions are in the palette's space (scene space after local_to_model). All are thread-safe on different outputs.
+//
+// Costs are instructions a vertex with four influences, in runs of about 150, x86-64 (SSE2) / AArch64 with g++ 12 -O3.
+
+// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
+typedef uint8_t mrw_normal_transform;
+enum {
+  // Normals through the inverse transpose of M (its cofactors), tangents through M, both unit: exact for any blend that
+  // can be inverted, mirrored or unevenly scaled ones too.
+  MRW_NORMAL_TRANSFORM_INVERSE_TRANSPOSE = 0,
+  // Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
+  // where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
+  // normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
+  // (docs/architecture.md). Tangents are inverse_transpose's up to length.
+  MRW_NORMAL_TRANSFORM_BLENDED_MATRIX = 1,
+};
+
+typedef struct mrw_skin_output mrw_skin_output;
+struct mrw_skin_output {
+  float* positions;  // 3 a slot; required
+  size_t position_count;
+  float* normals;  // 3 a slot; leave empty to skip
+  size_t normal_count;
+  // 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
+  // ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
+  // normals. Leave empty to skip.
+  float* tangents;
+  size_t tangent_count;
+  mrw_normal_transform normal_transform;
+};
+void mrw_skin_output_init(mrw_skin_output* out);
+
+// A mesh in animation space, for as_tangents().
+typedef struct mrw_as_part mrw_as_part;
+struct mrw_as_part {
+  const mrw_mesh* mesh;
+  const float* coordinates;  // from as_coordinates()
+  size_t coordinate_count;
+  float* tangents;  // as_tangent_count() floats, to be written
+  size_t tangent_count;
+};
+void mrw_as_part_init(mrw_as_part* out);
+
+// Each vertex follows the joint with its largest weight.
+//   position = M_j (v, 1)
+// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
+// tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+// Cost: positions 51 / 32; with exact normals 78 / 49.
+MRW_NODISCARD mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
+    const mrw_skin_output* out);
+
+// Skeletal subspace deformation, also called linear blend skinning.
+//   position = (Σ_j w_j M_j) (v, 1)
+// Cost: positions 39 / 30; with normals through the blended matrix 50 / 35, and tangents 63 / 43; through the inverse
+// transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
+// or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
+// transpose.
+MRW_NODISCARD mrw_status mrw_skin_ssd(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
+    const mrw_skin_output* out);
+
+// How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
+size_t mrw_as_coordinate_count(const mrw_geometry* geometry);
+
+// Animation-space coordinates of every slot, from lift and residual: q_j = (w_j v + d_j, w_j + δ_j), Σ_j (q_j)_w = 1.
+// In the notation of Merry, Marais and Gain (ACM TOG 25(4), 2006) p_j = B_j⁻¹ q_j; B_j⁻¹ stands in the palette here.
+//
+// As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
+// x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
+// out: as_coordinate_count() floats. Done once a mesh, not a frame.
+MRW_NODISCARD mrw_status mrw_as_coordinates(const mrw_geometry* geometry, float* out, size_t out_count);
+
+// How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
+size_t mrw_as_tangent_count(const mrw_geometry* geometry);
+
+// Bytes of scratch memory that as_tangents() wants: about 32 a slot and 4 an index.
+size_t mrw_as_tangent_scratch_bytes(const mrw_as_part* parts, size_t part_count);
+
+// Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
+//   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
+//   Σ_j (τ_j)_w = 0
+// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
+// residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
+// has one. What the triangles do not explain of them goes through the blend: all, if they have no area. Of a
+// neighbour's joints those that a vertex lacks count as the one of its own which that neighbour follows most.
+//
+// parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
+// the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
+// scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
+// no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex.
+MRW_NODISCARD mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* scratch,
+    size_t scratch_bytes);
+
+// Animation space.
+//   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
+//            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
+// Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
+// coordinates: from as_coordinates() of this geometry.
+// Cost: positions 41 / 32; with normals through the blended matrix 78 / 57, and tangents 93 / 62; through the inverse
+// transpose 100 / 68 and 116 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
+// more an influence but the last.
+//
+// tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
+// t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
+// run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
+MRW_NODISCARD mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t coordinate_count,
+    const mrw_affine* palette, size_t palette_count, const mrw_skin_output* out, const float* tangents,
+    size_t tangent_count);
+
+// Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
+// animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
+//   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + Geometry::mwe_residual, ∘ element by element
+// Elements mean something in one frame only; R is that of the palette entry Geometry::mwe_root: the rotation next to
+// its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
+// Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
+// zero. With blended_matrix it is that blend that is asked whether it mirrors.
+//
+// Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
+// blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
+// four influences nine times as much as SSD.
+MRW_NODISCARD mrw_status mrw_skin_mwe(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
+    const mrw_skin_output* out);
+
+// How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
+// examples.
+size_t mrw_psd_distance_count(const mrw_geometry* geometry);
+
+// How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
+// k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
+// rotations as in skin_mwe(); 0 for an entry without a parent.
+// out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
+// bad_argument if a span is too short.
+// Cost: 34 instructions a palette entry and example, x86-64.
+MRW_NODISCARD mrw_status mrw_psd_distances(const mrw_geometry* geometry, const mrw_affine* palette,
+    size_t palette_count, float* out, size_t out_count);
+
+// Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
+// weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
+//   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: Geometry::pose_space
+//   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
+// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's.
+// distances: from psd_distances() of this geometry and palette. Errors: also bad_argument if they are too few. A
+// geometry without examples is SSD's.
+// Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
+// vertex for each example that moves its block.
+MRW_NODISCARD mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t distance_count,
+    const mrw_affine* palette, size_t palette_count, const mrw_skin_output* out);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// A character of a file, in one piece: all its skeletons and meshes through the stages of marrow.h, in their order.
+//
+//   once a load       make_animations
+//   once a character  make_character
+//   every frame       pose_character; the game reaches, places feet, lets springs swing; finish_character
+//   then              skin_ssd() and its like of a CharacterMesh, or pose() of a gles3::Skinner
+//
+// A file may hold several skeletons, such as a rider's and a horse's; they are posed together, and what is said here of
+// a skeleton or a mesh has its index in the file.
+//
+// Local poses may come from anyone. Instead of pose_character(): write CharacterSkeleton::local and
+// CharacterMesh::weights, then call local_to_model().
+//
+// No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
+// only read, and serve any number of them.
+
+#define MRW_NO_CLIP 0xFFFFFFFFu
+
+// What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
+typedef struct mrw_animation mrw_animation;
+struct mrw_animation {
+  mrw_file clips;  // that they are from: the character's file, or a clip pack
+  float duration_s;  // of the longest
+  const uint32_t* clip_of_skeleton;  // One a skeleton of the character: which clip it plays; kNoClip: it rests.
+  size_t clip_of_skeleton_count;
+  // One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
+  // skeleton plays.
+  const uint32_t* channels;
+  size_t channel_count;
+};
+
+typedef struct mrw_animations mrw_animations;
+struct mrw_animations {
+  // One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
+  // A clip without a name has nothing to do with others.
+  const mrw_animation* all;
+  size_t all_count;
+};
+
+typedef struct mrw_character_options mrw_character_options;
+struct mrw_character_options {
+  uint32_t layers;  // that are blended at once, at most; at least 1
+  uint32_t level;  // of detail, as in File::mesh
+  bool skin;  // on the CPU; false: neither palettes nor morphed vertices, a gles3::Skinner has them
+  bool animation_space;  // skin by skin_as(), too
+};
+void mrw_character_options_init(mrw_character_options* out);
+
+// A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
+// the other alike; all calls of stage 3½ do.
+typedef struct mrw_character_skeleton mrw_character_skeleton;
+struct mrw_character_skeleton {
+  mrw_skeleton skeleton;
+  mrw_soa_transform* local;  // skeleton.soa_size()
+  size_t local_count;
+  mrw_affine* scene_from_joint;  // skeleton.joint_count
+  size_t scene_from_joint_count;
+};
+
+// A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
+typedef struct mrw_character_mesh mrw_character_mesh;
+struct mrw_character_mesh {
+  mrw_mesh mesh;  // of the level asked for; with `skin` its geometry is this character's own, morphed
+  float* weights;  // of morph targets
+  size_t weight_count;
+  mrw_affine* palette;  // empty without `skin`
+  size_t palette_count;
+  float* coordinates;  // empty without `skin` and `animation_space`
+  size_t coordinate_count;
+  mrw_morphed_geometry morphed;  // with `skin`
+  void* vertices;  // what it lies in
+  size_t vertices_bytes;
+  uint32_t first_target;  // in Animation::channels
+};
+
+// Views into the caller's memory. A copy is the same character.
+typedef struct mrw_character mrw_character;
+struct mrw_character {
+  mrw_file file;
+  mrw_character_options options;
+  mrw_character_skeleton* skeletons;
+  size_t skeleton_count;
+  mrw_character_mesh* meshes;
+  size_t mesh_count;
+  uint32_t target_count;  // of morph targets, of all meshes
+  // Scratch, of the largest skeleton.
+  // a pose a layer
+  mrw_soa_transform* sampled;
+  size_t sampled_count;
+  mrw_blend_layer* blended;
+  size_t blended_count;
+  mrw_additive_transform* change;
+  size_t change_count;
+};
+
+// An animation at a time, and how much of it.
+typedef struct mrw_animation_layer mrw_animation_layer;
+struct mrw_animation_layer {
+  const mrw_animation* animation;  // made for the character's file
+  float time_s;  // see playback.h
+  float weight;  // 0 … kMaxBlendWeight
+};
+void mrw_animation_layer_init(mrw_animation_layer* out);
+
+// Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
+size_t mrw_animations_bytes(const mrw_file* file, const mrw_file* clips);
+
+// Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
+// its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
+// fits none, its clips are left out: no skeleton plays them.
+//
+// memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
+// Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
+// a skeleton). Cost: compares names; once a load.
+MRW_NODISCARD mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void* memory,
+    size_t memory_bytes, mrw_animations* out);
+
+// The first with this name that moves anything; null if there is none. Cost: compares names.
+const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name);
+
+// Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+// May be null: options.
+size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* options);
+
+// A character in its rest pose, finished.
+//
+// `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
+// Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
+// meshes with morph targets, and as_coordinates().
+// May be null: options.
+MRW_NODISCARD mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
+    size_t memory_bytes, mrw_character* out);
+
+// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
+// blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
+// reference.
+//
+// Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
+// out of range, a time that is not a number); a part of the character may have been written then.
+// Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
+MRW_NODISCARD mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers,
+    size_t layer_count);
+
+// Brings scene_from_joint of all skeletons up to date with `local`.
+MRW_NODISCARD mrw_status mrw_character_to_model(mrw_character* character);
+
+// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
+MRW_NODISCARD mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers,
+    size_t layer_count);
+
+// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
+// Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
+// mesh.
+MRW_NODISCARD mrw_status mrw_finish_character(mrw_character* character);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# Takes the sample character down the same road in C, Rust, C# and JavaScript, and compares what they print: what is
+# refused, and a hash of poses and vertices. Exit 1 if they differ, 3 if a language cannot be had. Builds below
+# build/bindings.
+# usage: tools/check_bindings.sh MARROW      (the program)
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+marrow=$(realpath "$1")
+work="$here/build/bindings"
+mkdir -p "$work"
+skipped=0
+skip() { echo "SKIPPED: $1" >&2; skipped=3; }
+has() { for name in "$@"; do command -v "$name" >/dev/null || return 1; done; }
+
+has rustc mcs mono em++ node || "$here/tools/install.sh" "$here/tools/packages/bindings.txt" || true
+
+quietly() {  # COMMAND ...: what it says is shown if it fails
+  "$@" >"$work/log.txt" 2>&1 || { cat "$work/log.txt" >&2; exit 1; }
+}
+runtime_alone=(-DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_GLES=OFF
+  -DMARROW_WERROR=OFF)
+quietly cmake -S "$here" -B "$work/shared" -G Ninja "${runtime_alone[@]}" -DMARROW_DRACO=ON -DMARROW_MESHOPT=ON \
+  -DCMAKE_POSITION_INDEPENDENT_CODE=ON
+quietly cmake --build "$work/shared" --target marrow_c_shared
+export LD_LIBRARY_PATH="$work/shared/runtime/c"
+for codec in none draco; do
+  "$marrow" cook "$here/tools/sample/newt.glb" --mesh-codec $codec --clip-codec raw -o "$work/newt_$codec.mrw" >/dev/null
+done
+
+# What C says of each file; the others must say the same.
+quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "$here/tests/c/road.c" \
+  -o "$work/road_c" -L"$LD_LIBRARY_PATH" -lmarrow_c
+compare() {  # LANGUAGE CODEC COMMAND ...
+  local language=$1 codec=$2 wanted got
+  shift 2
+  wanted=$("$work/road_c" "$work/newt_$codec.mrw")
+  got=$("$@" "$work/newt_$codec.mrw") || true
+  if [ "$got" != "$wanted" ]; then
+    printf 'check_bindings: %s, %s: says\n%s\nand C\n%s\n' "$language" "$codec" "$got" "$wanted" >&2
+    exit 1
+  fi
+  echo "$language, $codec: "${got//$'\n'/, }
+}
+
+if has rustc; then
+  quietly rustc --edition 2021 -O -D warnings -o "$work/road_rust" "$here/tests/bindings/road.rs" -L "$LD_LIBRARY_PATH" \
+    -l marrow_c
+  for codec in none draco; do compare Rust $codec "$work/road_rust"; done
+else
+  skip "Rust: there is no rustc"
+fi
+if has mcs mono; then
+  quietly mcs -unsafe -warnaserror -out:"$work/Road.exe" "$here/tests/bindings/Road.cs" \
+    "$here/runtime/c/bindings/csharp/Marrow.cs"
+  for codec in none draco; do compare 'C#' $codec mono "$work/Road.exe"; done
+else
+  skip "C#: there is no mcs or mono"
+fi
+if has em++ node; then
+  export NODE_PATH=${NODE_PATH:-/usr/share/nodejs}  # where Debian's compiler has its own modules
+  quietly emcmake cmake -S "$here" -B "$work/wasm" -G Ninja "${runtime_alone[@]}"
+  quietly cmake --build "$work/wasm" --target marrow_wasm
+  compare JavaScript none node "$here/tests/bindings/road.mjs" "$work/wasm/runtime/c/marrow.wasm"
+  # A library of another release is refused, and says so.
+  cp "$here"/runtime/c/bindings/typescript/*.mjs "$work"
+  sed -i 's/^export const ABI = .*/export const ABI = 1;/' "$work/tables.mjs"
+  node -e 'import(process.argv[1]).then((b) => b.Marrow.load(require("fs").readFileSync(process.argv[2])))' \
+    "$work/marrow.mjs" "$work/wasm/runtime/c/marrow.wasm" 2>&1 | grep '^Error: marrow: the library has ABI' ||
+    { echo "check_bindings: JavaScript takes a library of another ABI" >&2; exit 1; }
+else
+  skip "JavaScript: there is no em++ or node"
+fi
+exit $skipped
