@@ -6,6 +6,7 @@
 #include "gles3/encode.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/gl_size.h"
 #include "gles3/label.h"
 #include "gles3/morph.h"
 #include "marrow/gles3.h"
@@ -27,7 +28,7 @@ std::uint32_t upload(const Api& api, GlEnum target, const void* data, std::size_
   std::uint32_t buffer = 0;
   api.GenBuffers(1, &buffer);
   api.BindBuffer(target, buffer);
-  api.BufferData(target, static_cast<std::ptrdiff_t>(bytes), data, kGlStaticDraw);
+  api.BufferData(target, gl_size(bytes), data, kGlStaticDraw);
   return buffer;
 }
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/boundary.h"
 #include "core/check.h"
-#include "marrow/block.h"
 #include "math/finite.h"
 #include "springs/spring_state.h"
 
@@ -130,7 +130,7 @@ Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Sp
   MARROW_REQUIRE_GOOD(check_chains(skeleton, chains));
   const std::size_t bytes = springs_bytes(skeleton, chains), groups = groups_of(chains);
   MARROW_REQUIRE(holds(memory, bytes));
-  MARROW_REQUIRE(bytes == 0 || is_on_boundary(memory.data));
+  if (bytes > 0) MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   if (bytes > 0) std::memset(memory.data, 0, bytes);
   out.groups = reinterpret_cast<SpringGroup*>(memory.data);
   out.roots = reinterpret_cast<SpringRoot*>(memory.data + groups * sizeof(SpringGroup));

@@ -1,7 +1,7 @@
 #include "marrow/unpack.h"
 
+#include "core/boundary.h"
 #include "core/check.h"
-#include "marrow/block.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
 #include "unpack/structure.h"
@@ -70,7 +70,7 @@ class Unpacker {
         decoders_(decoders),
         names_(names),
         memory_(memory),
-        scratch_at_(format::align16(header.file_bytes)) {}
+        scratch_at_(static_cast<std::size_t>(format::align16(header.file_bytes))) {}
 
   // The end of a header and of a table with this many entries.
   bool begin() {
@@ -82,7 +82,7 @@ class Unpacker {
     if (record.kind >= format::kKindCount) return bad(rule, "an unknown kind of record");
     const std::uint64_t offset = format::align16(end_);
     if (offset > header_.file_bytes) return bad(rule, "file_bytes too small");
-    std::memset(memory_.data + end_, 0, offset - end_);
+    std::memset(memory_.data + end_, 0, static_cast<std::size_t>(offset - end_));
     const Span<std::byte> out(memory_.data + offset, header_.file_bytes - static_cast<std::size_t>(offset));
     File::Section section{format::kTypes[record.kind], static_cast<std::uint32_t>(offset), 0, 0};
     if (record.codec < packed::kFirstCodec) {
@@ -156,7 +156,7 @@ class Unpacker {
   Span<const MeshDecoder> decoders_;
   NameReader names_;  // stands at the next skeleton's
   Span<std::byte> memory_;
-  std::uint64_t scratch_at_;
+  std::size_t scratch_at_;
   std::uint64_t end_ = 0;
   std::uint32_t compact_skeletons_ = 0;  // at the front of the table
 };
@@ -186,10 +186,11 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
   Status status = read_header(packed, h, error);
   if (status == Status::ok) status = check_sizes(packed, h, error);
   if (status != Status::ok) return status;
-  if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
-    (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
+  const char* const off = off_boundary(memory.data);
+  if (off != nullptr || memory.size < h.memory_bytes)
+    (void)fail(error, Status::bad_argument, 0, off != nullptr ? off : "memory of memory_bytes");
   MARROW_REQUIRE(holds(memory, h.memory_bytes));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   ByteReader reader(packed.data + sizeof h, packed.size - sizeof h);
   Unpacker unpacker(h, decoders, NameReader(find_names(reader, h.record_count)), memory);
   if (!unpacker.begin()) return fail(error, Status::bad_data, 12, "file_bytes too small");
