@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "asset/checker.h"
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 
 namespace marrow {

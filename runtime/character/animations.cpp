@@ -1,7 +1,7 @@
 // Which clips of a file or a clip pack the skeletons of a character play together.
 #include <cstring>
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "marrow/character.h"

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "marrow/local_to_model.h"

@@ -1,7 +1,7 @@
 // A mesh for crowds: its palettes of all frames in a texture, and a texture to render those of the instances to.
 #include <cstring>
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "gles3/crowd.h"

@@ -175,7 +175,9 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
     const Status morphs = make_morphs(api, g, quantisation.half_extent, scratch, made);
     if (morphs != Status::ok) return morphs;
   }
-  made.index_buffer = upload(api, kGlArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
+  // WebGL lets a buffer that has been bound to another target never be one of indices.
+  made.index_buffer = upload(api, kGlElementArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
+  api.BindBuffer(kGlElementArrayBuffer, 0);
   if (layout.surface_stride != 0) {
     encode_surface(g, layout, scratch.data);
     made.surface_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.surface_stride} * g.slot_count);

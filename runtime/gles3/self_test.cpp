@@ -1,7 +1,7 @@
 // At start-up: every path skins small meshes, and what comes back is compared with the CPU.
 #include "marrow/gles3_self_test.h"
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/memory.h"

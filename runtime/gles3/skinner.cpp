@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "gles3/compile.h"

@@ -11,7 +11,7 @@
 namespace marrow {
 namespace {
 
-constexpr float kLargestInput = 1e6f;
+constexpr float kFarthest = 1e6f;
 constexpr float kAllButTwoPercent = 5.834f;  // (1 + x) e^-x = 0.02
 constexpr float kLeastRise = 0.173648178f;   // cos 80°
 
@@ -30,7 +30,7 @@ struct FeetCall {
 };
 
 bool near(const Vector3& v) {
-  return within(v, -kLargestInput, kLargestInput);
+  return within(v, -kFarthest, kFarthest);
 }
 bool near(const Affine& a) {
   return near(vector3(a.rows[0])) && near(vector3(a.rows[1])) && near(vector3(a.rows[2])) && near(origin(a));
@@ -64,12 +64,12 @@ BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<con
   MARROW_CHECK(holds(call.feet.feet));
   MARROW_CHECK(holds(ground, call.feet.feet.size));
   MARROW_CHECK(holds(motion, call.feet.feet.size));
-  MARROW_CHECK(within(frame.dt_s, 0, kLargestInput));
+  MARROW_CHECK(within(frame.dt_s, 0, kFarthest));
   MARROW_CHECK(within(frame.weight, 0, 1));
   MARROW_CHECK(within(dot(call.up, call.up), 0.999f, 1.001f));
   MARROW_CHECK(near(frame.world_from_scene));
   MARROW_CHECK(determinant(frame.world_from_scene) > 1e-12f);
-  MARROW_CHECK(within(call.feet.lower_m, 0, kLargestInput));
+  MARROW_CHECK(within(call.feet.lower_m, 0, kFarthest));
   MARROW_CHECK(within(call.feet.reach, 0, 1));
   MARROW_CHECK(within(call.feet.slope_rad, 0, 1.5f));
   MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));

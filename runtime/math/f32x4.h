@@ -13,6 +13,8 @@
 #include "math/f32x4_sse.h"
 #elif !defined(MARROW_SCALAR) && defined(__aarch64__)
 #include "math/f32x4_neon.h"
+#elif !defined(MARROW_SCALAR) && defined(__wasm_simd128__)
+#include "math/f32x4_wasm.h"
 #else
 // 32-bit ARM comes here too: its NEON flushes denormals and divides by estimates.
 #include "math/f32x4_scalar.h"

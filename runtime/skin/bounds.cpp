@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/memory.h"

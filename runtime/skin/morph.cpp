@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "marrow/skin.h"
 #include "math/vector.h"

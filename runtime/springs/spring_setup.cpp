@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "math/finite.h"
 #include "springs/spring_state.h"

@@ -1,6 +1,6 @@
 #include "marrow/unpack.h"
 
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"

@@ -45,7 +45,7 @@ TEST(Block, HowFarBehindABoundaryIsSaid) {
     const std::vector<test::CallError> heard = errors.take();
     ASSERT_EQ(heard.size(), 1u);
     EXPECT_EQ(heard[0].function, "load");
-    const std::string said = "memory begins " + std::to_string(behind) + " bytes behind a boundary of 16";
+    const std::string said = "memory begins " + std::to_string(behind) + " bytes behind a boundary of 16 bytes";
     EXPECT_EQ(heard[0].condition.substr(0, said.size()), said);
     EXPECT_EQ(error.rule, heard[0].condition);
   }

@@ -1,4 +1,4 @@
-#include "core/boundary.h"
+#include "core/off_boundary.h"
 
 #include "marrow/block.h"
 
@@ -7,7 +7,7 @@ namespace marrow {
 const char* off_boundary(const void* first) {
   if (is_on_boundary(first)) return nullptr;
 #if !defined(MARROW_CALL_ERRORS) || MARROW_CALL_ERRORS
-#define MARROW_BEHIND(bytes) "memory begins " bytes " bytes behind a boundary of 16: see marrow/block.h"
+#define MARROW_BEHIND(bytes) "memory begins " bytes " bytes behind a boundary of 16 bytes: see marrow/block.h"
   static constexpr const char* kBehind[kBlockBoundary - 1] = {
       MARROW_BEHIND("1"),  MARROW_BEHIND("2"),  MARROW_BEHIND("3"),  MARROW_BEHIND("4"),  MARROW_BEHIND("5"),
       MARROW_BEHIND("6"),  MARROW_BEHIND("7"),  MARROW_BEHIND("8"),  MARROW_BEHIND("9"),  MARROW_BEHIND("10"),
