@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "core/builtins.h"
 
 namespace marrow {
 
@@ -51,11 +52,11 @@ class Checker {
   bool finite(const void* first, std::uint64_t bytes) { return below_bits(first, bytes, 0x7F800000, kNotFinite); }
   // Finite, and at most format::kFarthest: what becomes matrices that are multiplied.
   bool bounded(const void* first, std::uint64_t bytes) {
-    return below_bits(first, bytes, std::bit_cast<std::uint32_t>(format::kFarthest) + 1, kTooFar);
+    return below_bits(first, bytes, bit_cast<std::uint32_t>(format::kFarthest) + 1, kTooFar);
   }
   // Quaternions of unit length but for rounding: their squares are multiplied with scales.
   bool units(const void* first, std::uint64_t bytes) {
-    return below_bits(first, bytes, std::bit_cast<std::uint32_t>(1.01f), "a rotation that is no unit quaternion");
+    return below_bits(first, bytes, bit_cast<std::uint32_t>(1.01f), "a rotation that is no unit quaternion");
   }
   bool transforms(const SoaTransform* first, std::uint64_t count);
   bool below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule);

@@ -1,10 +1,10 @@
 #include "marrow/file.h"
 
-#include <bit>
 #include <cstring>
 
 #include "asset/format.h"
 #include "asset/section_views.h"
+#include "core/builtins.h"
 
 namespace marrow {
 namespace {
@@ -281,7 +281,7 @@ Span<const SpringCollider> File::spring_colliders(std::uint32_t of_skeleton) con
 namespace {
 
 Bounds decoded(const format::BoundsCodes& codes) {
-  const float step = std::bit_cast<float>(static_cast<std::uint32_t>(codes.exponent + 127) << 23);
+  const float step = bit_cast<float>(static_cast<std::uint32_t>(codes.exponent + 127) << 23);
   Bounds out;
   for (int c = 0; c < 3; ++c) {
     out.box_min[c] = static_cast<float>(codes.box_min[c]) * step;

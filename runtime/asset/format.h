@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "asset/checksum.h"
+#include "core/builtins.h"
 #include "marrow/file.h"
 #include "marrow/version.h"
 
@@ -132,7 +133,7 @@ inline constexpr std::uint32_t kPayloadPadding = 8;
 inline constexpr std::uint32_t kFirstStep = 87u << 23;
 inline constexpr std::uint32_t kStepShift = 21;
 inline float step_size(std::uint32_t code) {
-  return std::bit_cast<float>(kFirstStep + (code << kStepShift));
+  return bit_cast<float>(kFirstStep + (code << kStepShift));
 }
 
 // Three components fill at most 57 bits, so one load of 64 at a byte holds a record.

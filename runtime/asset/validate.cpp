@@ -2,8 +2,8 @@
 #include <cstring>
 
 #include "asset/checker.h"
+#include "core/off_boundary.h"
 #include "core/check.h"
-#include "marrow/block.h"
 
 namespace marrow {
 
@@ -136,7 +136,7 @@ DataError check_container(Span<const std::byte> block) {
       return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI BNDS NAME");
     if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
     if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
-    for (std::uint64_t pad = end; pad < s.offset; ++pad)
+    for (std::size_t pad = static_cast<std::size_t>(end); pad < s.offset; ++pad)
       if (block[pad] != std::byte{0}) return bad(pad, "padding must be 0");
     end = std::uint64_t{s.offset} + s.bytes;
     if (format::kOrder[place] == format::kNames && i + 1 != h.section_count)
@@ -150,9 +150,12 @@ DataError check_container(Span<const std::byte> block) {
 }  // namespace
 
 Status load(Span<const std::byte> block, File& out, DataError* error) {
-  if (error != nullptr) *error = {Status::bad_argument, 0, "a block on a boundary of 16 bytes, see marrow/block.h"};
+  if (error != nullptr) {
+    const char* const off = off_boundary(block.data);
+    *error = {Status::bad_argument, 0, off != nullptr ? off : "a block that is not null"};
+  }
   MARROW_REQUIRE(block.data != nullptr);
-  MARROW_REQUIRE(is_on_boundary(block.data));
+  MARROW_REQUIRE_GOOD(check_boundary(block.data));
   DataError found = check_container(block);
   if (found.status == Status::ok) {
     const auto* header = reinterpret_cast<const format::Header*>(block.data);

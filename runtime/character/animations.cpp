@@ -1,9 +1,9 @@
 // Which clips of a file or a clip pack the skeletons of a character play together.
 #include <cstring>
 
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
-#include "marrow/block.h"
 #include "marrow/character.h"
 #include "marrow/clip_pack.h"
 
@@ -99,7 +99,7 @@ std::size_t animations_bytes(const File& file, const File& clips) {
 
 Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out) {
   MARROW_REQUIRE(holds(memory, animations_bytes(file, clips)));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   if (clips.reference_count() == 0 && clips.sections().data != file.sections().data) return Status::mismatch;
   Memory taken{memory.data};
   const Pieces pieces = lay_out(file, clips, taken);

@@ -1,9 +1,9 @@
 // The stages of marrow.h, called in their order for every skeleton and mesh of a file.
 #include "marrow/character.h"
-#include "marrow/block.h"
 
 #include <cstring>
 
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "marrow/local_to_model.h"
@@ -194,7 +194,7 @@ std::size_t character_bytes(const File& file, const CharacterOptions& options) {
 Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out) {
   MARROW_REQUIRE(options.layers > 0);
   MARROW_REQUIRE(holds(memory, character_bytes(file, options)));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   Memory taken{memory.data};
   Character made;
   made.file = file;

@@ -1,4 +1,5 @@
 // A path → its length table; a distance → the time that is there.
+#include "core/builtins.h"
 #include "core/check.h"
 #include "curve/segment.h"
 
@@ -8,7 +9,7 @@ namespace {
 float speed(const Segment& segment, float u) {
   float slope[kMaxComponents];
   segment_slope(segment, u, slope);
-  return __builtin_sqrtf(dot(slope, slope, segment.components));
+  return square_root(dot(slope, slope, segment.components));
 }
 
 // Three-point Gauss-Legendre quadrature of the speed over `width` around `centre`, exact to degree 5.

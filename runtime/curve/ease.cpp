@@ -1,4 +1,5 @@
 // Easings: 0 … 1 → 0 … 1 with character.
+#include "core/builtins.h"
 #include "core/check.h"
 #include "marrow/curve.h"
 #include "math/elementary.h"
@@ -50,7 +51,7 @@ float ease_in(Easing easing, float u, bool half) {
     case Easing::expo:
       return power_of_two(10.0f * (u - 1.0f));
     case Easing::circ:
-      return u2 / (1.0f + __builtin_sqrtf(1.0f - u2));  // 1 - √(1 - u²) without its cancellation
+      return u2 / (1.0f + square_root(1.0f - u2));  // 1 - √(1 - u²) without its cancellation
     case Easing::back: {
       const float overshoot = half ? 1.70158f * 1.525f : 1.70158f;
       return u2 * ((overshoot + 1.0f) * u - overshoot);

@@ -20,10 +20,10 @@ void copy_key(const Curve& curve, std::size_t key, Span<float> out) {
   std::memcpy(out.data, key_value(curve, key), sizeof(float) * curve.components);
 }
 
-constexpr float kFarthest = 1e18f;  // of keys: no blend of four of them, or square, is infinite
+constexpr float kFarthestKey = 1e18f;  // no blend of four of them, or square, is infinite
 
 bool is_far(const float* values, std::size_t count) {
-  return !all_within(values, count, -kFarthest, kFarthest);
+  return !all_within(values, count, -kFarthestKey, kFarthestKey);
 }
 
 // Hermite tangents over the longest interval between two keys, which is more than it has to be.
@@ -36,7 +36,7 @@ bool are_tangents_far(const Curve& curve) {
   const std::size_t n = curve.components;
   for (std::size_t i = 0; i < 3 * n * curve.times_s.size; ++i) {
     const bool is_value = i / n % 3 == 1;
-    if (!is_value && !within(curve.values[i] * longest_s, -kFarthest, kFarthest)) return true;
+    if (!is_value && !within(curve.values[i] * longest_s, -kFarthestKey, kFarthestKey)) return true;
   }
   return false;
 }

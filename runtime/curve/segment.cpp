@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "core/builtins.h"
 #include "math/slerp.h"
 
 namespace marrow {
@@ -60,7 +61,7 @@ Neighbours read_neighbours(const Curve& curve, std::size_t key) {
 float knot(const float* a, const float* b, std::uint32_t n) {
   float squared = 0.0f;
   for (std::uint32_t i = 0; i < n; ++i) squared += (b[i] - a[i]) * (b[i] - a[i]);
-  return __builtin_sqrtf(__builtin_sqrtf(squared));
+  return square_root(square_root(squared));
 }
 
 // The Hermite form of Barry and Goldman's pyramid: the tangent at a knot is the slope there of the parabola through it

@@ -2,6 +2,7 @@
 // arc length share.
 #pragma once
 
+#include "core/builtins.h"
 #include "core/check.h"
 #include "marrow/curve.h"
 #include "math/finite.h"
@@ -54,8 +55,8 @@ inline float chain_sign(const float* reference, float* q) {
 // False, and q as it was, if q has no direction, or none that can be told.
 inline bool normalise(float* q) {
   const float squared = dot(q, q, 4);
-  if (!(squared > 1e-30f && squared < __builtin_inff())) return false;
-  const float inverse = 1.0f / __builtin_sqrtf(squared);
+  if (!(squared > 1e-30f && squared < kInfinity)) return false;
+  const float inverse = 1.0f / square_root(squared);
   for (int i = 0; i < 4; ++i) q[i] *= inverse;
   return true;
 }

@@ -16,9 +16,8 @@ extern const unsigned char shader_crowd_vert[], shader_crowd_frag[];
 namespace marrow::gles3 {
 namespace {
 
-constexpr std::uint32_t kWidth = kPaletteTextureWidth;
 constexpr std::uint32_t kTexels = 8;  // an instance
-constexpr std::uint32_t kLine = kWidth / kTexels;
+constexpr std::uint32_t kLine = kPaletteTextureWidth / kTexels;
 
 bool is_there(std::uint32_t first, std::uint32_t count, const Crowd& crowd) {
   return first <= crowd.count && count <= crowd.count - first;
@@ -41,10 +40,11 @@ void put(const Api& api, const Crowd& crowd, std::uint32_t first, std::uint32_t 
 }
 
 Status make_object(const Api& api, const Caps& caps, Crowd& crowd) {
-  if (caps.texture_size < kWidth || (crowd.capacity - 1) / kLine >= caps.texture_size) return Status::unsupported;
+  if (caps.texture_size < kPaletteTextureWidth || (crowd.capacity - 1) / kLine >= caps.texture_size)
+    return Status::unsupported;
   forget_errors(api);
   const std::uint32_t lines = (crowd.capacity - 1) / kLine + 1;
-  crowd.texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, lines);
+  crowd.texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kPaletteTextureWidth, lines);
   put(api, crowd, 0, crowd.count);
   api.BindTexture(kGlTexture2d, 0);
   if (api.GetError() != kGlNoError) {
@@ -162,14 +162,14 @@ Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, st
   if (first + count > mesh.capacity) return Status::unsupported;
   // Whole lines: of instances that share one with these too.
   const std::uint32_t rows = 3 * mesh.joints;
-  const auto line = static_cast<int>(std::uint64_t{rows} * first / kWidth);
-  const auto end = static_cast<int>((std::uint64_t{rows} * (first + count) - 1) / kWidth + 1);
+  const auto line = static_cast<int>(std::uint64_t{rows} * first / kPaletteTextureWidth);
+  const auto end = static_cast<int>((std::uint64_t{rows} * (first + count) - 1) / kPaletteTextureWidth + 1);
   const std::uint32_t known = crowd.count < mesh.capacity ? crowd.count : mesh.capacity;
   bind_textures(api, program, mesh.frames_texture, crowd.texture, texture_unit);
   const int values[3] = {static_cast<int>(now), static_cast<int>(rows), static_cast<int>(known)};
   api.Uniform1iv(program.crowd, 3, values);
   api.BindFramebuffer(kGlFramebuffer, mesh.framebuffer);
-  api.Viewport(0, line, static_cast<int>(kWidth), end - line);
+  api.Viewport(0, line, static_cast<int>(kPaletteTextureWidth), end - line);
   api.BindVertexArray(0);
   api.DrawArrays(kGlTriangles, 0, 3);
   api.BindFramebuffer(kGlFramebuffer, 0);

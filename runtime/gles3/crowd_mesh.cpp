@@ -1,6 +1,8 @@
 // A mesh for crowds: its palettes of all frames in a texture, and a texture to render those of the instances to.
 #include <cstring>
 
+#include "core/off_boundary.h"
+#include "core/check.h"
 #include "core/memory.h"
 #include "gles3/crowd.h"
 #include "gles3/errors.h"
@@ -8,24 +10,22 @@
 #include "gles3/label.h"
 #include "gles3/prepare.h"
 #include "gles3/texture.h"
-#include "marrow/block.h"
 #include "marrow/palette.h"
 
 namespace marrow::gles3 {
 namespace {
 
-constexpr std::uint32_t kWidth = kPaletteTextureWidth;
 // Three lines hold as many matrices as a line has texels.
-constexpr std::uint32_t kChunk = kWidth;
+constexpr std::uint32_t kChunk = kPaletteTextureWidth;
 constexpr std::uint32_t kChunkLines = 3;
 
 std::uint32_t lines_of(std::uint64_t palettes, std::uint32_t joints) {
-  return static_cast<std::uint32_t>((3 * palettes * joints + kWidth - 1) / kWidth);
+  return static_cast<std::uint32_t>((3 * palettes * joints + kPaletteTextureWidth - 1) / kPaletteTextureWidth);
 }
 
 void put_lines(const Api& api, std::uint32_t line, std::uint32_t lines, const Affine* matrices) {
-  api.TexSubImage2D(kGlTexture2d, 0, 0, static_cast<int>(line), static_cast<int>(kWidth), static_cast<int>(lines),
-                    kGlRgba, kGlFloat, matrices);
+  api.TexSubImage2D(kGlTexture2d, 0, 0, static_cast<int>(line), static_cast<int>(kPaletteTextureWidth),
+                    static_cast<int>(lines), kGlRgba, kGlFloat, matrices);
 }
 
 std::size_t room_for_palettes(const Mesh& mesh) {
@@ -78,10 +78,10 @@ void destroy_objects(const Api& api, CrowdMesh& mesh) {
 // The textures, and the framebuffer. Errors are GL's to tell, but for the result: whether it can be drawn to.
 bool make_textures(const Api& api, CrowdMesh& mesh) {
   mesh.frames_texture =
-      make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kWidth, lines_of(mesh.frame_count, mesh.joints));
+      make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kPaletteTextureWidth, lines_of(mesh.frame_count, mesh.joints));
   put_frames(api, mesh);
-  mesh.blended_texture =
-      make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kWidth, lines_of(mesh.capacity, mesh.joints));
+  mesh.blended_texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kPaletteTextureWidth,
+                                      lines_of(mesh.capacity, mesh.joints));
   api.BindTexture(kGlTexture2d, 0);
   api.GenFramebuffers(1, &mesh.framebuffer);
   api.BindFramebuffer(kGlFramebuffer, mesh.framebuffer);
@@ -112,8 +112,9 @@ Status make_objects(const Api& api, const Caps& caps, CrowdMesh& mesh) {
 }  // namespace
 
 std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints) {
-  if (joints == 0 || caps.texture_size < kWidth) return 0;
-  return static_cast<std::uint32_t>(std::uint64_t{kWidth} * caps.texture_size / (std::uint64_t{3} * joints));
+  if (joints == 0 || caps.texture_size < kPaletteTextureWidth) return 0;
+  return static_cast<std::uint32_t>(std::uint64_t{kPaletteTextureWidth} * caps.texture_size /
+                                    (std::uint64_t{3} * joints));
 }
 
 std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options) {
@@ -129,7 +130,7 @@ Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, con
   MARROW_REQUIRE_GOOD(check_mesh(mesh, options));
   MARROW_REQUIRE_GOOD(check_frames(frames));
   MARROW_REQUIRE(holds(memory, crowd_mesh_bytes(mesh, options)));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i) MARROW_REQUIRE(mesh.joints[i] < frames.joint_count);
   if (!mesh.geometry.targets.empty()) return Status::unsupported;
   CrowdMesh made;

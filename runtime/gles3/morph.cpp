@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "gles3/gl_constants.h"
+#include "gles3/gl_size.h"
 #include "gles3/texture.h"
 
 namespace marrow::gles3 {
@@ -104,7 +105,7 @@ Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<st
 
   api.GenBuffers(1, &out.morph_buffer);
   api.BindBuffer(kGlArrayBuffer, out.morph_buffer);
-  api.BufferData(kGlArrayBuffer, std::ptrdiff_t{4} * g.slot_count, rows, kGlStaticDraw);
+  api.BufferData(kGlArrayBuffer, gl_size(std::uint64_t{4} * g.slot_count), rows, kGlStaticDraw);
   api.BindBuffer(kGlArrayBuffer, 0);
   out.morph_texture = make_texture(api, kGlRgba16i, kGlRgbaInteger, kGlShort, static_cast<std::uint32_t>(width),
                                    static_cast<std::uint32_t>(height) * static_cast<std::uint32_t>(g.targets.size));

@@ -2,6 +2,7 @@
 #include "core/check.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/gl_size.h"
 #include "gles3/label.h"
 #include "marrow/gles3.h"
 
@@ -14,8 +15,8 @@ std::uint32_t round_up(std::uint32_t value, std::uint32_t alignment) {
 
 // The block that a program reads is always kPaletteBlockBytes long, so the last palette needs that much behind its
 // start.
-std::ptrdiff_t buffer_bytes(const PaletteRing& ring) {
-  return std::ptrdiff_t{ring.capacity} + kPaletteBlockBytes;
+std::ptrdiff_t ring_bytes(const PaletteRing& ring) {
+  return gl_size(std::uint64_t{ring.capacity} + kPaletteBlockBytes);
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joint
   forget_errors(api);
   api.GenBuffers(1, &ring.buffer);
   api.BindBuffer(kGlUniformBuffer, ring.buffer);
-  api.BufferData(kGlUniformBuffer, buffer_bytes(ring), nullptr, kGlStreamDraw);
+  api.BufferData(kGlUniformBuffer, ring_bytes(ring), nullptr, kGlStreamDraw);
   api.BindBuffer(kGlUniformBuffer, 0);
   if (api.GetError() != kGlNoError) {
     destroy(api, ring);
@@ -51,7 +52,7 @@ void destroy(const Api& api, PaletteRing& ring) {
 void begin_frame(const Api& api, PaletteRing& ring) {
   ring.used = 0;
   api.BindBuffer(kGlUniformBuffer, ring.buffer);
-  api.BufferData(kGlUniformBuffer, buffer_bytes(ring), nullptr, kGlStreamDraw);
+  api.BufferData(kGlUniformBuffer, ring_bytes(ring), nullptr, kGlStreamDraw);
 }
 
 Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset) {
@@ -60,15 +61,14 @@ Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palett
   const std::uint32_t start = round_up(ring.used, ring.alignment);
   if (start > ring.capacity || bytes > ring.capacity - start) return Status::unsupported;
   api.BindBuffer(kGlUniformBuffer, ring.buffer);
-  api.BufferSubData(kGlUniformBuffer, std::ptrdiff_t{start}, std::ptrdiff_t{bytes}, palette.data);
+  api.BufferSubData(kGlUniformBuffer, gl_size(start), gl_size(bytes), palette.data);
   ring.used = start + bytes;
   offset = start;
   return Status::ok;
 }
 
 void bind_palette(const Api& api, const PaletteRing& ring, std::uint32_t offset, std::uint32_t binding) {
-  api.BindBufferRange(kGlUniformBuffer, binding, ring.buffer, std::ptrdiff_t{offset},
-                      std::ptrdiff_t{kPaletteBlockBytes});
+  api.BindBufferRange(kGlUniformBuffer, binding, ring.buffer, gl_size(offset), gl_size(kPaletteBlockBytes));
 }
 
 }  // namespace marrow::gles3

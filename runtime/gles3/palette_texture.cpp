@@ -9,8 +9,6 @@
 namespace marrow::gles3 {
 namespace {
 
-constexpr std::uint32_t kWidth = kPaletteTextureWidth;
-
 void upload(const Api& api, std::uint32_t y, std::uint32_t width, std::uint32_t height, const float* texels) {
   if (width == 0 || height == 0) return;
   api.TexSubImage2D(kGlTexture2d, 0, 0, static_cast<int>(y), static_cast<int>(width), static_cast<int>(height), kGlRgba,
@@ -21,13 +19,14 @@ void upload(const Api& api, std::uint32_t y, std::uint32_t width, std::uint32_t 
 
 Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out) {
   MARROW_REQUIRE(joints > 0);
-  const std::uint64_t height = (std::uint64_t{3} * joints + kWidth - 1) / kWidth;
-  if (caps.texture_size < kWidth || height > caps.texture_size) return Status::unsupported;
+  const std::uint64_t height = (std::uint64_t{3} * joints + kPaletteTextureWidth - 1) / kPaletteTextureWidth;
+  if (caps.texture_size < kPaletteTextureWidth || height > caps.texture_size) return Status::unsupported;
   PaletteTexture made;
   made.capacity = joints;
   forget_errors(api);
   for (std::uint32_t& texture : made.textures)
-    texture = make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kWidth, static_cast<std::uint32_t>(height));
+    texture =
+        make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kPaletteTextureWidth, static_cast<std::uint32_t>(height));
   api.BindTexture(kGlTexture2d, 0);
   if (api.GetError() != kGlNoError) {
     destroy(api, made);
@@ -49,11 +48,11 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
   texture.current = (texture.current + 1) % 3;
   texture.count = static_cast<std::uint32_t>(palettes.size);
   const std::uint32_t rows = 3 * static_cast<std::uint32_t>(palettes.size);
-  const std::uint32_t whole = rows / kWidth;
+  const std::uint32_t whole = rows / kPaletteTextureWidth;
   const float* const texels = palettes.data[0].rows[0];
   api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
-  upload(api, 0, kWidth, whole, texels);
-  upload(api, whole, rows % kWidth, 1, texels + std::size_t{4} * kWidth * whole);
+  upload(api, 0, kPaletteTextureWidth, whole, texels);
+  upload(api, whole, rows % kPaletteTextureWidth, 1, texels + std::size_t{4} * kPaletteTextureWidth * whole);
   api.BindTexture(kGlTexture2d, 0);
   return Status::ok;
 }

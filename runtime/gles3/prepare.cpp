@@ -6,6 +6,7 @@
 #include "gles3/encode.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/gl_size.h"
 #include "gles3/label.h"
 #include "gles3/morph.h"
 #include "marrow/gles3.h"
@@ -27,7 +28,7 @@ std::uint32_t upload(const Api& api, GlEnum target, const void* data, std::size_
   std::uint32_t buffer = 0;
   api.GenBuffers(1, &buffer);
   api.BindBuffer(target, buffer);
-  api.BufferData(target, static_cast<std::ptrdiff_t>(bytes), data, kGlStaticDraw);
+  api.BufferData(target, gl_size(bytes), data, kGlStaticDraw);
   return buffer;
 }
 
@@ -174,7 +175,9 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
     const Status morphs = make_morphs(api, g, quantisation.half_extent, scratch, made);
     if (morphs != Status::ok) return morphs;
   }
-  made.index_buffer = upload(api, kGlArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
+  // WebGL lets a buffer that has been bound to another target never be one of indices.
+  made.index_buffer = upload(api, kGlElementArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
+  api.BindBuffer(kGlElementArrayBuffer, 0);
   if (layout.surface_stride != 0) {
     encode_surface(g, layout, scratch.data);
     made.surface_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.surface_stride} * g.slot_count);

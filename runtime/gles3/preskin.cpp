@@ -1,6 +1,7 @@
 // Every frame: a mesh's vertices through a palette into a buffer, by transform feedback or by compute shader.
 #include "core/check.h"
 #include "gles3/compile.h"
+#include "gles3/gl_size.h"
 #include "gles3/skinned.h"
 
 namespace marrow::embedded {
@@ -21,7 +22,7 @@ void by_feedback(const Api& api, std::uint32_t array, const SkinnedMesh& to) {
   std::uint32_t count = 0;
   const auto capture = [&](std::uint32_t offset, std::uint32_t bytes) {
     if (bytes == 0) return;
-    api.BindBufferRange(kGlTransformFeedbackBuffer, count++, to.buffer, std::ptrdiff_t{offset}, std::ptrdiff_t{bytes});
+    api.BindBufferRange(kGlTransformFeedbackBuffer, count++, to.buffer, gl_size(offset), gl_size(bytes));
   };
   capture(0, blocks.position_bytes);
   capture(blocks.normals, blocks.normal_bytes);

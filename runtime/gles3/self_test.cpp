@@ -1,8 +1,8 @@
 // At start-up: every path skins small meshes, and what comes back is compared with the CPU.
 #include "marrow/gles3_self_test.h"
 
-#include <bit>
-
+#include "core/off_boundary.h"
+#include "core/builtins.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "gles3/errors.h"
@@ -10,7 +10,6 @@
 #include "gles3/self_test_key.h"
 #include "gles3/self_test_mesh.h"
 #include "gles3/self_test_target.h"
-#include "marrow/block.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
 
@@ -87,7 +86,7 @@ float larger_difference(float so_far, float a, float b) {
 }
 
 float word_as_float(std::uint32_t word) {
-  return std::bit_cast<float>(word);
+  return bit_cast<float>(word);
 }
 
 void pose_all(Probe& p, const Mesh& mesh, std::uint32_t frame, std::uint32_t characters, Skinner& s) {
@@ -259,7 +258,7 @@ Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& option
   MARROW_REQUIRE(options.ssd || options.as);
   MARROW_REQUIRE(options.seconds == nullptr || options.slow >= 1);
   MARROW_REQUIRE(holds(memory, self_test_bytes(options)));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   Probe probe(api, caps, options);
   Memory pieces{memory.data};
   lay_out_probe(pieces, probe);

@@ -1,8 +1,8 @@
 // What the self-test found: which path to take, and bytes to keep.
-#include <bit>
 #include <cstring>
 
 #include "asset/format.h"
+#include "core/builtins.h"
 #include "core/check.h"
 #include "gles3/gl_constants.h"
 #include "gles3/self_test_key.h"
@@ -99,7 +99,7 @@ std::uint64_t self_test_key(const Api& api, const Caps& caps, const SelfTestOpti
                                  options.crashed,
                                  options.ssd ? 1u : 0u,
                                  options.as ? 1u : 0u,
-                                 options.seconds != nullptr ? std::bit_cast<std::uint32_t>(options.slow) : 0u};
+                                 options.seconds != nullptr ? bit_cast<std::uint32_t>(options.slow) : 0u};
   return format::checksum(reinterpret_cast<const std::byte*>(parts), sizeof(parts));
 }
 

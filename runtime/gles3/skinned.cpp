@@ -4,6 +4,7 @@
 #include "core/check.h"
 #include "gles3/attributes.h"
 #include "gles3/errors.h"
+#include "gles3/gl_size.h"
 #include "gles3/label.h"
 
 namespace marrow::gles3 {
@@ -15,8 +16,7 @@ bool fits(Span<float> values, std::uint32_t bytes) {
 
 void put(const Api& api, std::uint32_t offset, Span<float> values) {
   if (values.empty()) return;
-  api.BufferSubData(kGlArrayBuffer, std::ptrdiff_t{offset}, static_cast<std::ptrdiff_t>(values.size * sizeof(float)),
-                    values.data);
+  api.BufferSubData(kGlArrayBuffer, gl_size(offset), gl_size(values.size * sizeof(float)), values.data);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Status make_skinned(const Api& api, const GpuMesh& mesh, const char* name, Skinn
   api.BindBuffer(kGlElementArrayBuffer, mesh.index_buffer);
   api.GenBuffers(1, &made.buffer);
   api.BindBuffer(kGlArrayBuffer, made.buffer);
-  api.BufferData(kGlArrayBuffer, std::ptrdiff_t{blocks.bytes}, nullptr, kGlDynamicCopy);
+  api.BufferData(kGlArrayBuffer, gl_size(blocks.bytes), nullptr, kGlDynamicCopy);
   attribute(api, kPositionLocation, 3, kGlFloat, false, 12, 0);
   if (blocks.normal_bytes != 0) attribute(api, kNormalLocation, 3, kGlFloat, false, 12, blocks.normals);
   if (blocks.tangent_bytes != 0) attribute(api, kTangentLocation, 4, kGlFloat, false, 16, blocks.tangents);
@@ -77,7 +77,7 @@ Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& verti
   MARROW_REQUIRE(fits(vertices.normals, blocks.normal_bytes));
   MARROW_REQUIRE(fits(vertices.tangents, blocks.tangent_bytes));
   api.BindBuffer(kGlArrayBuffer, mesh.buffer);
-  api.BufferData(kGlArrayBuffer, std::ptrdiff_t{blocks.bytes}, nullptr, kGlStreamDraw);
+  api.BufferData(kGlArrayBuffer, gl_size(blocks.bytes), nullptr, kGlStreamDraw);
   put(api, 0, vertices.positions);
   put(api, blocks.normals, vertices.normals);
   put(api, blocks.tangents, vertices.tangents);

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "gles3/compile.h"
@@ -11,7 +12,6 @@
 #include "gles3/prepare.h"
 #include "gles3/program_set.h"
 #include "gles3/skinned.h"
-#include "marrow/block.h"
 #include "marrow/morph.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
@@ -185,7 +185,7 @@ Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const 
   if (possible != Status::ok) return possible;
   MARROW_REQUIRE_GOOD(check_mesh(mesh, prepare_options(options)));
   MARROW_REQUIRE(holds(memory, skinner_bytes(mesh, options)));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   Skinner made;
   made.mesh = mesh;
   made.options = options;

@@ -1,9 +1,9 @@
 // Goals and matrices as the solvers of inverse kinematics read them.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
+#include "core/builtins.h"
 #include "marrow/pose.h"
 #include "math/affine.h"
 
@@ -11,7 +11,7 @@ namespace marrow {
 
 // 0 … 1: of numbers that are not negative, the order is that of their bits. False for -0.
 inline bool is_plain_share(float x) {
-  return std::bit_cast<std::uint32_t>(x) <= std::bit_cast<std::uint32_t>(1.0f);
+  return bit_cast<std::uint32_t>(x) <= bit_cast<std::uint32_t>(1.0f);
 }
 inline bool is_share(float x) {
   return 0 <= x && x <= 1;
@@ -19,8 +19,8 @@ inline bool is_share(float x) {
 
 inline constexpr float kMostStretch = 0x1p20f;
 inline bool is_stretch(float x) {  // 1 … kMostStretch
-  constexpr auto least = std::bit_cast<std::uint32_t>(1.0f), most = std::bit_cast<std::uint32_t>(kMostStretch);
-  return std::bit_cast<std::uint32_t>(x) - least <= most - least;
+  constexpr auto least = bit_cast<std::uint32_t>(1.0f), most = bit_cast<std::uint32_t>(kMostStretch);
+  return bit_cast<std::uint32_t>(x) - least <= most - least;
 }
 
 // Of a limb's length: what counts as reached.
@@ -28,14 +28,14 @@ inline constexpr float kNear = 1e-4f;
 
 // Whether x is not 0, or not 1; in few instructions.
 inline bool is_some(float x) {
-  return std::bit_cast<std::uint32_t>(x) << 1 != 0;
+  return bit_cast<std::uint32_t>(x) << 1 != 0;
 }
 inline bool is_some(const float (&v)[3]) {
-  const auto bits = [&](int i) { return std::bit_cast<std::uint32_t>(v[i]); };
+  const auto bits = [&](int i) { return bit_cast<std::uint32_t>(v[i]); };
   return (bits(0) | bits(1) | bits(2)) << 1 != 0;
 }
 inline bool is_partial(float x) {
-  return std::bit_cast<std::uint32_t>(x) != std::bit_cast<std::uint32_t>(1.0f);
+  return bit_cast<std::uint32_t>(x) != bit_cast<std::uint32_t>(1.0f);
 }
 
 // In one register each. Of a matrix the rows, and what stands behind them.

@@ -1,5 +1,4 @@
 #include "ik/two_bone.h"
-#include <bit>
 
 #include "core/check.h"
 #include "ik/goals.h"

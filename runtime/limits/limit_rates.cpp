@@ -6,8 +6,8 @@
 namespace marrow {
 namespace {
 
-constexpr float kStepsPerSecond = 960.0f, kLongest_s = 0.25f;
-constexpr float kShortest_s = 1e-9f;  // in which a target may go anywhere, and its velocity is still finite
+constexpr float kStepsPerSecond = 960.0f, kLongestFrame_s = 0.25f;
+constexpr float kShortestFrame_s = 1e-9f;  // in which a target may go anywhere, and its velocity is still finite
 // Within this much of the target, and of its velocity per second, the follower is taken to be on it.
 constexpr float kArrived = 1e-5f, kArrivedSpeed = 1e-3f;
 enum FollowMode : std::uint32_t { kNotBegun, kUnderWay, kOnTarget };
@@ -82,7 +82,7 @@ Vector3 finite_or_none(const Vector3& velocity) {
 
 // Whether a follower is one that has been here: its velocity may be that of the farthest target in the shortest frame.
 bool is_sound(const float (&velocity)[3], float frame_s, std::uint32_t mode) {
-  return all_within(velocity, 3, -1e25f, 1e25f) && within(frame_s, 0, kLongest_s) && mode <= kOnTarget;
+  return all_within(velocity, 3, -1e25f, 1e25f) && within(frame_s, 0, kLongestFrame_s) && mode <= kOnTarget;
 }
 bool is_sound(const PointFollower& f) {
   return all_within(f.point, 3, -1e18f, 1e18f) && all_within(f.target, 3, -1e18f, 1e18f) &&
@@ -94,7 +94,7 @@ bool is_sound(const RotationFollower& f) {
 }
 
 float frame_time(float dt_s) {
-  return greater(lesser(dt_s, kLongest_s), kShortest_s);
+  return greater(lesser(dt_s, kLongestFrame_s), kShortestFrame_s);
 }
 
 bool is_time(float dt_s) {

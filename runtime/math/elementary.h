@@ -7,6 +7,7 @@
 
 #include <cstddef>
 
+#include "core/builtins.h"
 #include "math/lane.h"
 
 namespace marrow {
@@ -120,7 +121,7 @@ inline float power_of_two(float x) {
   constexpr float kFit[] = {1.0f,           0.693147215f,   0.240226528f,   0.0555031055f,
                             0.00961769297f, 0.00134066439f, 0.000155946775f};
   const float fraction = horner(kFit, x - static_cast<float>(whole));
-  return fraction * __builtin_bit_cast(float, (whole + 127) << 23);
+  return fraction * bit_cast<float>((whole + 127) << 23);
 }
 
 // e^x for x ≤ 0, within 2e-7 of itself: exactly 1 at 0, and 1.6e-38 for all below -87. Above 0 it soon gives anything;

@@ -2,10 +2,19 @@
 // operation: no fused multiply-add, no estimates, comparisons false on NaN.
 #pragma once
 
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ > 0
+#error "floats are computed with more bits than they have (the x87 of i386): compile with -msse2 -mfpmath=sse"
+#endif
+#if defined(__FAST_MATH__)
+#error "-ffast-math changes the bits of poses and takes NaN for a number: compile Marrow without it"
+#endif
+
 #if !defined(MARROW_SCALAR) && (defined(__SSE2__) || defined(_M_X64))
 #include "math/f32x4_sse.h"
 #elif !defined(MARROW_SCALAR) && defined(__aarch64__)
 #include "math/f32x4_neon.h"
+#elif !defined(MARROW_SCALAR) && defined(__wasm_simd128__)
+#include "math/f32x4_wasm.h"
 #else
 // 32-bit ARM comes here too: its NEON flushes denormals and divides by estimates.
 #include "math/f32x4_scalar.h"

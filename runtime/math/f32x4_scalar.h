@@ -1,10 +1,11 @@
 // f32x4 in plain C++: the reference that the SIMD backends must equal bit for bit.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+
+#include "core/builtins.h"
 
 namespace marrow {
 
@@ -51,7 +52,7 @@ inline f32x4 operator/(f32x4 a, f32x4 b) {
   return each_lane([&](int i) { return a.v[i] / b.v[i]; });
 }
 inline f32x4 sqrt(f32x4 a) {
-  return each_lane([&](int i) { return __builtin_sqrtf(a.v[i]); });
+  return each_lane([&](int i) { return square_root(a.v[i]); });
 }
 inline mask4 operator<(f32x4 a, f32x4 b) {
   return {{a.v[0] < b.v[0], a.v[1] < b.v[1], a.v[2] < b.v[2], a.v[3] < b.v[3]}};
@@ -83,7 +84,7 @@ inline f32x4 greater(f32x4 a, f32x4 b) {
   return each_lane([&](int i) { return b.v[i] < a.v[i] ? a.v[i] : b.v[i]; });
 }
 inline f32x4 absolute(f32x4 a) {
-  return each_lane([&](int i) { return __builtin_fabsf(a.v[i]); });
+  return each_lane([&](int i) { return without_sign(a.v[i]); });
 }
 inline f32x4 only_where(mask4 m, f32x4 a) {
   return each_lane([&](int i) { return m.v[i] ? a.v[i] : 0.0f; });
@@ -92,7 +93,7 @@ inline f32x4 clamp_to_unit(f32x4 a) {
   return each_lane([&](int i) { return !(0.0f < a.v[i]) ? 0.0f : a.v[i] < 1.0f ? a.v[i] : 1.0f; });
 }
 inline f32x4 flip(f32x4 a, f32x4 by) {
-  return each_lane([&](int i) { return __builtin_signbit(by.v[i]) ? -a.v[i] : a.v[i]; });
+  return each_lane([&](int i) { return has_sign(by.v[i]) ? -a.v[i] : a.v[i]; });
 }
 
 template <int Lane>
@@ -206,10 +207,10 @@ inline f32x4 load_int16(const std::int16_t* p) {
   return each_lane([&](int i) { return static_cast<float>(p[i]); });
 }
 inline f32x4 bits_as_float(i32x4 a) {
-  return each_lane([&](int i) { return std::bit_cast<float>(a.v[i]); });
+  return each_lane([&](int i) { return bit_cast<float>(a.v[i]); });
 }
 inline i32x4 float_as_bits(f32x4 a) {
-  return each_int([&](int i) { return std::bit_cast<std::int32_t>(a.v[i]); });
+  return each_int([&](int i) { return bit_cast<std::int32_t>(a.v[i]); });
 }
 // Sixty-four bits from each of two places, whatever their alignment.
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
@@ -233,7 +234,7 @@ inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
   return {{a.v[0] >> n[0], a.v[1] >> n[0]}};
 }
 inline i32x4 words(u64x2 a) {
-  return std::bit_cast<i32x4>(a);
+  return bit_cast<i32x4>(a);
 }
 // Four words, whatever their alignment.
 inline i32x4 load_words(const std::byte* p) {

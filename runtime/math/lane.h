@@ -3,12 +3,13 @@
 // order are the same, and so are the results, but for the sign of zeros.
 #pragma once
 
+#include "core/builtins.h"
 #include "math/f32x4.h"
 
 namespace marrow {
 
 inline float sqrt(float a) {
-  return __builtin_sqrtf(a);
+  return square_root(a);
 }
 inline bool any(bool m) {
   return m;
@@ -27,10 +28,10 @@ inline float greater(float a, float b) {
   return b < a ? a : b;
 }
 inline float absolute(float a) {
-  return __builtin_fabsf(a);
+  return without_sign(a);
 }
 inline float flip(float a, float by) {
-  return __builtin_signbit(by) ? -a : a;
+  return has_sign(by) ? -a : a;
 }
 // 1 / root; 0 for 0, as of four lanes.
 inline float inverse_length(float squared) {

@@ -1,8 +1,8 @@
 #include "marrow/playback.h"
 
-#include <bit>
 #include <type_traits>
 
+#include "core/builtins.h"
 #include "core/check.h"
 #include "math/finite.h"
 
@@ -37,7 +37,7 @@ Division divide(double x, double d) {
 }
 
 double next_below(double positive) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(positive) - 1);
+  return bit_cast<double>(bit_cast<std::uint64_t>(positive) - 1);
 }
 
 void run_once(Playback& p, double time_s, double duration_s) {

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "core/builtins.h"
 #include "core/check.h"
 #include "marrow/blend.h"
 #include "math/keys.h"
@@ -43,7 +44,7 @@ void cubic_spline(const Track& track, const Moment& m, const float* keys, int n,
   for (int i = 0; i < n; ++i) out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
   if (track.path != TrackPath::rotation) return;
   const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
-  const float inverse = squared > 0.0f ? 1.0f / __builtin_sqrtf(squared) : 0.0f;
+  const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
   for (int i = 0; i < 4; ++i) out[i] *= inverse;
 }
 

@@ -1,6 +1,6 @@
 #include "skin/as_surface.h"
 
-#include <bit>
+#include "core/builtins.h"
 
 namespace marrow {
 namespace {
@@ -29,7 +29,7 @@ Counts count(Span<const AsPart> parts) {
 std::uint32_t hash_of(const float* position) {
   std::uint32_t h = 0;
   for (std::size_t c = 0; c < 3; ++c) {
-    h = (h ^ std::bit_cast<std::uint32_t>(position[4 * c] + 0.0f)) * 0x9E3779B1u;  // -0 is 0
+    h = (h ^ bit_cast<std::uint32_t>(position[4 * c] + 0.0f)) * 0x9E3779B1u;  // -0 is 0
     h ^= h >> 15;
   }
   return h;

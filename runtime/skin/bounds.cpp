@@ -2,9 +2,10 @@
 
 #include <bit>
 
+#include "core/off_boundary.h"
+#include "core/builtins.h"
 #include "core/check.h"
 #include "core/memory.h"
-#include "marrow/block.h"
 #include "math/f32x4.h"
 #include "math/finite.h"
 
@@ -20,8 +21,8 @@ float larger(float a, float b) {
 
 // x, y, z, and a fourth lane that means nothing.
 struct Box {
-  f32x4 least = splat(__builtin_inff());
-  f32x4 most = splat(-__builtin_inff());
+  f32x4 least = splat(kInfinity);
+  f32x4 most = splat(-kInfinity);
 };
 
 // Where an entry's box goes: the lanes of Box.
@@ -149,7 +150,7 @@ std::size_t reach_bytes(const Mesh& mesh) {
 
 Status make_reach(const Mesh& mesh, Span<std::byte> memory, Reach& out) {
   MARROW_REQUIRE(holds(memory, reach_bytes(mesh)));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   const Geometry& g = mesh.geometry;
   Memory taken{memory.data};
   Reach made;

@@ -3,8 +3,8 @@
 #include <bit>
 #include <cstring>
 
+#include "core/off_boundary.h"
 #include "core/check.h"
-#include "marrow/block.h"
 #include "marrow/skin.h"
 #include "math/vector.h"
 #include "skin/as_block.h"
@@ -175,7 +175,7 @@ Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeo
   MorphedGeometry made;
   made.bind = made.geometry = geometry;
   if (!geometry.targets.empty()) {
-    MARROW_REQUIRE(is_on_boundary(memory.data));
+    MARROW_REQUIRE_GOOD(check_boundary(memory.data));
     const MorphMemory m = memory_of(geometry);
     const auto copy = [&](const float* from, std::size_t offset, std::size_t end) -> const float* {
       if (from == nullptr) return nullptr;

@@ -4,7 +4,8 @@
 
 #include "asset/spring_rules.h"
 #include "core/check.h"
-#include "marrow/block.h"
+#include "core/off_boundary.h"
+#include "math/finite.h"
 #include "springs/spring_state.h"
 
 namespace marrow {
@@ -122,7 +123,7 @@ Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Sp
   MARROW_REQUIRE_GOOD(check_chains(skeleton, chains));
   const std::size_t bytes = springs_bytes(skeleton, chains), groups = groups_of(chains);
   MARROW_REQUIRE(holds(memory, bytes));
-  MARROW_REQUIRE(bytes == 0 || is_on_boundary(memory.data));
+  if (bytes > 0) MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   if (bytes > 0) std::memset(memory.data, 0, bytes);
   out.groups = reinterpret_cast<SpringGroup*>(memory.data);
   out.roots = reinterpret_cast<SpringRoot*>(memory.data + groups * sizeof(SpringGroup));

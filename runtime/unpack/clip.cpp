@@ -1,3 +1,5 @@
+#include <bit>
+
 #include "marrow/file.h"
 #include "unpack/structure.h"
 
@@ -5,10 +7,10 @@ namespace marrow {
 namespace {
 
 std::uint32_t bit_count(std::uint32_t bits) {
-  return static_cast<std::uint32_t>(__builtin_popcount(bits));
+  return static_cast<std::uint32_t>(std::popcount(bits));
 }
 
-void copy(Span<const std::byte> from, Span<std::byte> out, std::uint64_t offset) {
+void copy_to(Span<const std::byte> from, Span<std::byte> out, std::uint64_t offset) {
   if (from.size > 0) std::memcpy(out.data + offset, from.data, from.size);
 }
 
@@ -37,7 +39,7 @@ const char* unpack_coded(ByteReader& reader, std::uint32_t flags, std::uint32_t 
   h.time_count = (flags & packed::kClipIsUneven) != 0 ? h.frame_count : 0;
   const format::CodedLayout fixed = layout(h, start, joint_count);  // up to the constants
   if (fixed.constants > out.size) return "file_bytes too small";
-  copy(reader.take_bytes(std::size_t{h.time_count} * 4), out, fixed.times);
+  copy_to(reader.take_bytes(std::size_t{h.time_count} * 4), out, fixed.times);
   auto* const offsets = reinterpret_cast<std::uint32_t*>(out.data + fixed.offsets);
   offsets[0] = 0;
   for (std::uint32_t i = 1; i < segment_count(h); ++i) offsets[i] = offsets[i - 1] + reader.take_varint();
@@ -50,7 +52,7 @@ const char* unpack_coded(ByteReader& reader, std::uint32_t flags, std::uint32_t 
   const format::CodedLayout l = layout(h, start, joint_count);
   if (l.bytes > out.size) return "file_bytes too small";
   std::memcpy(out.data + l.header, &h, sizeof h);
-  copy(reader.take_bytes(reader.left()), out, l.constants);  // and the payload behind them
+  copy_to(reader.take_bytes(reader.left()), out, l.constants);  // and the payload behind them
   std::memset(out.data + l.bytes - format::kPayloadPadding, 0, format::kPayloadPadding);
   bytes = static_cast<std::uint32_t>(l.bytes);
   return nullptr;
@@ -80,7 +82,7 @@ const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeleton
   const format::ClipLayout l = layout(h);
   if (l.bytes > out.size) return "file_bytes too small";
   std::memcpy(out.data, &h, sizeof h);
-  copy(reader.take_bytes(static_cast<std::size_t>(l.bytes - sizeof h)), out, sizeof h);
+  copy_to(reader.take_bytes(static_cast<std::size_t>(l.bytes - sizeof h)), out, sizeof h);
   bytes = static_cast<std::uint32_t>(l.bytes);
   codec = (flags & packed::kClipIsCoded) != 0 ? format::kCodecSegments : format::kCodecRaw;
   if (codec == format::kCodecSegments) {

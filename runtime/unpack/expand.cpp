@@ -1,8 +1,8 @@
 #include "unpack/expand.h"
 
-#include <bit>
 #include <cstring>
 
+#include "core/builtins.h"
 #include "unpack/octahedron.h"
 
 namespace marrow {
@@ -18,7 +18,7 @@ T* at(std::byte* base, std::uint64_t offset) {
 
 float value(const Stream& s, std::uint32_t vertex, std::uint32_t component) {
   const std::int32_t v = s.values[std::size_t{vertex} * s.components + component];
-  if (s.bits == 0) return std::bit_cast<float>(v);
+  if (s.bits == 0) return bit_cast<float>(v);
   if (is_centred(s.kind)) return static_cast<float>(v - (1 << (s.bits - 1))) * s.step;
   return s.origin[component < 3 ? component : 0] + static_cast<float>(v) * s.step;
 }
@@ -31,7 +31,7 @@ std::int32_t nothing(const Stream& s) {
 // Of an influence. Stored relative to the vertex, which the w carry along.
 float residual(const Stream& s, const Stream& positions, std::uint32_t vertex, std::uint32_t component) {
   const std::int32_t* const v = s.values + std::size_t{vertex} * 4;
-  if (s.bits == 0) return std::bit_cast<float>(v[component]);
+  if (s.bits == 0) return bit_cast<float>(v[component]);
   const float w = static_cast<float>(v[3] - nothing(s)) * s.origin[0];
   if (component == 3) return w;
   return static_cast<float>(v[component] - nothing(s)) * s.step + value(positions, vertex, component) * w;
@@ -40,7 +40,7 @@ float residual(const Stream& s, const Stream& positions, std::uint32_t vertex, s
 void direction(const Stream& s, std::uint32_t vertex, float out[3]) {
   const std::int32_t* const v = s.values + std::size_t{vertex} * s.components;
   if (s.bits == 0) {
-    for (int i = 0; i < 3; ++i) out[i] = std::bit_cast<float>(v[i]);
+    for (int i = 0; i < 3; ++i) out[i] = bit_cast<float>(v[i]);
   } else {
     from_octahedron(v[0], v[1], s.bits, out);
   }

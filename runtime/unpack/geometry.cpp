@@ -122,8 +122,8 @@ bool read_pose_space(Reading& in) {
       continue;
     }
     for (std::uint64_t j = 0; j < joints; ++j, rotation += 4) {
-      constexpr std::int16_t kNone[4] = {0, 0, 0, 32767};
-      for (int c = 0; c < 4; ++c) rotation[c] = parents[j] == kNoParent ? kNone[c] : reader.take<std::int16_t>();
+      constexpr std::int16_t kUnturned[4] = {0, 0, 0, 32767};
+      for (int c = 0; c < 4; ++c) rotation[c] = parents[j] == kNoParent ? kUnturned[c] : reader.take<std::int16_t>();
     }
   }
   return true;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/builtins.h"
+
 namespace marrow {
 
 // Smallest three: bits 0–59 hold the numbers of x, y, z, w but for the largest, 20 bits each, in that order; 60–61
@@ -23,7 +25,7 @@ inline void decode_rotation(std::uint64_t code, float (&out)[4]) {
     shift += 20;
   }
   const float rest = 1.0f - squared;
-  const float size = __builtin_sqrtf(rest > 0 ? rest : 0);
+  const float size = square_root(rest > 0 ? rest : 0);
   out[largest] = (code >> 62 & 1) != 0 ? -size : size;
 }
 

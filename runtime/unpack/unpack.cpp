@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "core/check.h"
-#include "marrow/block.h"
+#include "core/off_boundary.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
 #include "unpack/structure.h"
@@ -57,11 +57,11 @@ Status read_counts(Span<const std::byte> packed, Header& h, DataError* error) {
 }
 
 BadCall check_memory(const Header& h, Span<std::byte> memory, DataError* error) {
-  if (memory.size < h.memory_bytes || !is_on_boundary(memory.data))
-    (void)fail(error, Status::bad_argument, 0, "memory_bytes on a boundary of 16 bytes, see marrow/block.h");
+  const char* const off = off_boundary(memory.data);
+  if (off != nullptr || memory.size < h.memory_bytes)
+    (void)fail(error, Status::bad_argument, 0, off != nullptr ? off : "memory of memory_bytes");
   MARROW_CHECK(holds(memory, h.memory_bytes));
-  MARROW_CHECK(is_on_boundary(memory.data));
-  return {};
+  return check_boundary(memory.data);
 }
 
 // The last record's bytes if they are compact names, else none.
@@ -134,7 +134,7 @@ class Unpacker {
     if (record_.kind >= format::kKindCount) return bad(rule, "an unknown kind of record");
     const std::uint64_t offset = format::align16(end_);
     if (offset > header_.file_bytes) return bad(rule, "file_bytes too small");
-    std::memset(memory_.data + end_, 0, offset - end_);
+    std::memset(memory_.data + end_, 0, static_cast<std::size_t>(offset - end_));
     const Span<std::byte> out(memory_.data + offset, header_.file_bytes - static_cast<std::size_t>(offset));
     File::Section section{format::kTypes[record_.kind], static_cast<std::uint32_t>(offset), 0, 0};
     if (record_.codec < packed::kFirstCodec) {

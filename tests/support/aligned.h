@@ -2,31 +2,28 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace marrow::test {
 
 class AlignedBlock {
  public:
-  explicit AlignedBlock(std::size_t size) : size_(size) {
-    void* memory = nullptr;
-    if (posix_memalign(&memory, 16, size == 0 ? 1 : size) != 0) std::abort();
-    data_ = static_cast<std::byte*>(memory);
-  }
+  explicit AlignedBlock(std::size_t size)
+      : data_(static_cast<std::byte*>(::operator new (size, std::align_val_t{16}))), size_(size) {}
   AlignedBlock(const void* bytes, std::size_t size) : AlignedBlock(size) {
     if (size > 0) std::memcpy(data_, bytes, size);
   }
   AlignedBlock(const AlignedBlock&) = delete;
   AlignedBlock& operator=(const AlignedBlock&) = delete;
-  ~AlignedBlock() { std::free(data_); }
+  ~AlignedBlock() { ::operator delete (data_, std::align_val_t{16}); }
 
   std::byte* data() { return data_; }
   const std::byte* data() const { return data_; }
   std::size_t size() const { return size_; }
 
  private:
-  std::byte* data_ = nullptr;
+  std::byte* data_;
   std::size_t size_;
 };
 

@@ -1,10 +1,8 @@
-// Poses of noise of one skeleton, and how to compare joints of poses.
+// Poses of noise of one skeleton, and whether they are the same bits.
 #pragma once
 
 #include <cstring>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "support/rig.h"
 
@@ -52,18 +50,6 @@ inline bool same_bits(const std::vector<SoaTransform>& a, const std::vector<SoaT
   for (std::size_t i = joint % 4; i < 40; i += 4)
     if (std::memcmp(fa + i, fb + i, sizeof(float)) != 0) return false;
   return true;
-}
-
-// A quaternion and its negative are the same rotation.
-inline void expect_joint(const TestJoint& got, const TestJoint& want, double tolerance) {
-  double cosine = 0;
-  for (std::size_t i = 0; i < 4; ++i) cosine += got.rotation[i] * want.rotation[i];
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(got.translation[i], want.translation[i], tolerance) << "translation " << i;
-    EXPECT_NEAR(got.scale[i], want.scale[i], tolerance) << "scale " << i;
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(got.rotation[i], cosine < 0 ? -want.rotation[i] : want.rotation[i], tolerance) << "rotation " << i;
 }
 
 }  // namespace marrow::test

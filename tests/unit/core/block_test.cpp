@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "marrow/marrow.h"
+#include "support/call_errors.h"
 
 namespace marrow {
 namespace {
@@ -31,6 +32,27 @@ TEST(Block, NoneInMemoryTooShort) {
   EXPECT_EQ(block_in({memory + 1, 16}).size, 1u);
   EXPECT_EQ(block_in(memory).size, 32u);
   EXPECT_FALSE(is_on_boundary(memory + 8));
+}
+
+// An asset that is mapped out of an archive begins where the archive has it: the message says how far that is off.
+TEST(Block, HowFarBehindABoundaryIsSaid) {
+  test::CallErrors errors;
+  alignas(16) static std::byte memory[64] = {};
+  File file;
+  for (std::size_t behind = 1; behind < 16; ++behind) {
+    DataError error;
+    ASSERT_EQ(load({memory + behind, 48}, file, &error), Status::bad_argument);
+    const std::vector<test::CallError> heard = errors.take();
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(heard[0].function, "load");
+    const std::string said = "memory begins " + std::to_string(behind) + " bytes behind a boundary of 16 bytes";
+    EXPECT_EQ(heard[0].condition.substr(0, said.size()), said);
+    EXPECT_EQ(error.rule, heard[0].condition);
+  }
+  DataError error;
+  EXPECT_EQ(load({}, file, &error), Status::bad_argument);
+  EXPECT_STREQ(error.rule, "a block that is not null");
+  EXPECT_EQ(load(memory, file, &error), Status::bad_magic) << "on a boundary it is read";
 }
 
 TEST(Joint, ReadAndSetInItsLaneAlone) {

@@ -8,6 +8,7 @@
 
 #include "marrow/blend.h"
 #include "marrow/sample.h"
+#include "support/expect_joint.h"
 #include "support/poses.h"
 
 namespace marrow {

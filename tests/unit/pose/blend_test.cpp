@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/expect_joint.h"
 #include "support/poses.h"
 
 namespace marrow {

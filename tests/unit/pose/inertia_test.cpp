@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "marrow/transition.h"
+#include "support/expect_joint.h"
 #include "support/poses.h"
 
 namespace marrow {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/expect_joint.h"
 #include "support/poses.h"
 #include "unit/pose/reach.h"
 

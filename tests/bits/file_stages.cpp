@@ -1,0 +1,39 @@
+// Files of every kind through every stage, and packed ones through unpacking.
+#include "bits/stages.h"
+#include "support/fan.h"
+#include "support/golden.h"
+
+namespace marrow::test {
+namespace {
+
+std::uint64_t file_hash(const AlignedBlock& block) {
+  File file;
+  must(load({block.data(), block.size()}, file));
+  return exercise(file);
+}
+
+std::uint64_t unpacked_hash(const std::vector<std::byte>& packed) {
+  Unpacked memory;
+  File file;
+  DataError error;
+  must(run(packed, memory, file, error));
+  return exercise(file);
+}
+
+}  // namespace
+
+void hash_files(StageHashes& out) {
+  out.push_back({"a file", file_hash(golden_copy())});
+  out.push_back({"channels, additive clips", file_hash(golden_channels_copy())});
+  out.push_back({"a clip at uneven times", file_hash(golden_uneven_copy())});
+  out.push_back({"a coded clip", file_hash(golden_coded_copy())});
+  out.push_back({"a clip pack", file_hash(golden_pack_copy())});
+  out.push_back({"half-joints", file_hash(golden_half_joint_copy())});
+  out.push_back({"materials, nodes", file_hash(golden_looks_copy())});
+  out.push_back({"levels of detail", file_hash(golden_lod_copy())});
+  out.push_back({"limits", file_hash(golden_limits_copy())});
+  out.push_back({"unpack", unpacked_hash(packed_fan())});
+  out.push_back({"unpack, deformers", unpacked_hash(packed_deformers())});
+}
+
+}  // namespace marrow::test
