@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "common/check_status.h"
 #include "common/failure.h"
 
 namespace marrow::embedded {
