@@ -45,16 +45,34 @@ const fs::path kRuntime = marrow::test::in_source("runtime");
 const fs::path kTools = marrow::test::in_source("tools");
 
 // Which folder stands behind a public header: where its functions are implemented.
-const std::map<std::string, std::string> kHeaders = {
-    {"marrow/status.h", "core"},   {"marrow/span.h", "core"},           {"marrow/pose.h", "core"},
-    {"marrow/glm.h", "math"},      {"marrow/file.h", "asset"},          {"marrow/curve.h", "curve"},
-    {"marrow/sample.h", "pose"},   {"marrow/local_to_model.h", "pose"}, {"marrow/blend.h", "pose"},
-    {"marrow/limits.h", "limits"}, {"marrow/transition.h", "pose"},     {"marrow/playback.h", "pose"},
-    {"marrow/ik.h", "ik"},         {"marrow/palette.h", "skin"},        {"marrow/skin.h", "skin"},
-    {"marrow/morph.h", "skin"},    {"marrow/clip_pack.h", "asset"},     {"marrow/unpack.h", "unpack"},
-    {"marrow/draco.h", "draco"},   {"marrow/meshopt.h", "meshopt"},     {"marrow/springs.h", "springs"},
-    {"marrow/feet.h", "ik"},       {"marrow/ik_solve.h", "ik"},         {"marrow/call_error.h", "core"},
-    {"marrow/bounds.h", "skin"},   {"marrow/block.h", "core"},          {"marrow/character.h", "character"}};
+const std::map<std::string, std::string> kHeaders = {{"marrow/status.h", "core"},
+                                                     {"marrow/span.h", "core"},
+                                                     {"marrow/pose.h", "core"},
+                                                     {"marrow/glm.h", "math"},
+                                                     {"marrow/file.h", "asset"},
+                                                     {"marrow/curve.h", "curve"},
+                                                     {"marrow/sample.h", "pose"},
+                                                     {"marrow/local_to_model.h", "pose"},
+                                                     {"marrow/blend.h", "pose"},
+                                                     {"marrow/limits.h", "limits"},
+                                                     {"marrow/transition.h", "pose"},
+                                                     {"marrow/playback.h", "pose"},
+                                                     {"marrow/ik.h", "ik"},
+                                                     {"marrow/palette.h", "skin"},
+                                                     {"marrow/skin.h", "skin"},
+                                                     {"marrow/morph.h", "skin"},
+                                                     {"marrow/clip_pack.h", "asset"},
+                                                     {"marrow/unpack.h", "unpack"},
+                                                     {"marrow/draco.h", "draco"},
+                                                     {"marrow/meshopt.h", "meshopt"},
+                                                     {"marrow/springs.h", "springs"},
+                                                     {"marrow/feet.h", "ik"},
+                                                     {"marrow/ik_solve.h", "ik"},
+                                                     {"marrow/call_error.h", "core"},
+                                                     {"marrow/bounds.h", "skin"},
+                                                     {"marrow/block.h", "core"},
+                                                     {"marrow/character.h", "character"},
+                                                     {"marrow/debug_lines.h", "debug"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
@@ -77,6 +95,7 @@ TEST(Includes, PointOneWay) {
       {"curve", {"core", "math", "curve"}},
       {"skin", {"core", "math", "asset", "skin"}},
       {"character", {"core", "math", "asset", "pose", "skin", "character"}},
+      {"debug", {"core", "math", "asset", "limits", "ik", "springs", "debug"}},
       {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
       {"unpack", {"core", "math", "asset", "pose", "unpack"}},
       {"draco", {"core", "asset", "unpack", "draco"}},
@@ -94,8 +113,8 @@ TEST(Includes, PointOneWay) {
 }
 
 TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
-  const std::set<std::string> known = {"include", "core", "math",  "asset",  "pose",  "limits",  "ik",       "springs",
-                                       "curve",   "skin", "gles3", "unpack", "draco", "meshopt", "character"};
+  const std::set<std::string> known = {"include", "core", "math",  "asset",  "pose",  "limits",  "ik",        "springs",
+                                       "curve",   "skin", "gles3", "unpack", "draco", "meshopt", "character", "debug"};
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }

@@ -189,6 +189,7 @@ std::vector<MisuseRow> rows_of_reaching();
 std::vector<MisuseRow> rows_of_following();
 std::vector<MisuseRow> rows_of_skinning();
 std::vector<MisuseRow> rows_of_characters();
+std::vector<MisuseRow> rows_of_lines();
 
 // That there is a row of every function that the headers declare, and no other. headers: which of them, by name.
 void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::function<bool(const std::string&)>& headers);
