@@ -73,7 +73,8 @@ const std::map<std::string, std::string> kHeaders = {{"marrow/api.h", "core"},
                                                      {"marrow/call_error.h", "core"},
                                                      {"marrow/bounds.h", "skin"},
                                                      {"marrow/block.h", "core"},
-                                                     {"marrow/character.h", "character"}};
+                                                     {"marrow/character.h", "character"},
+                                                     {"marrow/debug_lines.h", "debug"}};
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
@@ -97,6 +98,7 @@ TEST(Includes, PointOneWay) {
       {"curve", {"core", "math", "curve"}},
       {"skin", {"core", "math", "asset", "skin"}},
       {"character", {"core", "math", "asset", "pose", "skin", "character"}},
+      {"debug", {"core", "math", "asset", "limits", "ik", "springs", "debug"}},
       {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
       {"unpack", {"core", "math", "asset", "pose", "unpack"}},
       {"c",
@@ -118,7 +120,7 @@ TEST(Includes, PointOneWay) {
 
 TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
   const std::set<std::string> known = {"include", "core", "math",  "asset",  "pose",  "limits",  "ik",        "springs",
-                                       "curve",   "skin", "gles3", "unpack", "draco", "meshopt", "character", "c"};
+                                       "curve",   "skin", "gles3", "unpack", "draco", "meshopt", "character", "c", "debug"};
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }

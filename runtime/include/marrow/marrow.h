@@ -24,5 +24,6 @@
 #include "marrow/palette.h"         // 4. palette         joints → skinning matrices
 #include "marrow/bounds.h"          //    beside 4        palette → a box and a sphere
 #include "marrow/skin.h"            // 5. skin            rigid, SSD, animation space
+#include "marrow/debug_lines.h"     //    beside 3 and 4  lines that show joints, limits, goals, springs, bounds
 #include "marrow/character.h"       // 2. to 4.           all of a file: animations by name, every skeleton and mesh
 // clang-format on

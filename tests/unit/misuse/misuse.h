@@ -190,6 +190,7 @@ std::vector<MisuseRow> rows_of_reaching();
 std::vector<MisuseRow> rows_of_following();
 std::vector<MisuseRow> rows_of_skinning();
 std::vector<MisuseRow> rows_of_characters();
+std::vector<MisuseRow> rows_of_lines();
 
 // Names of all functions that headers declare, members too. headers: which of them, by name.
 std::set<std::string> declared_functions(const std::function<bool(const std::string&)>& headers);
