@@ -11,6 +11,7 @@
 #include "marrow/character.h"
 #include "marrow/clip_pack.h"
 #include "marrow/curve.h"
+#include "marrow/debug_lines.h"
 #include "marrow/feet.h"
 #include "marrow/file.h"
 #include "marrow/ik.h"
@@ -164,6 +165,26 @@ SAME_MEMBER(mrw_joint_limit, JointLimit, limit_from_parent, limit_from_parent);
 SAME_MEMBER(mrw_joint_limit, JointLimit, joint_from_limit, joint_from_limit);
 SAME_MEMBER(mrw_joint_limit, JointLimit, angles, angles);
 SAME_MEMBER(mrw_joint_limit, JointLimit, rate, rate);
+static_assert(MRW_MAX_SPRING_COLLIDERS == kMaxSpringColliders);
+SAME(mrw_spring_joint, SpringJoint);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, joint, joint);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, reserved, reserved);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, frequency_hz, frequency_hz);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, damping_ratio, damping_ratio);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, gravity, gravity);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, drag, drag);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, radius_m, radius_m);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, weight, weight);
+SAME(mrw_spring_chain, SpringChain);
+SAME_SPAN(mrw_spring_chain, SpringChain, joints, joint_count);
+SAME_MEMBER(mrw_spring_chain, SpringChain, tip, tip);
+SAME_MEMBER(mrw_spring_chain, SpringChain, colliders, colliders);
+SAME(mrw_spring_collider, SpringCollider);
+SAME_MEMBER(mrw_spring_collider, SpringCollider, joint, joint);
+SAME_MEMBER(mrw_spring_collider, SpringCollider, reserved, reserved);
+SAME_MEMBER(mrw_spring_collider, SpringCollider, from, from);
+SAME_MEMBER(mrw_spring_collider, SpringCollider, to, to);
+SAME_MEMBER(mrw_spring_collider, SpringCollider, radius_m, radius_m);
 SAME(mrw_skeleton, Skeleton);
 SAME_MEMBER(mrw_skeleton, Skeleton, name, name);
 SAME_MEMBER(mrw_skeleton, Skeleton, joint_count, joint_count);
@@ -553,26 +574,9 @@ SAME_MEMBER(mrw_feet_frame, FeetFrame, world_from_scene, world_from_scene);
 SAME_MEMBER(mrw_feet_frame, FeetFrame, up, up);
 SAME_MEMBER(mrw_feet_frame, FeetFrame, teleported, teleported);
 SAME_MEMBER(mrw_feet_frame, FeetFrame, weight, weight);
-static_assert(MRW_MAX_SPRING_COLLIDERS == kMaxSpringColliders);
 static_assert(MRW_MAX_SPRING_STEP_S == kMaxSpringStep_s);
 static_assert(MRW_MAX_SPRING_STEPS == kMaxSpringSteps);
 static_assert(MRW_MIN_SPRING_FRAME_S == kMinSpringFrame_s);
-SAME(mrw_spring_joint, SpringJoint);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, joint, joint);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, frequency_hz, frequency_hz);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, damping_ratio, damping_ratio);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, gravity, gravity);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, drag, drag);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, radius_m, radius_m);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, weight, weight);
-SAME(mrw_spring_chain, SpringChain);
-SAME_SPAN(mrw_spring_chain, SpringChain, joints, joint_count);
-SAME_MEMBER(mrw_spring_chain, SpringChain, tip, tip);
-SAME(mrw_spring_collider, SpringCollider);
-SAME_MEMBER(mrw_spring_collider, SpringCollider, joint, joint);
-SAME_MEMBER(mrw_spring_collider, SpringCollider, from, from);
-SAME_MEMBER(mrw_spring_collider, SpringCollider, to, to);
-SAME_MEMBER(mrw_spring_collider, SpringCollider, radius_m, radius_m);
 SAME(mrw_springs, Springs);
 SAME_MEMBER(mrw_springs, Springs, groups, groups);
 SAME_MEMBER(mrw_springs, Springs, roots, roots);
@@ -599,6 +603,14 @@ SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, offsets, offsets);
 SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, moved, moved);
 SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, changed, changed);
 SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, attributes, attributes);
+SAME(mrw_debug_line, DebugLine);
+SAME_MEMBER(mrw_debug_line, DebugLine, from, from);
+SAME_MEMBER(mrw_debug_line, DebugLine, to, to);
+SAME_MEMBER(mrw_debug_line, DebugLine, colour, colour);
+SAME(mrw_debug_lines, DebugLines);
+SAME_SPAN(mrw_debug_lines, DebugLines, room, room_count);
+SAME_MEMBER(mrw_debug_lines, DebugLines, count, count);
+SAME_MEMBER(mrw_debug_lines, DebugLines, left_out, left_out);
 SAME(mrw_joint_reach, JointReach);
 SAME_MEMBER(mrw_joint_reach, JointReach, centre, centre);
 SAME_MEMBER(mrw_joint_reach, JointReach, half, half);

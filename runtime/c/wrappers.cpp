@@ -8,6 +8,7 @@
 #include "marrow/character.h"
 #include "marrow/clip_pack.h"
 #include "marrow/curve.h"
+#include "marrow/debug_lines.h"
 #include "marrow/feet.h"
 #include "marrow/file.h"
 #include "marrow/ik.h"
@@ -63,6 +64,21 @@ void mrw_rate_limit_init(mrw_rate_limit* out) {
 void mrw_joint_limit_init(mrw_joint_limit* out) {
   MRW_NEEDS(leads_to<JointLimit>(out), );
   to<JointLimit>(out) = JointLimit{};
+}
+
+void mrw_spring_joint_init(mrw_spring_joint* out) {
+  MRW_NEEDS(leads_to<SpringJoint>(out), );
+  to<SpringJoint>(out) = SpringJoint{};
+}
+
+void mrw_spring_chain_init(mrw_spring_chain* out) {
+  MRW_NEEDS(leads_to<SpringChain>(out), );
+  to<SpringChain>(out) = SpringChain{};
+}
+
+void mrw_spring_collider_init(mrw_spring_collider* out) {
+  MRW_NEEDS(leads_to<SpringCollider>(out), );
+  to<SpringCollider>(out) = SpringCollider{};
 }
 
 void mrw_half_joint_init(mrw_half_joint* out) {
@@ -195,21 +211,6 @@ void mrw_feet_frame_init(mrw_feet_frame* out) {
   to<FeetFrame>(out) = FeetFrame{};
 }
 
-void mrw_spring_joint_init(mrw_spring_joint* out) {
-  MRW_NEEDS(leads_to<SpringJoint>(out), );
-  to<SpringJoint>(out) = SpringJoint{};
-}
-
-void mrw_spring_chain_init(mrw_spring_chain* out) {
-  MRW_NEEDS(leads_to<SpringChain>(out), );
-  to<SpringChain>(out) = SpringChain{};
-}
-
-void mrw_spring_collider_init(mrw_spring_collider* out) {
-  MRW_NEEDS(leads_to<SpringCollider>(out), );
-  to<SpringCollider>(out) = SpringCollider{};
-}
-
 void mrw_springs_init(mrw_springs* out) {
   MRW_NEEDS(leads_to<Springs>(out), );
   to<Springs>(out) = Springs{};
@@ -218,6 +219,16 @@ void mrw_springs_init(mrw_springs* out) {
 void mrw_spring_frame_init(mrw_spring_frame* out) {
   MRW_NEEDS(leads_to<SpringFrame>(out), );
   to<SpringFrame>(out) = SpringFrame{};
+}
+
+void mrw_debug_line_init(mrw_debug_line* out) {
+  MRW_NEEDS(leads_to<DebugLine>(out), );
+  to<DebugLine>(out) = DebugLine{};
+}
+
+void mrw_debug_lines_init(mrw_debug_lines* out) {
+  MRW_NEEDS(leads_to<DebugLines>(out), );
+  to<DebugLines>(out) = DebugLines{};
 }
 
 void mrw_skin_output_init(mrw_skin_output* out) {
@@ -396,6 +407,22 @@ mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, uint32_t mesh, m
   MRW_NEEDS(leads_to<File>(file) && leads_to<Bounds>(out), MRW_BAD_ARGUMENT);
   give<Bounds>(out, of<File>(file).bounds(clip, mesh));
   return MRW_OK;
+}
+
+uint32_t mrw_file_spring_count(const mrw_file* file, uint32_t skeleton) {
+  MRW_NEEDS(leads_to<File>(file), 0);
+  return of<File>(file).spring_count(skeleton);
+}
+
+mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t index, mrw_spring_chain* out) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<SpringChain>(out), MRW_BAD_ARGUMENT);
+  give<SpringChain>(out, of<File>(file).spring(skeleton, index));
+  return MRW_OK;
+}
+
+mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton) {
+  MRW_NEEDS(leads_to<File>(file), MRW_BAD_ARGUMENT);
+  return to_c<const mrw_spring_collider>(of<File>(file).spring_colliders(skeleton));
 }
 
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name) {
@@ -825,6 +852,43 @@ mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinat
   return code(marrow::morph_coordinates(to<MorphedGeometry>(morphed), span<float>(coordinates, coordinate_count)));
 }
 
+mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, float axis_m, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::joint_lines(of<Skeleton>(skeleton), span<const Affine>(scene_from_joint, scene_from_joint_count), axis_m, to<DebugLines>(lines)));
+}
+
+mrw_status mrw_limit_lines(const mrw_skeleton* skeleton, const mrw_joint_limit* limits, size_t limit_count,
+    const mrw_soa_transform* local, size_t local_count, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, float size_m, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<JointLimit>(limits, limit_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::limit_lines(of<Skeleton>(skeleton), span<const JointLimit>(limits, limit_count), span<const SoaTransform>(local, local_count), span<const Affine>(scene_from_joint, scene_from_joint_count), size_m, to<DebugLines>(lines)));
+}
+
+mrw_status mrw_goal_lines(const mrw_skeleton* skeleton, const mrw_ik_goal* goals, size_t goal_count,
+    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float size_m, float tolerance_m,
+    mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<IkGoal>(goals, goal_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::goal_lines(of<Skeleton>(skeleton), span<const IkGoal>(goals, goal_count), span<const Affine>(scene_from_joint, scene_from_joint_count), size_m, tolerance_m, to<DebugLines>(lines)));
+}
+
+mrw_status mrw_spring_lines(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
+    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringChain>(chains, chain_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::spring_lines(of<Skeleton>(skeleton), span<const SpringChain>(chains, chain_count), span<const Affine>(scene_from_joint, scene_from_joint_count), to<DebugLines>(lines)));
+}
+
+mrw_status mrw_collider_lines(const mrw_skeleton* skeleton, const mrw_spring_collider* colliders, size_t collider_count,
+    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringCollider>(colliders, collider_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::collider_lines(of<Skeleton>(skeleton), span<const SpringCollider>(colliders, collider_count), span<const Affine>(scene_from_joint, scene_from_joint_count), to<DebugLines>(lines)));
+}
+
+mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Bounds>(bounds) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::bounds_lines(of<Bounds>(bounds), to<DebugLines>(lines)));
+}
+
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
     size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
     size_t out_count, const mrw_half_joint* half_joints, size_t half_joint_count) {
@@ -971,6 +1035,11 @@ mrw_status mrw_character_to_model(mrw_character* character) {
 mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers, size_t layer_count) {
   MRW_NEEDS(leads_to<Character>(character) && is_list<AnimationLayer>(layers, layer_count), MRW_BAD_ARGUMENT);
   return code(marrow::pose_character(to<Character>(character), span<const AnimationLayer>(layers, layer_count)));
+}
+
+mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_layer* expression) {
+  MRW_NEEDS(leads_to<Character>(character) && leads_to<AnimationLayer>(expression), MRW_BAD_ARGUMENT);
+  return code(marrow::add_expression(to<Character>(character), of<AnimationLayer>(expression)));
 }
 
 mrw_status mrw_finish_character(mrw_character* character) {

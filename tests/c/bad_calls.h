@@ -78,6 +78,18 @@ static int call_joint_limit_init(const Round* r) {
   mrw_joint_limit_init(at(r, 0));
   return -1;
 }
+static int call_spring_joint_init(const Round* r) {
+  mrw_spring_joint_init(at(r, 0));
+  return -1;
+}
+static int call_spring_chain_init(const Round* r) {
+  mrw_spring_chain_init(at(r, 0));
+  return -1;
+}
+static int call_spring_collider_init(const Round* r) {
+  mrw_spring_collider_init(at(r, 0));
+  return -1;
+}
 static int call_half_joint_init(const Round* r) {
   mrw_half_joint_init(at(r, 0));
   return -1;
@@ -161,6 +173,19 @@ static int call_file_node(const Round* r) {
 static int call_file_bounds(const Round* r) {
   (void)r;
   return mrw_file_bounds(at(r, 0), (uint32_t)whole(r), (uint32_t)whole(r), at(r, 3));
+}
+static int call_file_spring_count(const Round* r) {
+  (void)r;
+  (void)mrw_file_spring_count(at(r, 0), (uint32_t)whole(r));
+  return -1;
+}
+static int call_file_spring(const Round* r) {
+  (void)r;
+  return mrw_file_spring(at(r, 0), (uint32_t)whole(r), (uint32_t)whole(r), at(r, 3));
+}
+static int call_file_spring_colliders(const Round* r) {
+  (void)r;
+  return mrw_file_spring_colliders(at(r, 0), (uint32_t)whole(r));
 }
 static int call_file_find_skeleton(const Round* r) {
   (void)r;
@@ -550,18 +575,6 @@ static int call_place_feet(const Round* r) {
   (void)r;
   return mrw_place_feet(at(r, 0), at(r, 1), at(r, 2), list(r, 3), count(r), list(r, 4), count(r), list(r, 5), count(r), list(r, 6), count(r));
 }
-static int call_spring_joint_init(const Round* r) {
-  mrw_spring_joint_init(at(r, 0));
-  return -1;
-}
-static int call_spring_chain_init(const Round* r) {
-  mrw_spring_chain_init(at(r, 0));
-  return -1;
-}
-static int call_spring_collider_init(const Round* r) {
-  mrw_spring_collider_init(at(r, 0));
-  return -1;
-}
 static int call_springs_init(const Round* r) {
   mrw_springs_init(at(r, 0));
   return -1;
@@ -616,6 +629,38 @@ static int call_morph(const Round* r) {
 static int call_morph_coordinates(const Round* r) {
   (void)r;
   return mrw_morph_coordinates(at(r, 0), list(r, 1), count(r));
+}
+static int call_debug_line_init(const Round* r) {
+  mrw_debug_line_init(at(r, 0));
+  return -1;
+}
+static int call_debug_lines_init(const Round* r) {
+  mrw_debug_lines_init(at(r, 0));
+  return -1;
+}
+static int call_joint_lines(const Round* r) {
+  (void)r;
+  return mrw_joint_lines(at(r, 0), list(r, 1), count(r), real(r), at(r, 3));
+}
+static int call_limit_lines(const Round* r) {
+  (void)r;
+  return mrw_limit_lines(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), list(r, 3), count(r), real(r), at(r, 5));
+}
+static int call_goal_lines(const Round* r) {
+  (void)r;
+  return mrw_goal_lines(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), real(r), real(r), at(r, 5));
+}
+static int call_spring_lines(const Round* r) {
+  (void)r;
+  return mrw_spring_lines(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), at(r, 3));
+}
+static int call_collider_lines(const Round* r) {
+  (void)r;
+  return mrw_collider_lines(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), at(r, 3));
+}
+static int call_bounds_lines(const Round* r) {
+  (void)r;
+  return mrw_bounds_lines(at(r, 0), at(r, 1));
 }
 static int call_build_palette_of_joints(const Round* r) {
   (void)r;
@@ -751,6 +796,10 @@ static int call_pose_character(const Round* r) {
   (void)r;
   return mrw_pose_character(at(r, 0), list(r, 1), count(r));
 }
+static int call_add_expression(const Round* r) {
+  (void)r;
+  return mrw_add_expression(at(r, 0), at(r, 1));
+}
 static int call_finish_character(const Round* r) {
   (void)r;
   return mrw_finish_character(at(r, 0));
@@ -775,6 +824,9 @@ static const Row rows[] = {
     {"mrw_set_joint", call_set_joint, 1, 1},
     {"mrw_rate_limit_init", call_rate_limit_init, 0, 0},
     {"mrw_joint_limit_init", call_joint_limit_init, 0, 0},
+    {"mrw_spring_joint_init", call_spring_joint_init, 0, 0},
+    {"mrw_spring_chain_init", call_spring_chain_init, 0, 0},
+    {"mrw_spring_collider_init", call_spring_collider_init, 0, 0},
     {"mrw_half_joint_init", call_half_joint_init, 0, 0},
     {"mrw_is_valid", call_is_valid, 1, 0},
     {"mrw_file_init", call_file_init, 0, 0},
@@ -794,6 +846,9 @@ static const Row rows[] = {
     {"mrw_file_image", call_file_image, 1, 0},
     {"mrw_file_node", call_file_node, 1, 0},
     {"mrw_file_bounds", call_file_bounds, 1, 0},
+    {"mrw_file_spring_count", call_file_spring_count, 1, 0},
+    {"mrw_file_spring", call_file_spring, 1, 0},
+    {"mrw_file_spring_colliders", call_file_spring_colliders, 1, 0},
     {"mrw_file_find_skeleton", call_file_find_skeleton, 1, 0},
     {"mrw_file_find_joint", call_file_find_joint, 1, 0},
     {"mrw_file_find_mesh", call_file_find_mesh, 1, 0},
@@ -885,9 +940,6 @@ static const Row rows[] = {
     {"mrw_feet_frame_init", call_feet_frame_init, 0, 0},
     {"mrw_foot_sole", call_foot_sole, 1, 1},
     {"mrw_place_feet", call_place_feet, 1, 1},
-    {"mrw_spring_joint_init", call_spring_joint_init, 0, 0},
-    {"mrw_spring_chain_init", call_spring_chain_init, 0, 0},
-    {"mrw_spring_collider_init", call_spring_collider_init, 0, 0},
     {"mrw_springs_init", call_springs_init, 0, 0},
     {"mrw_spring_frame_init", call_spring_frame_init, 0, 0},
     {"mrw_springs_bytes", call_springs_bytes, 1, 1},
@@ -901,6 +953,14 @@ static const Row rows[] = {
     {"mrw_make_morphed", call_make_morphed, 1, 1},
     {"mrw_morph", call_morph, 1, 1},
     {"mrw_morph_coordinates", call_morph_coordinates, 1, 1},
+    {"mrw_debug_line_init", call_debug_line_init, 0, 0},
+    {"mrw_debug_lines_init", call_debug_lines_init, 0, 0},
+    {"mrw_joint_lines", call_joint_lines, 1, 1},
+    {"mrw_limit_lines", call_limit_lines, 1, 1},
+    {"mrw_goal_lines", call_goal_lines, 1, 1},
+    {"mrw_spring_lines", call_spring_lines, 1, 1},
+    {"mrw_collider_lines", call_collider_lines, 1, 1},
+    {"mrw_bounds_lines", call_bounds_lines, 1, 0},
     {"mrw_build_palette_of_joints", call_build_palette_of_joints, 0, 1},
     {"mrw_build_palette", call_build_palette, 1, 1},
     {"mrw_turns_inside_out", call_turns_inside_out, 1, 0},
@@ -932,5 +992,6 @@ static const Row rows[] = {
     {"mrw_sample_character", call_sample_character, 1, 1},
     {"mrw_character_to_model", call_character_to_model, 1, 0},
     {"mrw_pose_character", call_pose_character, 1, 1},
+    {"mrw_add_expression", call_add_expression, 1, 0},
     {"mrw_finish_character", call_finish_character, 1, 0},
 };

@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x340c2e10u
+#define MRW_ABI 0xe2476fd6u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -415,6 +415,45 @@ struct mrw_joint_limit {
 };
 void mrw_joint_limit_init(mrw_joint_limit* out);
 
+// as many as SpringChain::colliders has bits
+#define MRW_MAX_SPRING_COLLIDERS 64u
+
+// A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
+typedef struct mrw_spring_joint mrw_spring_joint;
+struct mrw_spring_joint {
+  uint16_t joint;
+  uint16_t reserved;
+  float frequency_hz;  // 0 … 15: of small swings about the animated direction, without damping and gravity
+  float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+  float gravity;  // -10 … 10, times SpringFrame::gravity
+  float drag;  // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+  float radius_m;  // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+  float weight;  // 0 … 1, of what is shown; the motion itself goes on
+};
+void mrw_spring_joint_init(mrw_spring_joint* out);
+
+// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+typedef struct mrw_spring_chain mrw_spring_chain;
+struct mrw_spring_chain {
+  const mrw_spring_joint* joints;
+  size_t joint_count;
+  float tip[3];  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+  uint64_t colliders;  // bit i, lowest first: it stays out of SpringFrame::colliders[i]
+};
+void mrw_spring_chain_init(mrw_spring_chain* out);
+
+// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+// space is where that is most.
+typedef struct mrw_spring_collider mrw_spring_collider;
+struct mrw_spring_collider {
+  uint16_t joint;
+  uint16_t reserved;
+  float from[3];  // in the joint's space
+  float to[3];
+  float radius_m;  // in the joint's space
+};
+void mrw_spring_collider_init(mrw_spring_collider* out);
+
 // The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 // comes before its children and the roots come first.
 typedef struct mrw_skeleton mrw_skeleton;
@@ -701,7 +740,7 @@ struct mrw_file {
   const void* block;
   const void* sections;
   size_t section_count;
-  uint32_t numbers[22];
+  uint32_t numbers[24];
 };
 void mrw_file_init(mrw_file* out);
 
@@ -746,6 +785,13 @@ MRW_NODISCARD mrw_status mrw_file_node(const mrw_file* file, uint32_t index, mrw
 // Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
 // pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
 MRW_NODISCARD mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, uint32_t mesh, mrw_bounds* out);
+
+// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+uint32_t mrw_file_spring_count(const mrw_file* file, uint32_t skeleton);
+MRW_NODISCARD mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t index,
+    mrw_spring_chain* out);
+MRW_NODISCARD mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton);
 
 // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name);
@@ -1749,8 +1795,9 @@ MRW_NODISCARD mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
-
-#define MRW_MAX_SPRING_COLLIDERS 32u
+//
+// Chains and colliders are SpringChain and SpringCollider in file.h: a game's own, or those that an asset came with,
+// File::spring() and File::spring_colliders().
 
 // frames are cut into equal steps no longer than this …
 #define MRW_MAX_SPRING_STEP_S (1.0f / 60)
@@ -1760,39 +1807,6 @@ MRW_NODISCARD mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_
 
 // shorter frames are saved up
 #define MRW_MIN_SPRING_FRAME_S 0.001f
-
-// A joint that swings, by the bone that goes from it to the next joint of its chain.
-typedef struct mrw_spring_joint mrw_spring_joint;
-struct mrw_spring_joint {
-  uint16_t joint;
-  float frequency_hz;  // 0 … 15: of small swings about the animated direction, without damping and gravity
-  float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-  float gravity;  // -10 … 10, times SpringFrame::gravity
-  float drag;  // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-  float radius_m;  // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-  float weight;  // 0 … 1, of what is shown; the motion itself goes on
-};
-void mrw_spring_joint_init(mrw_spring_joint* out);
-
-// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
-typedef struct mrw_spring_chain mrw_spring_chain;
-struct mrw_spring_chain {
-  const mrw_spring_joint* joints;
-  size_t joint_count;
-  float tip[3];  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-};
-void mrw_spring_chain_init(mrw_spring_chain* out);
-
-// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
-// space is where that is most.
-typedef struct mrw_spring_collider mrw_spring_collider;
-struct mrw_spring_collider {
-  uint16_t joint;
-  float from[3];  // in the joint's space
-  float to[3];
-  float radius_m;  // in the joint's space
-};
-void mrw_spring_collider_init(mrw_spring_collider* out);
 
 // Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in pose/spring_state.h.
 typedef struct mrw_spring_group mrw_spring_group;
@@ -1938,6 +1952,67 @@ MRW_NODISCARD mrw_status mrw_morph(const float* weights, size_t weight_count, mr
 // Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
 MRW_NODISCARD mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates,
     size_t coordinate_count);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Lines that show what a frame came to: joints, limits, goals, springs, bounds. For a game's own debug view, which
+// draws them as it draws any lines; a game that calls none of these links none of it.
+//
+//   DebugLine room[4096];
+//   DebugLines lines{room};
+//   every frame   lines.count = lines.left_out = 0; joint_lines(…, lines); limit_lines(…, lines); …
+//
+// All lines are in scene space, metres. Each call appends. A line without room is left out and counted, and so is one
+// with a number that is not finite. No allocation; thread-safe on different lines. Cost: a few products a line.
+
+typedef struct mrw_debug_line mrw_debug_line;
+struct mrw_debug_line {
+  float from[3];
+  float to[3];
+  uint8_t colour[4];
+};
+void mrw_debug_line_init(mrw_debug_line* out);
+
+typedef struct mrw_debug_lines mrw_debug_lines;
+struct mrw_debug_lines {
+  mrw_debug_line* room;
+  size_t room_count;
+  size_t count;  // of lines that are there, from the front
+  size_t left_out;  // for which there was no room
+};
+void mrw_debug_lines_init(mrw_debug_lines* out);
+
+// A line from each joint's parent to the joint, and the joint's axes x, y, z in red, green, blue: `axis_m` long
+// whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
+// Errors, of all that follow: bad_argument if a span is too short, a joint is not in the skeleton, or a length is below
+// 0 or not finite; nothing is appended.
+MRW_NODISCARD mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, float axis_m, mrw_debug_lines* lines);
+
+// What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
+// A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
+// angles: three arcs in the colours of their axes, each with the other angles at the middle. Then where the joint is
+// now, in green inside the limit and red outside of it. Limits that is_valid() refuses are passed over. At most 51
+// lines a limit.
+MRW_NODISCARD mrw_status mrw_limit_lines(const mrw_skeleton* skeleton, const mrw_joint_limit* limits,
+    size_t limit_count, const mrw_soa_transform* local, size_t local_count, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, float size_m, mrw_debug_lines* lines);
+
+// A cross at each goal's position, or, where its rotation counts, the axes it asks for; and a line to it from the point
+// of the joint that is to be there. Green within `tolerance_m`, else red. At most 4 lines a goal.
+MRW_NODISCARD mrw_status mrw_goal_lines(const mrw_skeleton* skeleton, const mrw_ik_goal* goals, size_t goal_count,
+    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float size_m, float tolerance_m,
+    mrw_debug_lines* lines);
+
+// The bones of each chain, and its tip. scene_from_joint: after simulate_springs(). At most a line a joint.
+MRW_NODISCARD mrw_status mrw_spring_lines(const mrw_skeleton* skeleton, const mrw_spring_chain* chains,
+    size_t chain_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines);
+
+// Each collider as great circles about its ends, and lines between them: 48 lines a sphere, 100 a capsule.
+MRW_NODISCARD mrw_status mrw_collider_lines(const mrw_skeleton* skeleton, const mrw_spring_collider* colliders,
+    size_t collider_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines);
+
+// The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
+MRW_NODISCARD mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines);
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 4, palette: scene-space joints → the matrices that skinning blends.
@@ -2334,6 +2409,14 @@ MRW_NODISCARD mrw_status mrw_character_to_model(mrw_character* character);
 // Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
 MRW_NODISCARD mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers,
     size_t layer_count);
+
+// Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
+// animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
+// bits, and so do poses. Between pose_character() and finish_character().
+//
+// Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
+// a number); nothing is written. Cost: sample_channels() of what drives morph targets.
+MRW_NODISCARD mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_layer* expression);
 
 // Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
 // Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each

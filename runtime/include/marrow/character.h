@@ -135,7 +135,7 @@ MARROW_API Status pose_character(Character& character, Span<const AnimationLayer
 //
 // Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
 // a number); nothing is written. Cost: sample_channels() of what drives morph targets.
-Status add_expression(Character& character, const AnimationLayer& expression);
+MARROW_API Status add_expression(Character& character, const AnimationLayer& expression);
 
 // Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
 // Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each

@@ -403,6 +403,90 @@ public unsafe struct JointLimit {
 }
 
 /// <summary>
+/// A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringJoint {
+    public ushort joint;
+    public ushort reserved;
+    /// <summary>
+    /// 0 … 15: of small swings about the animated direction, without damping and gravity
+    /// </summary>
+    public float frequency_hz;
+    /// <summary>
+    /// 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+    /// </summary>
+    public float damping_ratio;
+    /// <summary>
+    /// -10 … 10, times SpringFrame::gravity
+    /// </summary>
+    public float gravity;
+    /// <summary>
+    /// 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+    /// </summary>
+    public float drag;
+    /// <summary>
+    /// ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+    /// </summary>
+    public float radius_m;
+    /// <summary>
+    /// 0 … 1, of what is shown; the motion itself goes on
+    /// </summary>
+    public float weight;
+    public static SpringJoint New() {
+        SpringJoint made;
+        Marrow.SpringJointInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringChain {
+    public SpringJoint* joints;
+    public UIntPtr joint_count;
+    /// <summary>
+    /// end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+    /// </summary>
+    public fixed float tip[3];
+    /// <summary>
+    /// bit i, lowest first: it stays out of SpringFrame::colliders[i]
+    /// </summary>
+    public ulong colliders;
+    public static SpringChain New() {
+        SpringChain made;
+        Marrow.SpringChainInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+/// space is where that is most.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringCollider {
+    public ushort joint;
+    public ushort reserved;
+    /// <summary>
+    /// in the joint's space
+    /// </summary>
+    public fixed float from[3];
+    public fixed float to[3];
+    /// <summary>
+    /// in the joint's space
+    /// </summary>
+    public float radius_m;
+    public static SpringCollider New() {
+        SpringCollider made;
+        Marrow.SpringColliderInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
 /// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 /// comes before its children and the roots come first.
 /// </summary>
@@ -1007,7 +1091,7 @@ public unsafe struct File {
     public void* block;
     public void* sections;
     public UIntPtr section_count;
-    public fixed uint numbers[22];
+    public fixed uint numbers[24];
     public static File New() {
         File made;
         Marrow.FileInit(&made);
@@ -1951,84 +2035,6 @@ public unsafe struct FeetFrame {
     }
 }
 
-/// <summary>
-/// A joint that swings, by the bone that goes from it to the next joint of its chain.
-/// </summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct SpringJoint {
-    public ushort joint;
-    /// <summary>
-    /// 0 … 15: of small swings about the animated direction, without damping and gravity
-    /// </summary>
-    public float frequency_hz;
-    /// <summary>
-    /// 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-    /// </summary>
-    public float damping_ratio;
-    /// <summary>
-    /// -10 … 10, times SpringFrame::gravity
-    /// </summary>
-    public float gravity;
-    /// <summary>
-    /// 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-    /// </summary>
-    public float drag;
-    /// <summary>
-    /// ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-    /// </summary>
-    public float radius_m;
-    /// <summary>
-    /// 0 … 1, of what is shown; the motion itself goes on
-    /// </summary>
-    public float weight;
-    public static SpringJoint New() {
-        SpringJoint made;
-        Marrow.SpringJointInit(&made);
-        return made;
-    }
-}
-
-/// <summary>
-/// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
-/// </summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct SpringChain {
-    public SpringJoint* joints;
-    public UIntPtr joint_count;
-    /// <summary>
-    /// end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-    /// </summary>
-    public fixed float tip[3];
-    public static SpringChain New() {
-        SpringChain made;
-        Marrow.SpringChainInit(&made);
-        return made;
-    }
-}
-
-/// <summary>
-/// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
-/// space is where that is most.
-/// </summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct SpringCollider {
-    public ushort joint;
-    /// <summary>
-    /// in the joint's space
-    /// </summary>
-    public fixed float from[3];
-    public fixed float to[3];
-    /// <summary>
-    /// in the joint's space
-    /// </summary>
-    public float radius_m;
-    public static SpringCollider New() {
-        SpringCollider made;
-        Marrow.SpringColliderInit(&made);
-        return made;
-    }
-}
-
 public struct SpringGroup {}
 
 public struct SpringRoot {}
@@ -2129,6 +2135,37 @@ public unsafe struct MorphedGeometry {
     /// one, MorphAttributes: what differs in the blocks moved
     /// </summary>
     public uint* attributes;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct DebugLine {
+    public fixed float from[3];
+    public fixed float to[3];
+    public fixed byte colour[4];
+    public static DebugLine New() {
+        DebugLine made;
+        Marrow.DebugLineInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct DebugLines {
+    public DebugLine* room;
+    public UIntPtr room_count;
+    /// <summary>
+    /// of lines that are there, from the front
+    /// </summary>
+    public UIntPtr count;
+    /// <summary>
+    /// for which there was no room
+    /// </summary>
+    public UIntPtr left_out;
+    public static DebugLines New() {
+        DebugLines made;
+        Marrow.DebugLinesInit(&made);
+        return made;
+    }
 }
 
 /// <summary>
@@ -2416,7 +2453,7 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x340c2e10;
+    public const uint AbiNumber = 0xe2476fd6;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -2470,6 +2507,10 @@ public static unsafe class Marrow {
     /// </summary>
     public const uint MorphsTangents = 4;
     /// <summary>
+    /// as many as SpringChain::colliders has bits
+    /// </summary>
+    public const int MaxSpringColliders = 64;
+    /// <summary>
     /// The largest weight of a layer; results stay far from the limits of float.
     /// </summary>
     public const float MaxBlendWeight = 1e6f;
@@ -2485,7 +2526,6 @@ public static unsafe class Marrow {
     /// The widest swing of a cone: 170°.
     /// </summary>
     public const float WidestSwingRad = 2.9670597f;
-    public const int MaxSpringColliders = 32;
     /// <summary>
     /// frames are cut into equal steps no longer than this …
     /// </summary>
@@ -2617,6 +2657,12 @@ public static unsafe class Marrow {
     public static extern void RateLimitInit(RateLimit* @out);
     [DllImport(Library, EntryPoint = "mrw_joint_limit_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void JointLimitInit(JointLimit* @out);
+    [DllImport(Library, EntryPoint = "mrw_spring_joint_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringJointInit(SpringJoint* @out);
+    [DllImport(Library, EntryPoint = "mrw_spring_chain_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringChainInit(SpringChain* @out);
+    [DllImport(Library, EntryPoint = "mrw_spring_collider_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void SpringColliderInit(SpringCollider* @out);
     [DllImport(Library, EntryPoint = "mrw_half_joint_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void HalfJointInit(HalfJoint* @out);
     /// <summary>
@@ -2696,6 +2742,24 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_bounds", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FileBounds(File* file, uint clip, uint mesh, Bounds* @out);
+    /// <summary>
+    /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+    /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_spring_count", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint FileSpringCount(File* file, uint skeleton);
+    /// <summary>
+    /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+    /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_spring", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileSpring(File* file, uint skeleton, uint index, SpringChain* @out);
+    /// <summary>
+    /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+    /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_file_spring_colliders", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FileSpringColliders(File* file, uint skeleton);
     /// <summary>
     /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
     /// </summary>
@@ -3355,12 +3419,6 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_place_feet", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status PlaceFeet(Skeleton* skeleton, Feet* feet, FeetFrame* frame, FootGround* ground, UIntPtr ground_count, FootMotion* motion, UIntPtr motion_count, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count);
-    [DllImport(Library, EntryPoint = "mrw_spring_joint_init", CallingConvention = CallingConvention.Cdecl)]
-    public static extern void SpringJointInit(SpringJoint* @out);
-    [DllImport(Library, EntryPoint = "mrw_spring_chain_init", CallingConvention = CallingConvention.Cdecl)]
-    public static extern void SpringChainInit(SpringChain* @out);
-    [DllImport(Library, EntryPoint = "mrw_spring_collider_init", CallingConvention = CallingConvention.Cdecl)]
-    public static extern void SpringColliderInit(SpringCollider* @out);
     [DllImport(Library, EntryPoint = "mrw_springs_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void SpringsInit(Springs* @out);
     [DllImport(Library, EntryPoint = "mrw_spring_frame_init", CallingConvention = CallingConvention.Cdecl)]
@@ -3466,6 +3524,48 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_morph_coordinates", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status MorphCoordinates(MorphedGeometry* morphed, float* coordinates, UIntPtr coordinate_count);
+    [DllImport(Library, EntryPoint = "mrw_debug_line_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void DebugLineInit(DebugLine* @out);
+    [DllImport(Library, EntryPoint = "mrw_debug_lines_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void DebugLinesInit(DebugLines* @out);
+    /// <summary>
+    /// A line from each joint's parent to the joint, and the joint's axes x, y, z in red, green, blue: `axis_m` long
+    /// whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
+    /// Errors, of all that follow: bad_argument if a span is too short, a joint is not in the skeleton, or a length is below
+    /// 0 or not finite; nothing is appended.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_joint_lines", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status JointLines(Skeleton* skeleton, Affine* scene_from_joint, UIntPtr scene_from_joint_count, float axis_m, DebugLines* lines);
+    /// <summary>
+    /// What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
+    /// A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
+    /// angles: three arcs in the colours of their axes, each with the other angles at the middle. Then where the joint is
+    /// now, in green inside the limit and red outside of it. Limits that is_valid() refuses are passed over. At most 51
+    /// lines a limit.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_limit_lines", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status LimitLines(Skeleton* skeleton, JointLimit* limits, UIntPtr limit_count, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, float size_m, DebugLines* lines);
+    /// <summary>
+    /// A cross at each goal's position, or, where its rotation counts, the axes it asks for; and a line to it from the point
+    /// of the joint that is to be there. Green within `tolerance_m`, else red. At most 4 lines a goal.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_goal_lines", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status GoalLines(Skeleton* skeleton, IkGoal* goals, UIntPtr goal_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, float size_m, float tolerance_m, DebugLines* lines);
+    /// <summary>
+    /// The bones of each chain, and its tip. scene_from_joint: after simulate_springs(). At most a line a joint.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_spring_lines", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SpringLines(Skeleton* skeleton, SpringChain* chains, UIntPtr chain_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, DebugLines* lines);
+    /// <summary>
+    /// Each collider as great circles about its ends, and lines between them: 48 lines a sphere, 100 a capsule.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_collider_lines", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status ColliderLines(Skeleton* skeleton, SpringCollider* colliders, UIntPtr collider_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, DebugLines* lines);
+    /// <summary>
+    /// The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_bounds_lines", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BoundsLines(Bounds* bounds, DebugLines* lines);
     /// <summary>
     /// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
     ///
@@ -3718,6 +3818,16 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_pose_character", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status PoseCharacter(Character* character, AnimationLayer* layers, UIntPtr layer_count);
     /// <summary>
+    /// Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
+    /// animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
+    /// bits, and so do poses. Between pose_character() and finish_character().
+    ///
+    /// Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
+    /// a number); nothing is written. Cost: sample_channels() of what drives morph targets.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_add_expression", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status AddExpression(Character* character, AnimationLayer* expression);
+    /// <summary>
     /// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
     /// Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
     /// mesh.
@@ -3740,6 +3850,9 @@ public static unsafe class Marrow {
             sizeof(AngleRange) == 8 &&
             sizeof(RateLimit) == 8 &&
             sizeof(JointLimit) == 68 &&
+            sizeof(SpringJoint) == 28 &&
+            sizeof(SpringChain) == 40 &&
+            sizeof(SpringCollider) == 32 &&
             sizeof(Skeleton) == 64 &&
             sizeof(SkeletonReference) == 48 &&
             sizeof(Track) == 16 &&
@@ -3761,7 +3874,7 @@ public static unsafe class Marrow {
             sizeof(MeshLod) == 8 &&
             sizeof(Bounds) == 28 &&
             sizeof(Mesh) == 368 &&
-            sizeof(File) == 112 &&
+            sizeof(File) == 120 &&
             sizeof(JointMisfit) == 8 &&
             sizeof(Playback) == 24 &&
             sizeof(SampleOptions) == 24 &&
@@ -3791,23 +3904,22 @@ public static unsafe class Marrow {
             sizeof(FootGround) == 32 &&
             sizeof(FootMotion) == 128 &&
             sizeof(FeetFrame) == 96 &&
-            sizeof(SpringJoint) == 28 &&
-            sizeof(SpringChain) == 32 &&
-            sizeof(SpringCollider) == 32 &&
             sizeof(Springs) == 48 &&
             sizeof(SpringFrame) == 128 &&
             sizeof(MorphedGeometry) == 528 &&
+            sizeof(DebugLine) == 28 &&
+            sizeof(DebugLines) == 32 &&
             sizeof(JointReach) == 24 &&
             sizeof(MorphReach) == 24 &&
             sizeof(Reach) == 56 &&
             sizeof(SkinOutput) == 56 &&
             sizeof(AsPart) == 40 &&
-            sizeof(Animation) == 152 &&
+            sizeof(Animation) == 160 &&
             sizeof(Animations) == 16 &&
             sizeof(CharacterOptions) == 12 &&
             sizeof(CharacterSkeleton) == 96 &&
             sizeof(CharacterMesh) == 968 &&
-            sizeof(Character) == 216 &&
+            sizeof(Character) == 224 &&
             sizeof(AnimationLayer) == 16;
     }
 

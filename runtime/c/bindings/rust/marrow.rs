@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0x340c2e10;
+pub const ABI: u32 = 0xe2476fd6;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
@@ -473,6 +473,88 @@ impl Default for JointLimit {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<JointLimit>() == 68);
+
+/// as many as SpringChain::colliders has bits
+pub const MAX_SPRING_COLLIDERS: usize = 64;
+
+/// A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringJoint {
+    pub joint: u16,
+    pub reserved: u16,
+    /// 0 … 15: of small swings about the animated direction, without damping and gravity
+    pub frequency_hz: f32,
+    /// 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+    pub damping_ratio: f32,
+    /// -10 … 10, times SpringFrame::gravity
+    pub gravity: f32,
+    /// 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+    pub drag: f32,
+    /// ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+    pub radius_m: f32,
+    /// 0 … 1, of what is shown; the motion itself goes on
+    pub weight: f32,
+}
+impl Default for SpringJoint {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            spring_joint_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringJoint>() == 28);
+
+/// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringChain {
+    pub joints: *const SpringJoint,
+    pub joint_count: usize,
+    /// end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+    pub tip: [f32; 3],
+    /// bit i, lowest first: it stays out of SpringFrame::colliders[i]
+    pub colliders: u64,
+}
+impl Default for SpringChain {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            spring_chain_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringChain>() == 40);
+
+/// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+/// space is where that is most.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringCollider {
+    pub joint: u16,
+    pub reserved: u16,
+    /// in the joint's space
+    pub from: [f32; 3],
+    pub to: [f32; 3],
+    /// in the joint's space
+    pub radius_m: f32,
+}
+impl Default for SpringCollider {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            spring_collider_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringCollider>() == 32);
 
 /// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 /// comes before its children and the roots come first.
@@ -1019,7 +1101,7 @@ pub struct File {
     pub block: *const c_void,
     pub sections: *const c_void,
     pub section_count: usize,
-    pub numbers: [u32; 22],
+    pub numbers: [u32; 24],
 }
 impl Default for File {
     fn default() -> Self {
@@ -1031,7 +1113,7 @@ impl Default for File {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<File>() == 112);
+const _: () = assert!(std::mem::size_of::<File>() == 120);
 
 /// Why a joint keeps a clip pack from fitting a skeleton.
 #[repr(transparent)]
@@ -1924,8 +2006,6 @@ impl Default for FeetFrame {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<FeetFrame>() == 96);
 
-pub const MAX_SPRING_COLLIDERS: usize = 32;
-
 /// frames are cut into equal steps no longer than this …
 pub const MAX_SPRING_STEP_S: f32 = 1.0 / 60.0;
 
@@ -1934,81 +2014,6 @@ pub const MAX_SPRING_STEPS: i32 = 8;
 
 /// shorter frames are saved up
 pub const MIN_SPRING_FRAME_S: f32 = 0.001;
-
-/// A joint that swings, by the bone that goes from it to the next joint of its chain.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct SpringJoint {
-    pub joint: u16,
-    /// 0 … 15: of small swings about the animated direction, without damping and gravity
-    pub frequency_hz: f32,
-    /// 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-    pub damping_ratio: f32,
-    /// -10 … 10, times SpringFrame::gravity
-    pub gravity: f32,
-    /// 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-    pub drag: f32,
-    /// ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-    pub radius_m: f32,
-    /// 0 … 1, of what is shown; the motion itself goes on
-    pub weight: f32,
-}
-impl Default for SpringJoint {
-    fn default() -> Self {
-        unsafe {
-            let mut new: Self = std::mem::zeroed();
-            spring_joint_init(&mut new);
-            new
-        }
-    }
-}
-#[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<SpringJoint>() == 28);
-
-/// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct SpringChain {
-    pub joints: *const SpringJoint,
-    pub joint_count: usize,
-    /// end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-    pub tip: [f32; 3],
-}
-impl Default for SpringChain {
-    fn default() -> Self {
-        unsafe {
-            let mut new: Self = std::mem::zeroed();
-            spring_chain_init(&mut new);
-            new
-        }
-    }
-}
-#[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<SpringChain>() == 32);
-
-/// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
-/// space is where that is most.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct SpringCollider {
-    pub joint: u16,
-    /// in the joint's space
-    pub from: [f32; 3],
-    pub to: [f32; 3],
-    /// in the joint's space
-    pub radius_m: f32,
-}
-impl Default for SpringCollider {
-    fn default() -> Self {
-        unsafe {
-            let mut new: Self = std::mem::zeroed();
-            spring_collider_init(&mut new);
-            new
-        }
-    }
-}
-#[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<SpringCollider>() == 32);
 
 #[repr(C)]
 pub struct SpringGroup {
@@ -2109,6 +2114,47 @@ impl Default for MorphedGeometry {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<MorphedGeometry>() == 528);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct DebugLine {
+    pub from: [f32; 3],
+    pub to: [f32; 3],
+    pub colour: [u8; 4],
+}
+impl Default for DebugLine {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            debug_line_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<DebugLine>() == 28);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct DebugLines {
+    pub room: *mut DebugLine,
+    pub room_count: usize,
+    /// of lines that are there, from the front
+    pub count: usize,
+    /// for which there was no room
+    pub left_out: usize,
+}
+impl Default for DebugLines {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            debug_lines_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<DebugLines>() == 32);
 
 /// The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
 #[repr(C)]
@@ -2254,7 +2300,7 @@ impl Default for Animation {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Animation>() == 152);
+const _: () = assert!(std::mem::size_of::<Animation>() == 160);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -2375,7 +2421,7 @@ impl Default for Character {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Character>() == 216);
+const _: () = assert!(std::mem::size_of::<Character>() == 224);
 
 /// An animation at a time, and how much of it.
 #[repr(C)]
@@ -2490,6 +2536,12 @@ extern "C" {
     pub fn rate_limit_init(out: *mut RateLimit);
     #[link_name = "mrw_joint_limit_init"]
     pub fn joint_limit_init(out: *mut JointLimit);
+    #[link_name = "mrw_spring_joint_init"]
+    pub fn spring_joint_init(out: *mut SpringJoint);
+    #[link_name = "mrw_spring_chain_init"]
+    pub fn spring_chain_init(out: *mut SpringChain);
+    #[link_name = "mrw_spring_collider_init"]
+    pub fn spring_collider_init(out: *mut SpringCollider);
     #[link_name = "mrw_half_joint_init"]
     pub fn half_joint_init(out: *mut HalfJoint);
     /// Whether a limit keeps these rules, as those of make_limit() and load() do.
@@ -2549,6 +2601,18 @@ extern "C" {
     /// pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
     #[link_name = "mrw_file_bounds"]
     pub fn file_bounds(file: *const File, clip: u32, mesh: u32, out: *mut Bounds) -> Status;
+    /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+    /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+    #[link_name = "mrw_file_spring_count"]
+    pub fn file_spring_count(file: *const File, skeleton: u32) -> u32;
+    /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+    /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+    #[link_name = "mrw_file_spring"]
+    pub fn file_spring(file: *const File, skeleton: u32, index: u32, out: *mut SpringChain) -> Status;
+    /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+    /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+    #[link_name = "mrw_file_spring_colliders"]
+    pub fn file_spring_colliders(file: *const File, skeleton: u32) -> Status;
     /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
     #[link_name = "mrw_file_find_skeleton"]
     pub fn file_find_skeleton(file: *const File, name: *const c_char) -> u32;
@@ -3080,12 +3144,6 @@ extern "C" {
     /// allocation; thread-safe on different motions and poses.
     #[link_name = "mrw_place_feet"]
     pub fn place_feet(skeleton: *const Skeleton, feet: *const Feet, frame: *const FeetFrame, ground: *const FootGround, ground_count: usize, motion: *mut FootMotion, motion_count: usize, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize) -> Status;
-    #[link_name = "mrw_spring_joint_init"]
-    pub fn spring_joint_init(out: *mut SpringJoint);
-    #[link_name = "mrw_spring_chain_init"]
-    pub fn spring_chain_init(out: *mut SpringChain);
-    #[link_name = "mrw_spring_collider_init"]
-    pub fn spring_collider_init(out: *mut SpringCollider);
     #[link_name = "mrw_springs_init"]
     pub fn springs_init(out: *mut Springs);
     #[link_name = "mrw_spring_frame_init"]
@@ -3169,6 +3227,36 @@ extern "C" {
     /// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
     #[link_name = "mrw_morph_coordinates"]
     pub fn morph_coordinates(morphed: *mut MorphedGeometry, coordinates: *mut f32, coordinate_count: usize) -> Status;
+    #[link_name = "mrw_debug_line_init"]
+    pub fn debug_line_init(out: *mut DebugLine);
+    #[link_name = "mrw_debug_lines_init"]
+    pub fn debug_lines_init(out: *mut DebugLines);
+    /// A line from each joint's parent to the joint, and the joint's axes x, y, z in red, green, blue: `axis_m` long
+    /// whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
+    /// Errors, of all that follow: bad_argument if a span is too short, a joint is not in the skeleton, or a length is below
+    /// 0 or not finite; nothing is appended.
+    #[link_name = "mrw_joint_lines"]
+    pub fn joint_lines(skeleton: *const Skeleton, scene_from_joint: *const Affine, scene_from_joint_count: usize, axis_m: f32, lines: *mut DebugLines) -> Status;
+    /// What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
+    /// A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
+    /// angles: three arcs in the colours of their axes, each with the other angles at the middle. Then where the joint is
+    /// now, in green inside the limit and red outside of it. Limits that is_valid() refuses are passed over. At most 51
+    /// lines a limit.
+    #[link_name = "mrw_limit_lines"]
+    pub fn limit_lines(skeleton: *const Skeleton, limits: *const JointLimit, limit_count: usize, local: *const SoaTransform, local_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, size_m: f32, lines: *mut DebugLines) -> Status;
+    /// A cross at each goal's position, or, where its rotation counts, the axes it asks for; and a line to it from the point
+    /// of the joint that is to be there. Green within `tolerance_m`, else red. At most 4 lines a goal.
+    #[link_name = "mrw_goal_lines"]
+    pub fn goal_lines(skeleton: *const Skeleton, goals: *const IkGoal, goal_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, size_m: f32, tolerance_m: f32, lines: *mut DebugLines) -> Status;
+    /// The bones of each chain, and its tip. scene_from_joint: after simulate_springs(). At most a line a joint.
+    #[link_name = "mrw_spring_lines"]
+    pub fn spring_lines(skeleton: *const Skeleton, chains: *const SpringChain, chain_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, lines: *mut DebugLines) -> Status;
+    /// Each collider as great circles about its ends, and lines between them: 48 lines a sphere, 100 a capsule.
+    #[link_name = "mrw_collider_lines"]
+    pub fn collider_lines(skeleton: *const Skeleton, colliders: *const SpringCollider, collider_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, lines: *mut DebugLines) -> Status;
+    /// The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
+    #[link_name = "mrw_bounds_lines"]
+    pub fn bounds_lines(bounds: *const Bounds, lines: *mut DebugLines) -> Status;
     /// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
     ///
     /// joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
@@ -3366,6 +3454,14 @@ extern "C" {
     /// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
     #[link_name = "mrw_pose_character"]
     pub fn pose_character(character: *mut Character, layers: *const AnimationLayer, layer_count: usize) -> Status;
+    /// Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
+    /// animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
+    /// bits, and so do poses. Between pose_character() and finish_character().
+    ///
+    /// Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
+    /// a number); nothing is written. Cost: sample_channels() of what drives morph targets.
+    #[link_name = "mrw_add_expression"]
+    pub fn add_expression(character: *mut Character, expression: *const AnimationLayer) -> Status;
     /// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
     /// Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
     /// mesh.

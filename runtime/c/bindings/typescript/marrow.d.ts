@@ -15,11 +15,11 @@ export const NO_JOINT: number;
 export const MORPHS_POSITIONS: number;
 export const MORPHS_NORMALS: number;
 export const MORPHS_TANGENTS: number;
+export const MAX_SPRING_COLLIDERS: number;
 export const MAX_BLEND_WEIGHT: number;
 export const REST_THRESHOLD: number;
 export const LIMIT_TOLERANCE_RAD: number;
 export const WIDEST_SWING_RAD: number;
-export const MAX_SPRING_COLLIDERS: number;
 export const MAX_SPRING_STEP_S: number;
 export const MAX_SPRING_STEPS: number;
 export const MIN_SPRING_FRAME_S: number;
@@ -580,6 +580,71 @@ export interface JointLimit extends View {
    * of the local rotation, see follow_pose()
    */
   readonly rate: RateLimit;
+}
+
+/**
+ * A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
+ */
+export interface SpringJoint extends View {
+  joint: number;
+  reserved: number;
+  /**
+   * 0 … 15: of small swings about the animated direction, without damping and gravity
+   */
+  frequency_hz: number;
+  /**
+   * 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+   */
+  damping_ratio: number;
+  /**
+   * -10 … 10, times SpringFrame::gravity
+   */
+  gravity: number;
+  /**
+   * 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+   */
+  drag: number;
+  /**
+   * ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+   */
+  radius_m: number;
+  /**
+   * 0 … 1, of what is shown; the motion itself goes on
+   */
+  weight: number;
+}
+
+/**
+ * Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+ */
+export interface SpringChain extends View {
+  joints: List<SpringJoint>;
+  /**
+   * end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+   */
+  readonly tip: TypedArray;
+  /**
+   * bit i, lowest first: it stays out of SpringFrame::colliders[i]
+   */
+  colliders: bigint;
+}
+
+/**
+ * A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
+ * space is where that is most.
+ */
+export interface SpringCollider extends View {
+  joint: number;
+  reserved: number;
+  /**
+   * in the joint's space
+   */
+  readonly from: TypedArray;
+  readonly to: TypedArray;
+  /**
+   * in the joint's space
+   */
+  radius_m: number;
 }
 
 /**
@@ -1756,65 +1821,6 @@ export interface FeetFrame extends View {
 }
 
 /**
- * A joint that swings, by the bone that goes from it to the next joint of its chain.
- */
-export interface SpringJoint extends View {
-  joint: number;
-  /**
-   * 0 … 15: of small swings about the animated direction, without damping and gravity
-   */
-  frequency_hz: number;
-  /**
-   * 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-   */
-  damping_ratio: number;
-  /**
-   * -10 … 10, times SpringFrame::gravity
-   */
-  gravity: number;
-  /**
-   * 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-   */
-  drag: number;
-  /**
-   * ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-   */
-  radius_m: number;
-  /**
-   * 0 … 1, of what is shown; the motion itself goes on
-   */
-  weight: number;
-}
-
-/**
- * Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
- */
-export interface SpringChain extends View {
-  joints: List<SpringJoint>;
-  /**
-   * end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-   */
-  readonly tip: TypedArray;
-}
-
-/**
- * A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
- * space is where that is most.
- */
-export interface SpringCollider extends View {
-  joint: number;
-  /**
-   * in the joint's space
-   */
-  readonly from: TypedArray;
-  readonly to: TypedArray;
-  /**
-   * in the joint's space
-   */
-  radius_m: number;
-}
-
-/**
  * Chains of one character. To keep or to copy a motion, copy the memory.
  */
 export interface Springs extends View {
@@ -1891,6 +1897,24 @@ export interface MorphedGeometry extends View {
    * one, MorphAttributes: what differs in the blocks moved
    */
   attributes: number;
+}
+
+export interface DebugLine extends View {
+  readonly from: TypedArray;
+  readonly to: TypedArray;
+  readonly colour: TypedArray;
+}
+
+export interface DebugLines extends View {
+  room: List<DebugLine>;
+  /**
+   * of lines that are there, from the front
+   */
+  count: number;
+  /**
+   * for which there was no room
+   */
+  left_out: number;
 }
 
 /**
@@ -2117,6 +2141,9 @@ export interface Structs {
   AngleRange: AngleRange;
   RateLimit: RateLimit;
   JointLimit: JointLimit;
+  SpringJoint: SpringJoint;
+  SpringChain: SpringChain;
+  SpringCollider: SpringCollider;
   Skeleton: Skeleton;
   SkeletonReference: SkeletonReference;
   Track: Track;
@@ -2168,12 +2195,11 @@ export interface Structs {
   FootGround: FootGround;
   FootMotion: FootMotion;
   FeetFrame: FeetFrame;
-  SpringJoint: SpringJoint;
-  SpringChain: SpringChain;
-  SpringCollider: SpringCollider;
   Springs: Springs;
   SpringFrame: SpringFrame;
   MorphedGeometry: MorphedGeometry;
+  DebugLine: DebugLine;
+  DebugLines: DebugLines;
   JointReach: JointReach;
   MorphReach: MorphReach;
   Reach: Reach;
@@ -2333,6 +2359,21 @@ export class Marrow {
    * pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
    */
   file_bounds(file: File | null, clip: number, mesh: number, out: Bounds | null): Status;
+  /**
+   * Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+   * colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+   */
+  file_spring_count(file: File | null, skeleton: number): number;
+  /**
+   * Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+   * colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+   */
+  file_spring(file: File | null, skeleton: number, index: number, out: SpringChain | null): Status;
+  /**
+   * Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+   * colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+   */
+  file_spring_colliders(file: File | null, skeleton: number): number | null;
   /**
    * Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
    */
@@ -2968,6 +3009,38 @@ export class Marrow {
    */
   morph_coordinates(morphed: MorphedGeometry | null, coordinates: List<number> | null): Status;
   /**
+   * A line from each joint's parent to the joint, and the joint's axes x, y, z in red, green, blue: `axis_m` long
+   * whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
+   * Errors, of all that follow: bad_argument if a span is too short, a joint is not in the skeleton, or a length is below
+   * 0 or not finite; nothing is appended.
+   */
+  joint_lines(skeleton: Skeleton | null, scene_from_joint: List<Affine> | null, axis_m: number, lines: DebugLines | null): Status;
+  /**
+   * What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
+   * A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
+   * angles: three arcs in the colours of their axes, each with the other angles at the middle. Then where the joint is
+   * now, in green inside the limit and red outside of it. Limits that is_valid() refuses are passed over. At most 51
+   * lines a limit.
+   */
+  limit_lines(skeleton: Skeleton | null, limits: List<JointLimit> | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, size_m: number, lines: DebugLines | null): Status;
+  /**
+   * A cross at each goal's position, or, where its rotation counts, the axes it asks for; and a line to it from the point
+   * of the joint that is to be there. Green within `tolerance_m`, else red. At most 4 lines a goal.
+   */
+  goal_lines(skeleton: Skeleton | null, goals: List<IkGoal> | null, scene_from_joint: List<Affine> | null, size_m: number, tolerance_m: number, lines: DebugLines | null): Status;
+  /**
+   * The bones of each chain, and its tip. scene_from_joint: after simulate_springs(). At most a line a joint.
+   */
+  spring_lines(skeleton: Skeleton | null, chains: List<SpringChain> | null, scene_from_joint: List<Affine> | null, lines: DebugLines | null): Status;
+  /**
+   * Each collider as great circles about its ends, and lines between them: 48 lines a sphere, 100 a capsule.
+   */
+  collider_lines(skeleton: Skeleton | null, colliders: List<SpringCollider> | null, scene_from_joint: List<Affine> | null, lines: DebugLines | null): Status;
+  /**
+   * The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
+   */
+  bounds_lines(bounds: Bounds | null, lines: DebugLines | null): Status;
+  /**
    * out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
    *
    * joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
@@ -3183,6 +3256,15 @@ export class Marrow {
    * Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
    */
   pose_character(character: Character | null, layers: List<AnimationLayer> | null): Status;
+  /**
+   * Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
+   * animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
+   * bits, and so do poses. Between pose_character() and finish_character().
+   *
+   * Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
+   * a number); nothing is written. Cost: sample_channels() of what drives morph targets.
+   */
+  add_expression(character: Character | null, expression: AnimationLayer | null): Status;
   /**
    * Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
    * Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each

@@ -1,7 +1,7 @@
 // Made by tools/c_api from runtime/c/api.txt: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x340c2e10;
+export const ABI = 0xe2476fd6;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -16,11 +16,11 @@ export const NO_JOINT = 0xFFFF;
 export const MORPHS_POSITIONS = 1;
 export const MORPHS_NORMALS = 2;
 export const MORPHS_TANGENTS = 4;
+export const MAX_SPRING_COLLIDERS = 64;
 export const MAX_BLEND_WEIGHT = 1e6;
 export const REST_THRESHOLD = 0.1;
 export const LIMIT_TOLERANCE_RAD = 1e-5;
 export const WIDEST_SWING_RAD = 2.9670597;
-export const MAX_SPRING_COLLIDERS = 32;
 export const MAX_SPRING_STEP_S = 1.0 / 60;
 export const MAX_SPRING_STEPS = 8;
 export const MIN_SPRING_FRAME_S = 0.001;
@@ -65,6 +65,9 @@ export const structs = {
   AngleRange: { size: 8, align: 4, init: "", fields: {"middle": [0, "value", "f32"], "half_width": [4, "value", "f32"]} },
   RateLimit: { size: 8, align: 4, init: "rate_limit_init", fields: {"speed": [0, "value", "f32"], "acceleration": [4, "value", "f32"]} },
   JointLimit: { size: 68, align: 4, init: "joint_limit_init", fields: {"joint": [0, "value", "u16"], "kind": [2, "value", "u8"], "order": [3, "value", "u8"], "limit_from_parent": [4, "array", "f32", 4], "joint_from_limit": [20, "array", "f32", 4], "angles": [36, "structs", "AngleRange", 3], "rate": [60, "struct", "RateLimit"]} },
+  SpringJoint: { size: 28, align: 4, init: "spring_joint_init", fields: {"joint": [0, "value", "u16"], "reserved": [2, "value", "u16"], "frequency_hz": [4, "value", "f32"], "damping_ratio": [8, "value", "f32"], "gravity": [12, "value", "f32"], "drag": [16, "value", "f32"], "radius_m": [20, "value", "f32"], "weight": [24, "value", "f32"]} },
+  SpringChain: { size: 32, align: 8, init: "spring_chain_init", fields: {"joints": [0, "list", "SpringJoint"], "tip": [8, "array", "f32", 3], "colliders": [24, "value", "u64"]} },
+  SpringCollider: { size: 32, align: 4, init: "spring_collider_init", fields: {"joint": [0, "value", "u16"], "reserved": [2, "value", "u16"], "from": [4, "array", "f32", 3], "to": [16, "array", "f32", 3], "radius_m": [28, "value", "f32"]} },
   Skeleton: { size: 36, align: 4, init: "", fields: {"name": [0, "text"], "joint_count": [4, "value", "u32"], "root_count": [8, "value", "u32"], "scene_from_root": [12, "pointer", "Affine"], "rest": [16, "pointer", "SoaTransform"], "parents": [20, "pointer", "u16"], "names": [24, "pointer", "u32"], "limits": [28, "list", "JointLimit"]} },
   SkeletonReference: { size: 32, align: 8, init: "", fields: {"name": [0, "text"], "joint_count": [4, "value", "u32"], "hash": [8, "value", "u64"], "names": [16, "pointer", "u32"], "rest_hashes": [20, "pointer", "u32"], "parents": [24, "pointer", "u16"]} },
   Track: { size: 16, align: 4, init: "", fields: {"joint": [0, "value", "u16"], "path": [2, "value", "u8"], "interpolation": [3, "value", "u8"], "key_count": [4, "value", "u32"], "first_time": [8, "value", "u32"], "first_value": [12, "value", "u32"]} },
@@ -86,7 +89,7 @@ export const structs = {
   MeshLod: { size: 8, align: 4, init: "", fields: {"geometry": [0, "value", "u32"], "error_m": [4, "value", "f32"]} },
   Bounds: { size: 28, align: 4, init: "", fields: {"box_min": [0, "array", "f32", 3], "box_max": [12, "array", "f32", 3], "radius_m": [24, "value", "f32"]} },
   Mesh: { size: 220, align: 4, init: "", fields: {"name": [0, "text"], "material": [4, "text"], "material_index": [8, "value", "u32"], "skeleton": [12, "value", "u32"], "geometry_index": [16, "value", "u32"], "joint_count": [20, "value", "u32"], "joints": [24, "pointer", "u16"], "inverse_bind": [28, "pointer", "Affine"], "base_colour": [32, "array", "f32", 4], "double_sided": [48, "value", "bool"], "is_next_part": [49, "value", "bool"], "half_joints": [52, "list", "HalfJoint"], "targets": [60, "list", "MeshTarget"], "lods": [68, "list", "MeshLod"], "geometry": [76, "struct", "Geometry"]} },
-  File: { size: 100, align: 4, init: "file_init", fields: {} },
+  File: { size: 108, align: 4, init: "file_init", fields: {} },
   JointMisfit: { size: 8, align: 4, init: "", fields: {"how": [0, "value", "u8"], "joint": [4, "value", "u32"]} },
   Playback: { size: 24, align: 8, init: "playback_init", fields: {"time_s": [0, "value", "f64"], "speed": [8, "value", "f32"], "mode": [12, "value", "u8"], "returning": [13, "value", "bool"], "turns": [16, "value", "i32"]} },
   SampleOptions: { size: 12, align: 4, init: "sample_options_init", fields: {"joints": [0, "list", "u32"], "prefilled": [8, "value", "bool"]} },
@@ -116,23 +119,22 @@ export const structs = {
   FootGround: { size: 32, align: 4, init: "foot_ground_init", fields: {"hit": [0, "value", "bool"], "point": [4, "array", "f32", 3], "normal": [16, "array", "f32", 3], "planted": [28, "value", "bool"]} },
   FootMotion: { size: 128, align: 4, init: "foot_motion_init", fields: {"place": [0, "array", "f32", 3], "offset": [12, "array", "f32", 3], "offset_speed": [24, "array", "f32", 3], "lean": [36, "array", "f32", 3], "lean_speed": [48, "array", "f32", 3], "point": [60, "array", "f32", 3], "normal": [72, "array", "f32", 3], "heading": [84, "array", "f32", 3], "turn": [96, "array", "f32", 4], "turn_share": [112, "value", "f32"], "turn_share_speed": [116, "value", "f32"], "axis": [120, "value", "u8"], "planted": [121, "value", "u8"], "begun": [122, "value", "u8"], "hit": [123, "value", "u8"], "reached": [124, "value", "u8"]} },
   FeetFrame: { size: 96, align: 16, init: "feet_frame_init", fields: {"dt_s": [0, "value", "f32"], "world_from_scene": [16, "struct", "Affine"], "up": [64, "array", "f32", 3], "teleported": [76, "value", "bool"], "weight": [80, "value", "f32"]} },
-  SpringJoint: { size: 28, align: 4, init: "spring_joint_init", fields: {"joint": [0, "value", "u16"], "frequency_hz": [4, "value", "f32"], "damping_ratio": [8, "value", "f32"], "gravity": [12, "value", "f32"], "drag": [16, "value", "f32"], "radius_m": [20, "value", "f32"], "weight": [24, "value", "f32"]} },
-  SpringChain: { size: 20, align: 4, init: "spring_chain_init", fields: {"joints": [0, "list", "SpringJoint"], "tip": [8, "array", "f32", 3]} },
-  SpringCollider: { size: 32, align: 4, init: "spring_collider_init", fields: {"joint": [0, "value", "u16"], "from": [4, "array", "f32", 3], "to": [16, "array", "f32", 3], "radius_m": [28, "value", "f32"]} },
   Springs: { size: 32, align: 4, init: "springs_init", fields: {"groups": [0, "pointer", "spring_group"], "roots": [4, "pointer", "spring_root"], "below": [8, "pointer", "joint_range"], "group_count": [12, "value", "u32"], "root_count": [16, "value", "u32"], "below_count": [20, "value", "u32"], "joint_count": [24, "value", "u32"], "saved_s": [28, "value", "f32"]} },
   SpringFrame: { size: 112, align: 16, init: "spring_frame_init", fields: {"dt_s": [0, "value", "f32"], "world_from_scene": [16, "struct", "Affine"], "gravity": [64, "array", "f32", 3], "wind": [76, "array", "f32", 3], "colliders": [88, "list", "SpringCollider"], "teleport_m": [96, "value", "f32"], "teleported": [100, "value", "bool"], "weight": [104, "value", "f32"]} },
   MorphedGeometry: { size: 304, align: 4, init: "", fields: {"geometry": [0, "struct", "Geometry"], "bind": [144, "struct", "Geometry"], "offsets": [288, "pointer", "u32"], "moved": [292, "pointer", "u32"], "changed": [296, "pointer", "u32"], "attributes": [300, "pointer", "u32"]} },
+  DebugLine: { size: 28, align: 4, init: "debug_line_init", fields: {"from": [0, "array", "f32", 3], "to": [12, "array", "f32", 3], "colour": [24, "array", "u8", 4]} },
+  DebugLines: { size: 16, align: 4, init: "debug_lines_init", fields: {"room": [0, "list", "DebugLine"], "count": [8, "value", "u32"], "left_out": [12, "value", "u32"]} },
   JointReach: { size: 24, align: 4, init: "", fields: {"centre": [0, "array", "f32", 3], "half": [12, "array", "f32", 3]} },
   MorphReach: { size: 24, align: 4, init: "", fields: {"least": [0, "array", "f32", 3], "most": [12, "array", "f32", 3]} },
   Reach: { size: 40, align: 4, init: "", fields: {"joints": [0, "list", "JointReach"], "targets": [8, "list", "MorphReach"], "pose_space": [16, "struct", "MorphReach"]} },
   SkinOutput: { size: 28, align: 4, init: "skin_output_init", fields: {"positions": [0, "list", "f32"], "normals": [8, "list", "f32"], "tangents": [16, "list", "f32"], "normal_transform": [24, "value", "u8"]} },
   AsPart: { size: 20, align: 4, init: "as_part_init", fields: {"mesh": [0, "pointer", "Mesh"], "coordinates": [4, "list", "f32"], "tangents": [12, "list", "f32"]} },
-  Animation: { size: 120, align: 4, init: "", fields: {"clips": [0, "struct", "File"], "duration_s": [100, "value", "f32"], "clip_of_skeleton": [104, "list", "u32"], "channels": [112, "list", "u32"]} },
+  Animation: { size: 128, align: 4, init: "", fields: {"clips": [0, "struct", "File"], "duration_s": [108, "value", "f32"], "clip_of_skeleton": [112, "list", "u32"], "channels": [120, "list", "u32"]} },
   Animations: { size: 8, align: 4, init: "", fields: {"all": [0, "list", "Animation"]} },
   CharacterOptions: { size: 12, align: 4, init: "character_options_init", fields: {"layers": [0, "value", "u32"], "level": [4, "value", "u32"], "skin": [8, "value", "bool"], "animation_space": [9, "value", "bool"]} },
   CharacterSkeleton: { size: 52, align: 4, init: "", fields: {"skeleton": [0, "struct", "Skeleton"], "local": [36, "list", "SoaTransform"], "scene_from_joint": [44, "list", "Affine"]} },
   CharacterMesh: { size: 560, align: 4, init: "", fields: {"mesh": [0, "struct", "Mesh"], "weights": [220, "list", "f32"], "palette": [228, "list", "Affine"], "coordinates": [236, "list", "f32"], "morphed": [244, "struct", "MorphedGeometry"], "vertices": [548, "list", "byte"], "first_target": [556, "value", "u32"]} },
-  Character: { size: 156, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [100, "struct", "CharacterOptions"], "skeletons": [112, "list", "CharacterSkeleton"], "meshes": [120, "list", "CharacterMesh"], "target_count": [128, "value", "u32"], "sampled": [132, "list", "SoaTransform"], "blended": [140, "list", "BlendLayer"], "change": [148, "list", "AdditiveTransform"]} },
+  Character: { size: 164, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [108, "struct", "CharacterOptions"], "skeletons": [120, "list", "CharacterSkeleton"], "meshes": [128, "list", "CharacterMesh"], "target_count": [136, "value", "u32"], "sampled": [140, "list", "SoaTransform"], "blended": [148, "list", "BlendLayer"], "change": [156, "list", "AdditiveTransform"]} },
   AnimationLayer: { size: 12, align: 4, init: "animation_layer_init", fields: {"animation": [0, "pointer", "Animation"], "time_s": [4, "value", "f32"], "weight": [8, "value", "f32"]} },
 };
 
@@ -160,6 +162,9 @@ export const functions = {
   set_joint: [["list", "number", "pointer"], "number"],
   rate_limit_init: [['pointer'], 'void'],
   joint_limit_init: [['pointer'], 'void'],
+  spring_joint_init: [['pointer'], 'void'],
+  spring_chain_init: [['pointer'], 'void'],
+  spring_collider_init: [['pointer'], 'void'],
   half_joint_init: [['pointer'], 'void'],
   is_valid: [["pointer"], "bool"],
   file_init: [['pointer'], 'void'],
@@ -179,6 +184,9 @@ export const functions = {
   file_image: [["pointer", "number", "pointer"], "number"],
   file_node: [["pointer", "number", "pointer"], "number"],
   file_bounds: [["pointer", "number", "number", "pointer"], "number"],
+  file_spring_count: [["pointer", "number"], "number"],
+  file_spring: [["pointer", "number", "number", "pointer"], "number"],
+  file_spring_colliders: [["pointer", "number"], "number"],
   file_find_skeleton: [["pointer", "text"], "number"],
   file_find_joint: [["pointer", "pointer", "text"], "number"],
   file_find_mesh: [["pointer", "text"], "number"],
@@ -270,9 +278,6 @@ export const functions = {
   feet_frame_init: [['pointer'], 'void'],
   foot_sole: [["pointer", "pointer", "list", "pointer"], "number"],
   place_feet: [["pointer", "pointer", "pointer", "list", "list", "list", "list"], "number"],
-  spring_joint_init: [['pointer'], 'void'],
-  spring_chain_init: [['pointer'], 'void'],
-  spring_collider_init: [['pointer'], 'void'],
   springs_init: [['pointer'], 'void'],
   spring_frame_init: [['pointer'], 'void'],
   springs_bytes: [["pointer", "list"], "number"],
@@ -286,6 +291,14 @@ export const functions = {
   make_morphed: [["pointer", "list", "pointer"], "number"],
   morph: [["list", "pointer"], "number"],
   morph_coordinates: [["pointer", "list"], "number"],
+  debug_line_init: [['pointer'], 'void'],
+  debug_lines_init: [['pointer'], 'void'],
+  joint_lines: [["pointer", "list", "number", "pointer"], "number"],
+  limit_lines: [["pointer", "list", "list", "list", "number", "pointer"], "number"],
+  goal_lines: [["pointer", "list", "list", "number", "number", "pointer"], "number"],
+  spring_lines: [["pointer", "list", "list", "pointer"], "number"],
+  collider_lines: [["pointer", "list", "list", "pointer"], "number"],
+  bounds_lines: [["pointer", "pointer"], "number"],
   build_palette_of_joints: [["list", "list", "list", "list", "list"], "number"],
   build_palette: [["pointer", "list", "list"], "number"],
   turns_inside_out: [["pointer"], "bool"],
@@ -317,5 +330,6 @@ export const functions = {
   sample_character: [["pointer", "list"], "number"],
   character_to_model: [["pointer"], "number"],
   pose_character: [["pointer", "list"], "number"],
+  add_expression: [["pointer", "pointer"], "number"],
   finish_character: [["pointer"], "number"],
 };
