@@ -185,7 +185,7 @@ static int call_file_spring(const Round* r) {
 }
 static int call_file_spring_colliders(const Round* r) {
   (void)r;
-  return mrw_file_spring_colliders(at(r, 0), (uint32_t)whole(r));
+  return mrw_file_spring_colliders(at(r, 0), (uint32_t)whole(r), at(r, 2));
 }
 static int call_file_find_skeleton(const Round* r) {
   (void)r;

@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xe2476fd6u
+#define MRW_ABI 0x98f11258u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -454,6 +454,12 @@ struct mrw_spring_collider {
 };
 void mrw_spring_collider_init(mrw_spring_collider* out);
 
+typedef struct mrw_spring_collider_list mrw_spring_collider_list;
+struct mrw_spring_collider_list {
+  const mrw_spring_collider* data;
+  size_t size;
+};
+
 // The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 // comes before its children and the roots come first.
 typedef struct mrw_skeleton mrw_skeleton;
@@ -791,7 +797,8 @@ MRW_NODISCARD mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, ui
 uint32_t mrw_file_spring_count(const mrw_file* file, uint32_t skeleton);
 MRW_NODISCARD mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t index,
     mrw_spring_chain* out);
-MRW_NODISCARD mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton);
+MRW_NODISCARD mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton,
+    mrw_spring_collider_list* out);
 
 // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name);

@@ -486,6 +486,12 @@ public unsafe struct SpringCollider {
     }
 }
 
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringColliderList {
+    public SpringCollider* data;
+    public UIntPtr size;
+}
+
 /// <summary>
 /// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 /// comes before its children and the roots come first.
@@ -2453,7 +2459,7 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xe2476fd6;
+    public const uint AbiNumber = 0x98f11258;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -2759,7 +2765,7 @@ public static unsafe class Marrow {
     /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_spring_colliders", CallingConvention = CallingConvention.Cdecl)]
-    public static extern Status FileSpringColliders(File* file, uint skeleton);
+    public static extern Status FileSpringColliders(File* file, uint skeleton, SpringColliderList* @out);
     /// <summary>
     /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
     /// </summary>
@@ -3853,6 +3859,7 @@ public static unsafe class Marrow {
             sizeof(SpringJoint) == 28 &&
             sizeof(SpringChain) == 40 &&
             sizeof(SpringCollider) == 32 &&
+            sizeof(SpringColliderList) == 16 &&
             sizeof(Skeleton) == 64 &&
             sizeof(SkeletonReference) == 48 &&
             sizeof(Track) == 16 &&

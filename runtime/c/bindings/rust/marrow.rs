@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xe2476fd6;
+pub const ABI: u32 = 0x98f11258;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
@@ -555,6 +555,20 @@ impl Default for SpringCollider {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<SpringCollider>() == 32);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringColliderList {
+    pub data: *const SpringCollider,
+    pub size: usize,
+}
+impl Default for SpringColliderList {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringColliderList>() == 16);
 
 /// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 /// comes before its children and the roots come first.
@@ -2612,7 +2626,7 @@ extern "C" {
     /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
     /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
     #[link_name = "mrw_file_spring_colliders"]
-    pub fn file_spring_colliders(file: *const File, skeleton: u32) -> Status;
+    pub fn file_spring_colliders(file: *const File, skeleton: u32, out: *mut SpringColliderList) -> Status;
     /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
     #[link_name = "mrw_file_find_skeleton"]
     pub fn file_find_skeleton(file: *const File, name: *const c_char) -> u32;

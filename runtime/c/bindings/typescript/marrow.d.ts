@@ -647,6 +647,11 @@ export interface SpringCollider extends View {
   radius_m: number;
 }
 
+export interface SpringColliderList extends View {
+  data: number;
+  size: number;
+}
+
 /**
  * The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
  * comes before its children and the roots come first.
@@ -2144,6 +2149,7 @@ export interface Structs {
   SpringJoint: SpringJoint;
   SpringChain: SpringChain;
   SpringCollider: SpringCollider;
+  SpringColliderList: SpringColliderList;
   Skeleton: Skeleton;
   SkeletonReference: SkeletonReference;
   Track: Track;
@@ -2373,7 +2379,7 @@ export class Marrow {
    * Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
    * colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
    */
-  file_spring_colliders(file: File | null, skeleton: number): number | null;
+  file_spring_colliders(file: File | null, skeleton: number, out: SpringColliderList | null): Status;
   /**
    * Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
    */

@@ -1,7 +1,7 @@
 // Made by tools/c_api from runtime/c/api.txt: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0xe2476fd6;
+export const ABI = 0x98f11258;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -68,6 +68,7 @@ export const structs = {
   SpringJoint: { size: 28, align: 4, init: "spring_joint_init", fields: {"joint": [0, "value", "u16"], "reserved": [2, "value", "u16"], "frequency_hz": [4, "value", "f32"], "damping_ratio": [8, "value", "f32"], "gravity": [12, "value", "f32"], "drag": [16, "value", "f32"], "radius_m": [20, "value", "f32"], "weight": [24, "value", "f32"]} },
   SpringChain: { size: 32, align: 8, init: "spring_chain_init", fields: {"joints": [0, "list", "SpringJoint"], "tip": [8, "array", "f32", 3], "colliders": [24, "value", "u64"]} },
   SpringCollider: { size: 32, align: 4, init: "spring_collider_init", fields: {"joint": [0, "value", "u16"], "reserved": [2, "value", "u16"], "from": [4, "array", "f32", 3], "to": [16, "array", "f32", 3], "radius_m": [28, "value", "f32"]} },
+  SpringColliderList: { size: 8, align: 4, init: "", fields: {"data": [0, "pointer", "SpringCollider"], "size": [4, "value", "u32"]} },
   Skeleton: { size: 36, align: 4, init: "", fields: {"name": [0, "text"], "joint_count": [4, "value", "u32"], "root_count": [8, "value", "u32"], "scene_from_root": [12, "pointer", "Affine"], "rest": [16, "pointer", "SoaTransform"], "parents": [20, "pointer", "u16"], "names": [24, "pointer", "u32"], "limits": [28, "list", "JointLimit"]} },
   SkeletonReference: { size: 32, align: 8, init: "", fields: {"name": [0, "text"], "joint_count": [4, "value", "u32"], "hash": [8, "value", "u64"], "names": [16, "pointer", "u32"], "rest_hashes": [20, "pointer", "u32"], "parents": [24, "pointer", "u16"]} },
   Track: { size: 16, align: 4, init: "", fields: {"joint": [0, "value", "u16"], "path": [2, "value", "u8"], "interpolation": [3, "value", "u8"], "key_count": [4, "value", "u32"], "first_time": [8, "value", "u32"], "first_value": [12, "value", "u32"]} },
@@ -186,7 +187,7 @@ export const functions = {
   file_bounds: [["pointer", "number", "number", "pointer"], "number"],
   file_spring_count: [["pointer", "number"], "number"],
   file_spring: [["pointer", "number", "number", "pointer"], "number"],
-  file_spring_colliders: [["pointer", "number"], "number"],
+  file_spring_colliders: [["pointer", "number", "pointer"], "number"],
   file_find_skeleton: [["pointer", "text"], "number"],
   file_find_joint: [["pointer", "pointer", "text"], "number"],
   file_find_mesh: [["pointer", "text"], "number"],
