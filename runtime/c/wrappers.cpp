@@ -259,6 +259,10 @@ mrw_call_error_handler mrw_set_call_error_handler(mrw_call_error_handler handler
   return marrow::set_call_error_handler(handler);
 }
 
+mrw_call_error_handler mrw_get_call_error_handler(void) {
+  return marrow::call_error_handler();
+}
+
 size_t mrw_block_bytes(size_t bytes) {
   return marrow::block_bytes(bytes);
 }
@@ -420,9 +424,10 @@ mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t ind
   return MRW_OK;
 }
 
-mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton) {
-  MRW_NEEDS(leads_to<File>(file), MRW_BAD_ARGUMENT);
-  return to_c<const mrw_spring_collider>(of<File>(file).spring_colliders(skeleton));
+mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton, mrw_spring_collider_list* out) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<Span<const SpringCollider>>(out), MRW_BAD_ARGUMENT);
+  give<Span<const SpringCollider>>(out, of<File>(file).spring_colliders(skeleton));
+  return MRW_OK;
 }
 
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name) {

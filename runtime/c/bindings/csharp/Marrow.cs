@@ -1083,6 +1083,12 @@ public unsafe struct Mesh {
     public Geometry geometry;
 }
 
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringColliderList {
+    public SpringCollider* data;
+    public UIntPtr size;
+}
+
 /// <summary>
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 /// </summary>
@@ -2453,7 +2459,7 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xe2476fd6;
+    public const uint AbiNumber = 0x17ea7365;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -2563,6 +2569,11 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_set_call_error_handler", CallingConvention = CallingConvention.Cdecl)]
     public static extern IntPtr SetCallErrorHandler(IntPtr handler);
+    /// <summary>
+    /// The handler of now; null: nobody is told. Thread-safe.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_get_call_error_handler", CallingConvention = CallingConvention.Cdecl)]
+    public static extern IntPtr GetCallErrorHandler();
     /// <summary>
     /// How many bytes of any alignment hold a block of `bytes`.
     /// </summary>
@@ -2759,7 +2770,7 @@ public static unsafe class Marrow {
     /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_spring_colliders", CallingConvention = CallingConvention.Cdecl)]
-    public static extern Status FileSpringColliders(File* file, uint skeleton);
+    public static extern Status FileSpringColliders(File* file, uint skeleton, SpringColliderList* @out);
     /// <summary>
     /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
     /// </summary>
@@ -3874,6 +3885,7 @@ public static unsafe class Marrow {
             sizeof(MeshLod) == 8 &&
             sizeof(Bounds) == 28 &&
             sizeof(Mesh) == 368 &&
+            sizeof(SpringColliderList) == 16 &&
             sizeof(File) == 120 &&
             sizeof(JointMisfit) == 8 &&
             sizeof(Playback) == 24 &&

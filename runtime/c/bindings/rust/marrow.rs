@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xe2476fd6;
+pub const ABI: u32 = 0x17ea7365;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
@@ -1093,6 +1093,20 @@ impl Default for Mesh {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Mesh>() == 368);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringColliderList {
+    pub data: *const SpringCollider,
+    pub size: usize,
+}
+impl Default for SpringColliderList {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringColliderList>() == 16);
 
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 #[repr(C)]
@@ -2466,6 +2480,9 @@ extern "C" {
     /// anything of Marrow, may set another handler, and may stop the program.
     #[link_name = "mrw_set_call_error_handler"]
     pub fn set_call_error_handler(handler: CallErrorHandler) -> CallErrorHandler;
+    /// The handler of now; null: nobody is told. Thread-safe.
+    #[link_name = "mrw_get_call_error_handler"]
+    pub fn get_call_error_handler() -> CallErrorHandler;
     /// How many bytes of any alignment hold a block of `bytes`.
     #[link_name = "mrw_block_bytes"]
     pub fn block_bytes(bytes: usize) -> usize;
@@ -2612,7 +2629,7 @@ extern "C" {
     /// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
     /// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
     #[link_name = "mrw_file_spring_colliders"]
-    pub fn file_spring_colliders(file: *const File, skeleton: u32) -> Status;
+    pub fn file_spring_colliders(file: *const File, skeleton: u32, out: *mut SpringColliderList) -> Status;
     /// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
     #[link_name = "mrw_file_find_skeleton"]
     pub fn file_find_skeleton(file: *const File, name: *const c_char) -> u32;

@@ -1205,6 +1205,11 @@ export interface Mesh extends View {
   readonly geometry: Geometry;
 }
 
+export interface SpringColliderList extends View {
+  data: number;
+  size: number;
+}
+
 /**
  * A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
  */
@@ -2165,6 +2170,7 @@ export interface Structs {
   MeshLod: MeshLod;
   Bounds: Bounds;
   Mesh: Mesh;
+  SpringColliderList: SpringColliderList;
   File: File;
   JointMisfit: JointMisfit;
   Playback: Playback;
@@ -2238,6 +2244,10 @@ export class Marrow {
    * One word or two in English, never null.
    */
   status_text(status: Status): string;
+  /**
+   * The handler of now; null: nobody is told. Thread-safe.
+   */
+  get_call_error_handler(): number;
   /**
    * How many bytes of any alignment hold a block of `bytes`.
    */
@@ -2373,7 +2383,7 @@ export class Marrow {
    * Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
    * colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
    */
-  file_spring_colliders(file: File | null, skeleton: number): number | null;
+  file_spring_colliders(file: File | null, skeleton: number, out: SpringColliderList | null): Status;
   /**
    * Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
    */

@@ -1,7 +1,7 @@
 // Made by tools/c_api from runtime/c/api.txt: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0xe2476fd6;
+export const ABI = 0x17ea7365;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -89,6 +89,7 @@ export const structs = {
   MeshLod: { size: 8, align: 4, init: "", fields: {"geometry": [0, "value", "u32"], "error_m": [4, "value", "f32"]} },
   Bounds: { size: 28, align: 4, init: "", fields: {"box_min": [0, "array", "f32", 3], "box_max": [12, "array", "f32", 3], "radius_m": [24, "value", "f32"]} },
   Mesh: { size: 220, align: 4, init: "", fields: {"name": [0, "text"], "material": [4, "text"], "material_index": [8, "value", "u32"], "skeleton": [12, "value", "u32"], "geometry_index": [16, "value", "u32"], "joint_count": [20, "value", "u32"], "joints": [24, "pointer", "u16"], "inverse_bind": [28, "pointer", "Affine"], "base_colour": [32, "array", "f32", 4], "double_sided": [48, "value", "bool"], "is_next_part": [49, "value", "bool"], "half_joints": [52, "list", "HalfJoint"], "targets": [60, "list", "MeshTarget"], "lods": [68, "list", "MeshLod"], "geometry": [76, "struct", "Geometry"]} },
+  SpringColliderList: { size: 8, align: 4, init: "", fields: {"data": [0, "pointer", "SpringCollider"], "size": [4, "value", "u32"]} },
   File: { size: 108, align: 4, init: "file_init", fields: {} },
   JointMisfit: { size: 8, align: 4, init: "", fields: {"how": [0, "value", "u8"], "joint": [4, "value", "u32"]} },
   Playback: { size: 24, align: 8, init: "playback_init", fields: {"time_s": [0, "value", "f64"], "speed": [8, "value", "f32"], "mode": [12, "value", "u8"], "returning": [13, "value", "bool"], "turns": [16, "value", "i32"]} },
@@ -144,6 +145,7 @@ export const functions = {
   data_error_init: [['pointer'], 'void'],
   status_text: [["number"], "text"],
   set_call_error_handler: [["pointer"], "number"],
+  get_call_error_handler: [[], "number"],
   block_bytes: [["number"], "number"],
   is_on_boundary: [["pointer"], "bool"],
   block_in: [["list", "pointer"], "number"],
@@ -186,7 +188,7 @@ export const functions = {
   file_bounds: [["pointer", "number", "number", "pointer"], "number"],
   file_spring_count: [["pointer", "number"], "number"],
   file_spring: [["pointer", "number", "number", "pointer"], "number"],
-  file_spring_colliders: [["pointer", "number"], "number"],
+  file_spring_colliders: [["pointer", "number", "pointer"], "number"],
   file_find_skeleton: [["pointer", "text"], "number"],
   file_find_joint: [["pointer", "pointer", "text"], "number"],
   file_find_mesh: [["pointer", "text"], "number"],
