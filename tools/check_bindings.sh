@@ -19,8 +19,7 @@ quietly() {  # COMMAND ...: what it says is shown if it fails
 }
 runtime_alone=(-DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_GLES=OFF
   -DMARROW_WERROR=OFF)
-quietly cmake -S "$here" -B "$work/shared" -G Ninja "${runtime_alone[@]}" -DMARROW_DRACO=ON -DMARROW_MESHOPT=ON \
-  -DCMAKE_POSITION_INDEPENDENT_CODE=ON
+quietly cmake -S "$here" -B "$work/shared" -G Ninja "${runtime_alone[@]}" -DMARROW_DRACO=ON -DMARROW_MESHOPT=ON
 quietly cmake --build "$work/shared" --target marrow_c_shared
 export LD_LIBRARY_PATH="$work/shared/runtime/c"
 for codec in none draco; do

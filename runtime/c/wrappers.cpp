@@ -259,6 +259,10 @@ mrw_call_error_handler mrw_set_call_error_handler(mrw_call_error_handler handler
   return marrow::set_call_error_handler(handler);
 }
 
+mrw_call_error_handler mrw_get_call_error_handler(void) {
+  return marrow::call_error_handler();
+}
+
 size_t mrw_block_bytes(size_t bytes) {
   return marrow::block_bytes(bytes);
 }

@@ -10,6 +10,11 @@ static int call_status_text(const Round* r) {
   (void)mrw_status_text((mrw_status)whole(r));
   return -1;
 }
+static int call_get_call_error_handler(const Round* r) {
+  (void)r;
+  (void)mrw_get_call_error_handler();
+  return -1;
+}
 static int call_block_bytes(const Round* r) {
   (void)r;
   (void)mrw_block_bytes((uint32_t)whole(r));
@@ -808,6 +813,7 @@ static int call_finish_character(const Round* r) {
 static const Row rows[] = {
     {"mrw_data_error_init", call_data_error_init, 0, 0},
     {"mrw_status_text", call_status_text, 0, 0},
+    {"mrw_get_call_error_handler", call_get_call_error_handler, 0, 0},
     {"mrw_block_bytes", call_block_bytes, 0, 0},
     {"mrw_is_on_boundary", call_is_on_boundary, 0, 0},
     {"mrw_block_in", call_block_in, 0, 1},

@@ -63,6 +63,8 @@ def read_function(text, header):
     m = re.fullmatch(r'(?:(\w+)\.)?(\w+)(\((.*)\))? -> (.*?)(?: as (\w+))?(?: in (\w+\.cpp))?', text)
     if not m:
         raise Wrong(f'{text}: not a function')
+    if m[5].endswith(']'):
+        raise Wrong(f'{m[5]}: C returns no lists: make a struct of a pointer and a size')
     fields = read_parameters(m[4] or '')
     if m[1]:
         fields.insert(0, (m[1], Type(m[1])))

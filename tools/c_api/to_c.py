@@ -135,8 +135,8 @@ def row_text(row, structs):
         return [f'typedef struct mrw_{row.name} mrw_{row.name};']
     if row.kind == 'struct':
         return [f'typedef struct mrw_{row.name} mrw_{row.name};'] + struct_text(row)
-    mark = 'MRW_NODISCARD ' if returned(row, structs) == 'mrw_status' else ''
-    return wrapped(f'{mark}{returned(row, structs)} mrw_{row.name}(', parameters(row, structs) or ['void'], ');').split('\n')
+    mark = ' MRW_NODISCARD' if returned(row, structs) == 'mrw_status' else ''
+    return prototype(row, structs, mark + ';').split('\n')
 
 
 def header(rows, abi, headings):

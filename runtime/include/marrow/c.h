@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x98f11258u
+#define MRW_ABI 0xe0666ff3u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -80,6 +80,9 @@ typedef void (*mrw_call_error_handler)(const char* function, const char* conditi
 // anything of Marrow, may set another handler, and may stop the program.
 mrw_call_error_handler mrw_set_call_error_handler(mrw_call_error_handler handler);
 
+// The handler of now; null: nobody is told. Thread-safe.
+mrw_call_error_handler mrw_get_call_error_handler(void);
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Blocks of memory on boundaries of 16 bytes, as load() and whatever lays things out in the caller's memory want them.
 //
@@ -100,7 +103,7 @@ size_t mrw_block_bytes(size_t bytes);
 bool mrw_is_on_boundary(const void* first);
 
 // What lies behind the first boundary in `memory`; empty if there is none.
-MRW_NODISCARD mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out);
+mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Before stage 1, for packed files: what a game ships → what load() reads.
@@ -138,8 +141,8 @@ bool mrw_is_packed(const void* bytes, size_t byte_count);
 // else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
 // should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
 // May be null: error.
-MRW_NODISCARD mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
-    mrw_data_error* error);
+mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
+    mrw_data_error* error) MRW_NODISCARD;
 
 // Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
 // to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
@@ -151,8 +154,8 @@ MRW_NODISCARD mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed
 // order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
 // nothing else does.
 // May be null: error.
-MRW_NODISCARD mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
-    size_t decoder_count, void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error);
+mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders, size_t decoder_count,
+    void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error) MRW_NODISCARD;
 
 // The same in steps, for a game that loads while it plays: as many a frame as its time allows.
 //
@@ -176,8 +179,8 @@ void mrw_unpacking_init(mrw_unpacking* out);
 // Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
 // Cost: the checksum.
 // May be null: error.
-MRW_NODISCARD mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
-    size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error);
+mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
+    size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error) MRW_NODISCARD;
 
 // Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
 // last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
@@ -186,21 +189,21 @@ MRW_NODISCARD mrw_status mrw_begin_unpack(const void* packed, size_t packed_byte
 // Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
 // at a time.
 // May be null: error.
-MRW_NODISCARD mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error);
+mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Meshes compressed with Google's Draco: the smallest files, about a microsecond a vertex to decode. Library
 // marrow::draco.
 
 // For unpack(). Draco allocates while it decodes and frees all of it again.
-MRW_NODISCARD mrw_status mrw_draco_decoder(mrw_mesh_decoder* out);
+mrw_status mrw_draco_decoder(mrw_mesh_decoder* out) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Meshes compressed with meshoptimizer's vertex and index codecs: several times as fast to decode as Draco, and meant
 // to be compressed once more by whatever packs the game's data. Library marrow::meshopt.
 
 // For unpack(). Allocates nothing.
-MRW_NODISCARD mrw_status mrw_meshopt_decoder(mrw_mesh_decoder* out);
+mrw_status mrw_meshopt_decoder(mrw_mesh_decoder* out) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The two forms of a pose that stages hand on: local transforms in groups of four joints, and model-space matrices.
@@ -241,10 +244,10 @@ size_t mrw_soa_count(size_t joint_count);
 
 // Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
 // is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
-MRW_NODISCARD mrw_status mrw_get_joint(const mrw_soa_transform* local, size_t local_count, uint32_t joint,
-    mrw_joint_transform* out);
-MRW_NODISCARD mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t joint,
-    const mrw_joint_transform* transform);
+mrw_status mrw_get_joint(const mrw_soa_transform* local, size_t local_count, uint32_t joint,
+    mrw_joint_transform* out) MRW_NODISCARD;
+mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t joint,
+    const mrw_joint_transform* transform) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 1, load: one validated block of memory, seen as skeletons, clips and meshes.
@@ -740,6 +743,12 @@ struct mrw_mesh {
 // Whether a limit keeps these rules, as those of make_limit() and load() do.
 bool mrw_is_valid(const mrw_joint_limit* limit);
 
+typedef struct mrw_spring_collider_list mrw_spring_collider_list;
+struct mrw_spring_collider_list {
+  const mrw_spring_collider* data;
+  size_t size;
+};
+
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 typedef struct mrw_file mrw_file;
 struct mrw_file {
@@ -759,7 +768,7 @@ void mrw_file_init(mrw_file* out);
 // are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
 // failure. Cost: one pass over the block; no allocation. Thread-safe.
 // May be null: error.
-MRW_NODISCARD mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error);
+mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error) MRW_NODISCARD;
 
 uint32_t mrw_file_skeleton_count(const mrw_file* file);
 
@@ -776,29 +785,29 @@ uint32_t mrw_file_image_count(const mrw_file* file);
 uint32_t mrw_file_node_count(const mrw_file* file);
 
 // An index that is not below the count gives what is empty. Cost: a few loads.
-MRW_NODISCARD mrw_status mrw_file_skeleton(const mrw_file* file, uint32_t index, mrw_skeleton* out);
-MRW_NODISCARD mrw_status mrw_file_reference(const mrw_file* file, uint32_t index, mrw_skeleton_reference* out);
-MRW_NODISCARD mrw_status mrw_file_clip(const mrw_file* file, uint32_t index, mrw_clip* out);
+mrw_status mrw_file_skeleton(const mrw_file* file, uint32_t index, mrw_skeleton* out) MRW_NODISCARD;
+mrw_status mrw_file_reference(const mrw_file* file, uint32_t index, mrw_skeleton_reference* out) MRW_NODISCARD;
+mrw_status mrw_file_clip(const mrw_file* file, uint32_t index, mrw_clip* out) MRW_NODISCARD;
 
 // level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
-MRW_NODISCARD mrw_status mrw_file_mesh(const mrw_file* file, uint32_t index, uint32_t level, mrw_mesh* out);
-MRW_NODISCARD mrw_status mrw_file_material(const mrw_file* file, uint32_t index, mrw_material* out);
-MRW_NODISCARD mrw_status mrw_file_image(const mrw_file* file, uint32_t index, mrw_image* out);
-MRW_NODISCARD mrw_status mrw_file_node(const mrw_file* file, uint32_t index, mrw_node* out);
+mrw_status mrw_file_mesh(const mrw_file* file, uint32_t index, uint32_t level, mrw_mesh* out) MRW_NODISCARD;
+mrw_status mrw_file_material(const mrw_file* file, uint32_t index, mrw_material* out) MRW_NODISCARD;
+mrw_status mrw_file_image(const mrw_file* file, uint32_t index, mrw_image* out) MRW_NODISCARD;
+mrw_status mrw_file_node(const mrw_file* file, uint32_t index, mrw_node* out) MRW_NODISCARD;
 
 // About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
 // deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
 // Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
 // pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
-MRW_NODISCARD mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, uint32_t mesh, mrw_bounds* out);
+mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, uint32_t mesh, mrw_bounds* out) MRW_NODISCARD;
 
 // Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
 // colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
 uint32_t mrw_file_spring_count(const mrw_file* file, uint32_t skeleton);
-MRW_NODISCARD mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t index,
-    mrw_spring_chain* out);
-MRW_NODISCARD mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton,
-    mrw_spring_collider_list* out);
+mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t index,
+    mrw_spring_chain* out) MRW_NODISCARD;
+mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton,
+    mrw_spring_collider_list* out) MRW_NODISCARD;
 
 // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name);
@@ -871,8 +880,8 @@ uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton);
 // Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
 // skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
 // May be null: misfits_there.
-MRW_NODISCARD mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character,
-    uint32_t skeleton, mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there);
+mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character, uint32_t skeleton,
+    mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 1½, playback: where in its clip a character is, moved on from frame to frame.
@@ -912,7 +921,7 @@ void mrw_playback_init(mrw_playback* out);
 // 2⁻⁵³ duration_s more where a loop passes its start backwards; finding the place of a time beyond an end is exact. So
 // after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the logarithm of the
 // turns where there are many. The same bits everywhere; thread-safe on different playbacks.
-MRW_NODISCARD mrw_status mrw_advance(mrw_playback* playback, float duration_s, float dt_s);
+mrw_status mrw_advance(mrw_playback* playback, float duration_s, float dt_s) MRW_NODISCARD;
 
 // The time to sample: time_s as a float, which never goes beyond the clip.
 float mrw_clip_time(const mrw_playback* playback);
@@ -947,8 +956,8 @@ void mrw_sample_options_init(mrw_sample_options* out);
 // float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
 // is. Stateless; thread-safe on different outputs.
 // May be null: options.
-MRW_NODISCARD mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
-    mrw_soa_transform* out, size_t out_count, const mrw_sample_options* options);
+mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
+    size_t out_count, const mrw_sample_options* options) MRW_NODISCARD;
 
 // Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
 // that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
@@ -957,8 +966,8 @@ MRW_NODISCARD mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip
 //
 // out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
 // additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
-MRW_NODISCARD mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
-    mrw_additive_transform* out, size_t out_count);
+mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
+    mrw_additive_transform* out, size_t out_count) MRW_NODISCARD;
 
 // Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
 //
@@ -966,7 +975,7 @@ MRW_NODISCARD mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const
 // drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
 // changes. Errors: bad_argument if `out` is too short or time_s is not
 // a number. Cost: a binary search a distinct key-time list and a few operations a channel.
-MRW_NODISCARD mrw_status mrw_sample_channels(const mrw_clip* clip, float time_s, float* out, size_t out_count);
+mrw_status mrw_sample_channels(const mrw_clip* clip, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Curves through keys, easings and patches: a time, or any other parameter, → numbers; beside the road of data, for
@@ -1067,7 +1076,7 @@ size_t mrw_curve_value_count(mrw_curve_kind kind, uint32_t components, size_t ke
 // is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
 // not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
 // interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
-MRW_NODISCARD mrw_status mrw_check_curve(const mrw_curve* curve);
+mrw_status mrw_check_curve(const mrw_curve* curve) MRW_NODISCARD;
 
 // The value at `time_s`, clamped to the first and last key; one key is a constant.
 //
@@ -1075,12 +1084,12 @@ MRW_NODISCARD mrw_status mrw_check_curve(const mrw_curve* curve);
 // not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
 // At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
 // some dozen operations.
-MRW_NODISCARD mrw_status mrw_evaluate_curve(const mrw_curve* curve, float time_s, float* out, size_t out_count);
+mrw_status mrw_evaluate_curve(const mrw_curve* curve, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
 // The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
 // the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
 // bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
-MRW_NODISCARD mrw_status mrw_curve_velocity(const mrw_curve* curve, float time_s, float* out, size_t out_count);
+mrw_status mrw_curve_velocity(const mrw_curve* curve, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
 // Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
 //
@@ -1092,9 +1101,9 @@ MRW_NODISCARD mrw_status mrw_curve_velocity(const mrw_curve* curve, float time_s
 // are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
 // tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
 // Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
-MRW_NODISCARD mrw_status mrw_natural_spline(const mrw_curve* keys, float* out, size_t out_count);
-MRW_NODISCARD mrw_status mrw_clamped_spline(const mrw_curve* keys, const float* first_velocity,
-    size_t first_velocity_count, const float* last_velocity, size_t last_velocity_count, float* out, size_t out_count);
+mrw_status mrw_natural_spline(const mrw_curve* keys, float* out, size_t out_count) MRW_NODISCARD;
+mrw_status mrw_clamped_spline(const mrw_curve* keys, const float* first_velocity, size_t first_velocity_count,
+    const float* last_velocity, size_t last_velocity_count, float* out, size_t out_count) MRW_NODISCARD;
 
 // A Bézier curve of any degree at u, by de Casteljau's algorithm.
 //
@@ -1102,13 +1111,13 @@ MRW_NODISCARD mrw_status mrw_clamped_spline(const mrw_curve* keys, const float* 
 // out: at least `components`. u outside [0, 1] extrapolates. Errors: bad_argument if there is no point, points.size is
 // no multiple of components, a span is too short, or u is not finite; bad_data if the result is not finite.
 // Cost: degree · (degree + 1) / 2 interpolations.
-MRW_NODISCARD mrw_status mrw_bezier(const float* points, size_t point_count, uint32_t components, float u,
-    float* scratch, size_t scratch_count, float* out, size_t out_count);
+mrw_status mrw_bezier(const float* points, size_t point_count, uint32_t components, float u, float* scratch,
+    size_t scratch_count, float* out, size_t out_count) MRW_NODISCARD;
 
 // The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
 // result has no direction, or is too long to be squared.
-MRW_NODISCARD mrw_status mrw_bezier_rotation(const float* quaternions, size_t quaternion_count, float u, float* scratch,
-    size_t scratch_count, float* out, size_t out_count);
+mrw_status mrw_bezier_rotation(const float* quaternions, size_t quaternion_count, float u, float* scratch,
+    size_t scratch_count, float* out, size_t out_count) MRW_NODISCARD;
 
 // A bicubic patch over 4 × 4 points: the tensor product of two cubics.
 //
@@ -1116,8 +1125,8 @@ MRW_NODISCARD mrw_status mrw_bezier_rotation(const float* quaternions, size_t qu
 // `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
 // bad_data, with nothing written, if the result is not finite.
 // Cost: 20 blends of four points.
-MRW_NODISCARD mrw_status mrw_bicubic_patch(mrw_patch_basis basis, const float* points, size_t point_count,
-    uint32_t components, float u, float v, float* out, size_t out_count);
+mrw_status mrw_bicubic_patch(mrw_patch_basis basis, const float* points, size_t point_count, uint32_t components,
+    float u, float v, float* out, size_t out_count) MRW_NODISCARD;
 
 size_t mrw_arc_length_count(size_t key_count, uint32_t steps);
 
@@ -1125,15 +1134,15 @@ size_t mrw_arc_length_count(size_t key_count, uint32_t steps);
 // Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
 // `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
 // linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
-MRW_NODISCARD mrw_status mrw_build_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count);
+mrw_status mrw_build_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count) MRW_NODISCARD;
 
 // The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
 // Between two entries the length is taken as linear, so the point found is off along the path by at most
 // A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps,
 // a quarter of the error. Errors: bad_argument if the table is too short for this curve or `distance` is not a number.
 // Cost: a binary search.
-MRW_NODISCARD mrw_status mrw_time_at_distance(const mrw_curve* curve, const mrw_arc_length* table, float distance,
-    float* time_s);
+mrw_status mrw_time_at_distance(const mrw_curve* curve, const mrw_arc_length* table, float distance,
+    float* time_s) MRW_NODISCARD;
 
 // From 0 at u = 0 to 1 at u = 1, both exactly; u is clamped, and what is not a number counts as 0. back and elastic
 // overshoot. out(u) = 1 - in(1 - u), in_out is the one, then the other at half size. As in Penner's, expo and elastic
@@ -1144,7 +1153,7 @@ float mrw_ease(mrw_easing easing, mrw_ease_mode mode, float u);
 // y at x = u, with u clamped to [0, 1]. The point lies on the curve within 3e-7 in x (4e-7 (1 + |y1| + |y2|) in y):
 // where the curve is steep, y is as uncertain as x is. Errors: bad_argument unless x1 and x2 are in [0, 1], y1 and y2
 // finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
-MRW_NODISCARD mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float* out);
+mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float* out) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 2½, blend: local poses of one skeleton → one local pose.
@@ -1194,27 +1203,27 @@ void mrw_additive_layer_init(mrw_additive_layer* out);
 // kMaxBlendWeight.
 // Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
 // Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
-MRW_NODISCARD mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers, size_t layer_count,
-    mrw_soa_transform* out, size_t out_count, float threshold);
+mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers, size_t layer_count,
+    mrw_soa_transform* out, size_t out_count, float threshold) MRW_NODISCARD;
 
 // Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
 // pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
-MRW_NODISCARD mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer,
-    mrw_soa_transform* pose, size_t pose_count);
+mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer, mrw_soa_transform* pose,
+    size_t pose_count) MRW_NODISCARD;
 
 // out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
 // scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
 // their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
-MRW_NODISCARD mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transform* pose,
-    size_t pose_count, const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out,
-    size_t out_count);
+mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transform* pose, size_t pose_count,
+    const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out,
+    size_t out_count) MRW_NODISCARD;
 
 // Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
 // mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
-MRW_NODISCARD mrw_status mrw_add(const mrw_skeleton* skeleton, const mrw_additive_layer* layer, mrw_soa_transform* pose,
-    size_t pose_count);
+mrw_status mrw_add(const mrw_skeleton* skeleton, const mrw_additive_layer* layer, mrw_soa_transform* pose,
+    size_t pose_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 2½, transition: from one clip to the next, by cross-fading (both are sampled) or by inertialisation (only the
@@ -1270,8 +1279,8 @@ float mrw_fade_weight(mrw_fade shape, float time_s, float duration_s);
 // blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
 // from, to, out: at least skeleton.soa_size(); out may be either of the poses.
 // Errors: bad_argument if a span is too short or the weight not in 0 … 1.
-MRW_NODISCARD mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform* from, size_t from_count,
-    const mrw_soa_transform* to, size_t to_count, float weight, mrw_soa_transform* out, size_t out_count);
+mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform* from, size_t from_count,
+    const mrw_soa_transform* to, size_t to_count, float weight, mrw_soa_transform* out, size_t out_count) MRW_NODISCARD;
 
 // Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is
 // shown.
@@ -1286,15 +1295,15 @@ MRW_NODISCARD mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_
 // begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
 // short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
 // quaternions a joint, four joints at a time; no allocation.
-MRW_NODISCARD mrw_status mrw_begin_inertia(const mrw_skeleton* skeleton, const mrw_inertial_start* start,
-    float duration_s, mrw_inertia* inertia);
+mrw_status mrw_begin_inertia(const mrw_skeleton* skeleton, const mrw_inertial_start* start, float duration_s,
+    mrw_inertia* inertia) MRW_NODISCARD;
 
 // pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
 // any begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
 // Errors: bad_argument if a span is too short or time_s not a number.
 // Cost: nine quintics and one exponential a joint, four joints at a time.
-MRW_NODISCARD mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* inertia, float time_s,
-    mrw_soa_transform* pose, size_t pose_count);
+mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* inertia, float time_s,
+    mrw_soa_transform* pose, size_t pose_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 3, local to model: local transforms → one scene-space matrix a joint.
@@ -1306,16 +1315,16 @@ MRW_NODISCARD mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const m
 // Errors: bad_argument if a span is too short.
 // Cost: one quaternion-to-matrix (four joints at a time) and one affine product a joint: 70 instructions on x86-64, 49
 // on AArch64. Thread-safe on different outputs.
-MRW_NODISCARD mrw_status mrw_local_to_model(const mrw_skeleton* skeleton, const mrw_soa_transform* local,
-    size_t local_count, mrw_affine* out, size_t out_count);
+mrw_status mrw_local_to_model(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
+    mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
 // whatever the count, parents are among them. The others' matrices are left as they are.
 //
 // local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
 // joints.
-MRW_NODISCARD mrw_status mrw_local_to_model_first(const mrw_skeleton* skeleton, const mrw_soa_transform* local,
-    size_t local_count, uint32_t joint_count, mrw_affine* out, size_t out_count);
+mrw_status mrw_local_to_model_first(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
+    uint32_t joint_count, mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
 // kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
@@ -1323,8 +1332,8 @@ MRW_NODISCARD mrw_status mrw_local_to_model_first(const mrw_skeleton* skeleton, 
 // local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
 // such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
 // one comparison for each other joint from `joint` to the last generation.
-MRW_NODISCARD mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_transform* local,
-    size_t local_count, uint32_t joint, mrw_affine* out, size_t out_count);
+mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
+    uint32_t joint, mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Joint limits: how far a joint may turn from its parent, and the nearest rotation where it has turned farther.
@@ -1376,13 +1385,13 @@ void mrw_point_follower_init(mrw_point_follower* out);
 
 // Angles least_rad … most_rad; all of them if that is a turn or more.
 // Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
-MRW_NODISCARD mrw_status mrw_make_angle_range(float least_rad, float most_rad, mrw_angle_range* out);
+mrw_status mrw_make_angle_range(float least_rad, float most_rad, mrw_angle_range* out) MRW_NODISCARD;
 
 // `out` is written only on success.
 // Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
 // above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
 // euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
-MRW_NODISCARD mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joint, mrw_joint_limit* out);
+mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joint, mrw_joint_limit* out) MRW_NODISCARD;
 
 // local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
 //
@@ -1400,7 +1409,7 @@ MRW_NODISCARD mrw_status mrw_make_limit(const mrw_limit_description* description
 //
 // Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
 // Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
-MRW_NODISCARD mrw_status mrw_clamp_rotation(const mrw_joint_limit* limit, float local[4]);
+mrw_status mrw_clamp_rotation(const mrw_joint_limit* limit, float local[4]) MRW_NODISCARD;
 
 // By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
 float mrw_limit_excess(const mrw_joint_limit* limit, const float local[4]);
@@ -1408,8 +1417,8 @@ float mrw_limit_excess(const mrw_joint_limit* limit, const float local[4]);
 // clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
 // local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
 // Cost: clamp_rotation() a limit. Thread-safe on different poses.
-MRW_NODISCARD mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_soa_transform* local,
-    size_t local_count);
+mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_soa_transform* local,
+    size_t local_count) MRW_NODISCARD;
 
 // The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
 const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limit_count, uint32_t joint);
@@ -1435,18 +1444,18 @@ const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limi
 // on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
 // quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
 // on different states.
-MRW_NODISCARD mrw_status mrw_follow_rotation(mrw_rotation_follower* state, const float target[4], float dt_s,
-    const mrw_rate_limit* limit);
-MRW_NODISCARD mrw_status mrw_follow_point(mrw_point_follower* state, const float target[3], float dt_s,
-    const mrw_rate_limit* limit);
+mrw_status mrw_follow_rotation(mrw_rotation_follower* state, const float target[4], float dt_s,
+    const mrw_rate_limit* limit) MRW_NODISCARD;
+mrw_status mrw_follow_point(mrw_point_follower* state, const float target[3], float dt_s,
+    const mrw_rate_limit* limit) MRW_NODISCARD;
 
 // follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
 // All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
 // way there may lead outside.
 // states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
 // finite; nothing is written. Joints whose rotation is not finite keep it.
-MRW_NODISCARD mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count,
-    mrw_rotation_follower* states, size_t state_count, float dt_s, mrw_soa_transform* local, size_t local_count);
+mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_rotation_follower* states,
+    size_t state_count, float dt_s, mrw_soa_transform* local, size_t local_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 3½, inverse kinematics in closed form: a limb of two bones reaches for a point, a joint or a chain of them
@@ -1542,45 +1551,44 @@ struct MRW_ALIGN(16) mrw_aim_turn {
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 445 instructions on x86-64, some 330 on AArch64; about as much again where the limb is nearly straight or bent
 // the wrong way, the target more than 120° off or near the pole, or there is a twist.
-MRW_NODISCARD mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
-    mrw_two_bone_turns* out);
+mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
+    mrw_two_bone_turns* out) MRW_NODISCARD;
 
 // Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.
 // Errors: as above, for all four if one is bad.
-MRW_NODISCARD mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
-    mrw_two_bone_turns out[4]);
+mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
+    mrw_two_bone_turns out[4]) MRW_NODISCARD;
 
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
 // 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
 // are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
 // May be null: reached.
-MRW_NODISCARD mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb,
-    const mrw_two_bone* goal, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, bool* reached);
+mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
+    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
+    bool* reached) MRW_NODISCARD;
 
 // Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
 // turn about it, in one quaternion.
 // Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
 // Cost: 237 instructions on x86-64, 187 on AArch64.
-MRW_NODISCARD mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out);
+mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
 // 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
 // is written. Cost: the kernel's, and local_to_model_below(joint).
 // May be null: reached.
-MRW_NODISCARD mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
-    bool* reached);
+mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
+    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
 
 // The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
 // looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
 // falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
 // Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
 // May be null: reached.
-MRW_NODISCARD mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
+mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
     const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, bool* reached);
+    size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, one interface for all
@@ -1674,9 +1682,9 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
 // of range, or the pose not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
 // May be null: options, report.
-MRW_NODISCARD mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
+mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report);
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
 // the result jumps as goals move. A function of its own, so that what does not call it does not link it.
@@ -1697,9 +1705,9 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
 // to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
 // Cost: docs/ik.md: tens of microseconds a generation.
 // May be null: options, report.
-MRW_NODISCARD mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local,
-    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report);
+mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
+    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 3½, feet on the ground: soles follow rays, planted feet stay where they are, the pelvis gives way.
@@ -1775,8 +1783,8 @@ void mrw_feet_frame_init(mrw_feet_frame* out);
 
 // Where a ray for a foot is to go through: its sole as animated, in the world.
 // Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
-MRW_NODISCARD mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene,
-    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float sole_world[3]);
+mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, float sole_world[3]) MRW_NODISCARD;
 
 // Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
 // date. Call it after local_to_model(), and cast the rays before it, from the same pose.
@@ -1796,9 +1804,10 @@ MRW_NODISCARD mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* w
 // Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
 // up to three where joints are scaled unevenly: 8100 instructions a foot on x86-64, the skeleton having 27 joints. No
 // allocation; thread-safe on different motions and poses.
-MRW_NODISCARD mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
+mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
     const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count);
+    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
@@ -1857,12 +1866,12 @@ size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* c
 // memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
 // Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
 // a chain has no bone, or the memory does not do; nothing is written.
-MRW_NODISCARD mrw_status mrw_make_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains,
-    size_t chain_count, void* memory, size_t memory_bytes, mrw_springs* out);
+mrw_status mrw_make_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
+    void* memory, size_t memory_bytes, mrw_springs* out) MRW_NODISCARD;
 
 // New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
-MRW_NODISCARD mrw_status mrw_set_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains,
-    size_t chain_count, mrw_springs* springs);
+mrw_status mrw_set_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
+    mrw_springs* springs) MRW_NODISCARD;
 
 // The next frame begins at rest in its pose.
 void mrw_reset_springs(mrw_springs* springs);
@@ -1896,9 +1905,9 @@ void mrw_reset_springs(mrw_springs* springs);
 // of its range, or there are more than kMaxSpringColliders; nothing is written.
 // Cost: at 60 frames/s 714 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
 // thread-safe on different springs and poses.
-MRW_NODISCARD mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame,
-    mrw_springs* springs, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count);
+mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame, mrw_springs* springs,
+    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Before stage 5, morph: weights of morph targets → bind-pose vertices moved, for any deformer.
@@ -1927,29 +1936,29 @@ struct mrw_morphed_geometry {
 // For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
 // `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
 // compares names; once a load.
-MRW_NODISCARD mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,
-    const mrw_clip* clip, uint32_t* out, size_t out_count);
+mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,
+    const mrw_clip* clip, uint32_t* out, size_t out_count) MRW_NODISCARD;
 
 // The weights of a moment: of each target its channel's value, or its default without. channels: from
 // find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
 // out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
-MRW_NODISCARD mrw_status mrw_morph_weights(const mrw_mesh* mesh, const uint32_t* channels, size_t channel_count,
-    const float* values, size_t value_count, float* out, size_t out_count);
+mrw_status mrw_morph_weights(const mrw_mesh* mesh, const uint32_t* channels, size_t channel_count, const float* values,
+    size_t value_count, float* out, size_t out_count) MRW_NODISCARD;
 
 // Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
 size_t mrw_morphed_bytes(const mrw_geometry* geometry);
 
 // The bind pose. memory: at least morphed_bytes(), 16-byte aligned (bad_argument otherwise); `out` keeps pointers into
 // it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
-MRW_NODISCARD mrw_status mrw_make_morphed(const mrw_geometry* geometry, void* memory, size_t memory_bytes,
-    mrw_morphed_geometry* out);
+mrw_status mrw_make_morphed(const mrw_geometry* geometry, void* memory, size_t memory_bytes,
+    mrw_morphed_geometry* out) MRW_NODISCARD;
 
 // Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
 // cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
 // Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
 // moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
 // however many targets move it, 8, 20 or 29 to undo and normalise.
-MRW_NODISCARD mrw_status mrw_morph(const float* weights, size_t weight_count, mrw_morphed_geometry* morphed);
+mrw_status mrw_morph(const float* weights, size_t weight_count, mrw_morphed_geometry* morphed) MRW_NODISCARD;
 
 // Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
 // Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
@@ -1957,8 +1966,8 @@ MRW_NODISCARD mrw_status mrw_morph(const float* weights, size_t weight_count, mr
 //
 // coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
 // Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
-MRW_NODISCARD mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates,
-    size_t coordinate_count);
+mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates,
+    size_t coordinate_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Lines that show what a frame came to: joints, limits, goals, springs, bounds. For a game's own debug view, which
@@ -1992,34 +2001,34 @@ void mrw_debug_lines_init(mrw_debug_lines* out);
 // whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
 // Errors, of all that follow: bad_argument if a span is too short, a joint is not in the skeleton, or a length is below
 // 0 or not finite; nothing is appended.
-MRW_NODISCARD mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float axis_m, mrw_debug_lines* lines);
+mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, float axis_m, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
 // A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
 // angles: three arcs in the colours of their axes, each with the other angles at the middle. Then where the joint is
 // now, in green inside the limit and red outside of it. Limits that is_valid() refuses are passed over. At most 51
 // lines a limit.
-MRW_NODISCARD mrw_status mrw_limit_lines(const mrw_skeleton* skeleton, const mrw_joint_limit* limits,
-    size_t limit_count, const mrw_soa_transform* local, size_t local_count, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float size_m, mrw_debug_lines* lines);
+mrw_status mrw_limit_lines(const mrw_skeleton* skeleton, const mrw_joint_limit* limits, size_t limit_count,
+    const mrw_soa_transform* local, size_t local_count, const mrw_affine* scene_from_joint,
+    size_t scene_from_joint_count, float size_m, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // A cross at each goal's position, or, where its rotation counts, the axes it asks for; and a line to it from the point
 // of the joint that is to be there. Green within `tolerance_m`, else red. At most 4 lines a goal.
-MRW_NODISCARD mrw_status mrw_goal_lines(const mrw_skeleton* skeleton, const mrw_ik_goal* goals, size_t goal_count,
+mrw_status mrw_goal_lines(const mrw_skeleton* skeleton, const mrw_ik_goal* goals, size_t goal_count,
     const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float size_m, float tolerance_m,
-    mrw_debug_lines* lines);
+    mrw_debug_lines* lines) MRW_NODISCARD;
 
 // The bones of each chain, and its tip. scene_from_joint: after simulate_springs(). At most a line a joint.
-MRW_NODISCARD mrw_status mrw_spring_lines(const mrw_skeleton* skeleton, const mrw_spring_chain* chains,
-    size_t chain_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines);
+mrw_status mrw_spring_lines(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
+    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // Each collider as great circles about its ends, and lines between them: 48 lines a sphere, 100 a capsule.
-MRW_NODISCARD mrw_status mrw_collider_lines(const mrw_skeleton* skeleton, const mrw_spring_collider* colliders,
-    size_t collider_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines);
+mrw_status mrw_collider_lines(const mrw_skeleton* skeleton, const mrw_spring_collider* colliders, size_t collider_count,
+    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
-MRW_NODISCARD mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines);
+mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 4, palette: scene-space joints → the matrices that skinning blends.
@@ -2039,13 +2048,13 @@ MRW_NODISCARD mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_li
 // The same palette serves SSD and animation space (docs/architecture.md, "One palette").
 // Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
 // Thread-safe on different outputs; out overlaps none of the inputs.
-MRW_NODISCARD mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
+mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
     size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
-    size_t out_count, const mrw_half_joint* half_joints, size_t half_joint_count);
+    size_t out_count, const mrw_half_joint* half_joints, size_t half_joint_count) MRW_NODISCARD;
 
 // The palette of a mesh.
-MRW_NODISCARD mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, mrw_affine* out, size_t out_count);
+mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint, size_t scene_from_joint_count,
+    mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
 // are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
@@ -2102,7 +2111,7 @@ size_t mrw_reach_bytes(const mrw_mesh* mesh);
 //
 // mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
 // `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
-MRW_NODISCARD mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_reach* out);
+mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_reach* out) MRW_NODISCARD;
 
 // The box of the mesh and a sphere about the box's centre, in the palette's space.
 //
@@ -2112,8 +2121,8 @@ MRW_NODISCARD mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size
 // sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
 // 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
 // instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
-MRW_NODISCARD mrw_status mrw_palette_bounds(const mrw_reach* reach, const mrw_affine* palette, size_t palette_count,
-    const float* weights, size_t weight_count, mrw_bounds* out);
+mrw_status mrw_palette_bounds(const mrw_reach* reach, const mrw_affine* palette, size_t palette_count,
+    const float* weights, size_t weight_count, mrw_bounds* out) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 5, skin on the CPU: bind vertices and a palette → deformed vertices.
@@ -2167,8 +2176,8 @@ void mrw_as_part_init(mrw_as_part* out);
 // palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
 // tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 51 / 32; with exact normals 78 / 49.
-MRW_NODISCARD mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
-    const mrw_skin_output* out);
+mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
+    const mrw_skin_output* out) MRW_NODISCARD;
 
 // Skeletal subspace deformation, also called linear blend skinning.
 //   position = (Σ_j w_j M_j) (v, 1)
@@ -2176,8 +2185,8 @@ MRW_NODISCARD mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* 
 // transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
 // or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
 // transpose.
-MRW_NODISCARD mrw_status mrw_skin_ssd(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
-    const mrw_skin_output* out);
+mrw_status mrw_skin_ssd(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
+    const mrw_skin_output* out) MRW_NODISCARD;
 
 // How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
 size_t mrw_as_coordinate_count(const mrw_geometry* geometry);
@@ -2188,7 +2197,7 @@ size_t mrw_as_coordinate_count(const mrw_geometry* geometry);
 // As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
 // x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
 // out: as_coordinate_count() floats. Done once a mesh, not a frame.
-MRW_NODISCARD mrw_status mrw_as_coordinates(const mrw_geometry* geometry, float* out, size_t out_count);
+mrw_status mrw_as_coordinates(const mrw_geometry* geometry, float* out, size_t out_count) MRW_NODISCARD;
 
 // How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
 size_t mrw_as_tangent_count(const mrw_geometry* geometry);
@@ -2208,8 +2217,8 @@ size_t mrw_as_tangent_scratch_bytes(const mrw_as_part* parts, size_t part_count)
 // the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
 // scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
 // no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex.
-MRW_NODISCARD mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* scratch,
-    size_t scratch_bytes);
+mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* scratch,
+    size_t scratch_bytes) MRW_NODISCARD;
 
 // Animation space.
 //   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
@@ -2223,9 +2232,9 @@ MRW_NODISCARD mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_c
 // tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
 // t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
 // run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
-MRW_NODISCARD mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t coordinate_count,
+mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t coordinate_count,
     const mrw_affine* palette, size_t palette_count, const mrw_skin_output* out, const float* tangents,
-    size_t tangent_count);
+    size_t tangent_count) MRW_NODISCARD;
 
 // Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
 // animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
@@ -2238,8 +2247,8 @@ MRW_NODISCARD mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordina
 // Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
 // blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
 // four influences nine times as much as SSD.
-MRW_NODISCARD mrw_status mrw_skin_mwe(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
-    const mrw_skin_output* out);
+mrw_status mrw_skin_mwe(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
+    const mrw_skin_output* out) MRW_NODISCARD;
 
 // How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
 // examples.
@@ -2251,8 +2260,8 @@ size_t mrw_psd_distance_count(const mrw_geometry* geometry);
 // out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
 // bad_argument if a span is too short.
 // Cost: 34 instructions a palette entry and example, x86-64.
-MRW_NODISCARD mrw_status mrw_psd_distances(const mrw_geometry* geometry, const mrw_affine* palette,
-    size_t palette_count, float* out, size_t out_count);
+mrw_status mrw_psd_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count, float* out,
+    size_t out_count) MRW_NODISCARD;
 
 // Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
 // weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
@@ -2263,8 +2272,8 @@ MRW_NODISCARD mrw_status mrw_psd_distances(const mrw_geometry* geometry, const m
 // geometry without examples is SSD's.
 // Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
 // vertex for each example that moves its block.
-MRW_NODISCARD mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t distance_count,
-    const mrw_affine* palette, size_t palette_count, const mrw_skin_output* out);
+mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t distance_count, const mrw_affine* palette,
+    size_t palette_count, const mrw_skin_output* out) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // A character of a file, in one piece: all its skeletons and meshes through the stages of marrow.h, in their order.
@@ -2381,8 +2390,8 @@ size_t mrw_animations_bytes(const mrw_file* file, const mrw_file* clips);
 // memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
 // Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
 // a skeleton). Cost: compares names; once a load.
-MRW_NODISCARD mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void* memory,
-    size_t memory_bytes, mrw_animations* out);
+mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void* memory, size_t memory_bytes,
+    mrw_animations* out) MRW_NODISCARD;
 
 // The first with this name that moves anything; null if there is none. Cost: compares names.
 const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name);
@@ -2397,8 +2406,8 @@ size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* op
 // Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
 // meshes with morph targets, and as_coordinates().
 // May be null: options.
-MRW_NODISCARD mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
-    size_t memory_bytes, mrw_character* out);
+mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
+    size_t memory_bytes, mrw_character* out) MRW_NODISCARD;
 
 // Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
 // blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
@@ -2407,15 +2416,15 @@ MRW_NODISCARD mrw_status mrw_make_character(const mrw_file* file, const mrw_char
 // Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
 // out of range, a time that is not a number); a part of the character may have been written then.
 // Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
-MRW_NODISCARD mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers,
-    size_t layer_count);
+mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers,
+    size_t layer_count) MRW_NODISCARD;
 
 // Brings scene_from_joint of all skeletons up to date with `local`.
-MRW_NODISCARD mrw_status mrw_character_to_model(mrw_character* character);
+mrw_status mrw_character_to_model(mrw_character* character) MRW_NODISCARD;
 
 // Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
-MRW_NODISCARD mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers,
-    size_t layer_count);
+mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers,
+    size_t layer_count) MRW_NODISCARD;
 
 // Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
 // animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
@@ -2423,12 +2432,12 @@ MRW_NODISCARD mrw_status mrw_pose_character(mrw_character* character, const mrw_
 //
 // Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
 // a number); nothing is written. Cost: sample_channels() of what drives morph targets.
-MRW_NODISCARD mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_layer* expression);
+mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_layer* expression) MRW_NODISCARD;
 
 // Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
 // Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
 // mesh.
-MRW_NODISCARD mrw_status mrw_finish_character(mrw_character* character);
+mrw_status mrw_finish_character(mrw_character* character) MRW_NODISCARD;
 
 #ifdef __cplusplus
 }

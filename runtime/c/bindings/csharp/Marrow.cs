@@ -1089,6 +1089,12 @@ public unsafe struct Mesh {
     public Geometry geometry;
 }
 
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct SpringColliderList {
+    public SpringCollider* data;
+    public UIntPtr size;
+}
+
 /// <summary>
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 /// </summary>
@@ -2459,7 +2465,7 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x98f11258;
+    public const uint AbiNumber = 0xe0666ff3;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -2569,6 +2575,11 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_set_call_error_handler", CallingConvention = CallingConvention.Cdecl)]
     public static extern IntPtr SetCallErrorHandler(IntPtr handler);
+    /// <summary>
+    /// The handler of now; null: nobody is told. Thread-safe.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_get_call_error_handler", CallingConvention = CallingConvention.Cdecl)]
+    public static extern IntPtr GetCallErrorHandler();
     /// <summary>
     /// How many bytes of any alignment hold a block of `bytes`.
     /// </summary>
@@ -3881,6 +3892,7 @@ public static unsafe class Marrow {
             sizeof(MeshLod) == 8 &&
             sizeof(Bounds) == 28 &&
             sizeof(Mesh) == 368 &&
+            sizeof(SpringColliderList) == 16 &&
             sizeof(File) == 120 &&
             sizeof(JointMisfit) == 8 &&
             sizeof(Playback) == 24 &&

@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0x98f11258;
+pub const ABI: u32 = 0xe0666ff3;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
@@ -1107,6 +1107,20 @@ impl Default for Mesh {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Mesh>() == 368);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SpringColliderList {
+    pub data: *const SpringCollider,
+    pub size: usize,
+}
+impl Default for SpringColliderList {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SpringColliderList>() == 16);
 
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 #[repr(C)]
@@ -2480,6 +2494,9 @@ extern "C" {
     /// anything of Marrow, may set another handler, and may stop the program.
     #[link_name = "mrw_set_call_error_handler"]
     pub fn set_call_error_handler(handler: CallErrorHandler) -> CallErrorHandler;
+    /// The handler of now; null: nobody is told. Thread-safe.
+    #[link_name = "mrw_get_call_error_handler"]
+    pub fn get_call_error_handler() -> CallErrorHandler;
     /// How many bytes of any alignment hold a block of `bytes`.
     #[link_name = "mrw_block_bytes"]
     pub fn block_bytes(bytes: usize) -> usize;

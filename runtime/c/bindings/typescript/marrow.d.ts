@@ -2245,6 +2245,10 @@ export class Marrow {
    */
   status_text(status: Status): string;
   /**
+   * The handler of now; null: nobody is told. Thread-safe.
+   */
+  get_call_error_handler(): number;
+  /**
    * How many bytes of any alignment hold a block of `bytes`.
    */
   block_bytes(bytes: number): number;

@@ -1,7 +1,7 @@
 // Made by tools/c_api from runtime/c/api.txt: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x98f11258;
+export const ABI = 0xe0666ff3;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -145,6 +145,7 @@ export const functions = {
   data_error_init: [['pointer'], 'void'],
   status_text: [["number"], "text"],
   set_call_error_handler: [["pointer"], "number"],
+  get_call_error_handler: [[], "number"],
   block_bytes: [["number"], "number"],
   is_on_boundary: [["pointer"], "bool"],
   block_in: [["list", "pointer"], "number"],
