@@ -6,9 +6,22 @@ set(CMAKE_CXX_COMPILER_TARGET ${MARROW_TARGET})
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES MARROW_TARGET MARROW_HEADERS)
 get_filename_component(triple ${MARROW_HEADERS} NAME)
-# Darwin's compilers know a keyword that GNU's headers use for a macro; Android's floats are passed as ints, for which
-# GNU's headers want one that is empty.
-file(WRITE ${CMAKE_BINARY_DIR}/stand_in/gnu/stubs-soft.h "")
-set(CMAKE_CXX_FLAGS_INIT "-U__nonnull -nostdlibinc -isystem ${CMAKE_BINARY_DIR}/stand_in \
+# What GNU's headers must not say here: Android passes floats as whole numbers, for which they want a header that is
+# empty; Darwin's 64-bit numbers are another type, which the compiler's own header knows, and its compilers have a
+# keyword that is a macro there.
+set(stand_in ${CMAKE_BINARY_DIR}/stand_in)
+execute_process(COMMAND clang++-19 -print-resource-dir OUTPUT_VARIABLE resources OUTPUT_STRIP_TRAILING_WHITESPACE)
+file(WRITE ${stand_in}/gnu/stubs-soft.h "")
+file(WRITE ${stand_in}/stdint.h "#pragma once
+#undef __STDC_HOSTED__
+#define __STDC_HOSTED__ 0
+#include \"${resources}/include/stdint.h\"
+#undef __STDC_HOSTED__
+#define __STDC_HOSTED__ 1
+")
+foreach(header intn uintn)
+  file(WRITE ${stand_in}/bits/stdint-${header}.h "#include <stdint.h>\n")
+endforeach()
+set(CMAKE_CXX_FLAGS_INIT "-U__nonnull -nostdlibinc -isystem ${stand_in} \
 -isystem ${MARROW_HEADERS}/include/c++/12 -isystem ${MARROW_HEADERS}/include/c++/12/${triple} \
 -isystem ${MARROW_HEADERS}/include")

@@ -61,6 +61,11 @@ compare_bytes() {
   [ $? -eq 3 ] && echo "SKIPPED: cooked bytes of some compilers or processors" >&2
 }
 
+compare_bits() {
+  tools/same_bits.sh && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: bits of poses by some compilers or processors" >&2
+}
+
 check_fbx() {
   tools/check_fbx.sh build/release/tools/marrow && return 0
   [ $? -eq 3 ] && echo "SKIPPED: FBX, by Blender" >&2
@@ -105,6 +110,7 @@ case "${1:-}" in
     for preset in release asan tsan scalar aarch64; do test_preset $preset; done
     timed "Rust, C# and JavaScript" check_bindings
     timed "same bytes everywhere" compare_bytes
+    timed "same bits everywhere" compare_bits
     timed "FBX, by Blender" check_fbx
     timed "installed, in a game" tools/check_install.sh
     timed "libFuzzer, 30 s a target" fuzz
