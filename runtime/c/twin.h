@@ -7,8 +7,8 @@
 #include "core/check.h"
 #include "marrow/span.h"
 #include "marrow/status.h"
-// A shared library gives the functions of C away, and nothing else.
-#if defined(MARROW_BUILDS_SHARED) && defined(__GNUC__)
+// The functions of C are not hidden in static libraries either, for libmarrow_c.so is made of these.
+#if defined(__GNUC__)
 #pragma GCC visibility push(default)
 #include "marrow/c.h"
 #pragma GCC visibility pop

@@ -16,7 +16,7 @@ declared() {
     hidden || /^ *\/\// || /^ *(inline|constexpr|return|friend|using|static_assert|explicit|#)/ { next }
     { line = $0; gsub(/= {}/, "", line) }
     line ~ /[{]/ || line ~ /= (delete|default);/ { next }
-    line ~ /^(  )?((MARROW_API|const) )*[A-Za-z_][A-Za-z0-9_:]*(<[^>]*>)?( const)?[ &*]+[A-Za-z0-9_]+\(/ ||
+    line ~ /^(  )?((MARROW_API|MRW_NODISCARD|const) )*[A-Za-z_][A-Za-z0-9_:]*(<[^>]*>)?( const)?[ &*]+[A-Za-z0-9_]+\(/ ||
     line ~ /^  (MARROW_API )?~?[A-Z][A-Za-z]*\(.*;/ {
       sub(/\(.*/, "", line)
       sub(/.*[ &*]/, "", line)

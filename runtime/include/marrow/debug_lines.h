@@ -41,7 +41,8 @@ struct DebugLines {
 // whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
 // Errors, of all that follow: bad_argument if a span is too short, a joint is not in the skeleton, or a length is below
 // 0 or not finite; nothing is appended.
-MARROW_API Status joint_lines(const Skeleton& skeleton, Span<const Affine> scene_from_joint, float axis_m, DebugLines& lines);
+MARROW_API Status joint_lines(const Skeleton& skeleton, Span<const Affine> scene_from_joint, float axis_m,
+                              DebugLines& lines);
 
 // What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
 // A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
@@ -49,20 +50,20 @@ MARROW_API Status joint_lines(const Skeleton& skeleton, Span<const Affine> scene
 // now, in green inside the limit and red outside of it. Limits that is_valid() refuses are passed over. At most 51
 // lines a limit.
 MARROW_API Status limit_lines(const Skeleton& skeleton, Span<const JointLimit> limits, Span<const SoaTransform> local,
-                   Span<const Affine> scene_from_joint, float size_m, DebugLines& lines);
+                              Span<const Affine> scene_from_joint, float size_m, DebugLines& lines);
 
 // A cross at each goal's position, or, where its rotation counts, the axes it asks for; and a line to it from the point
 // of the joint that is to be there. Green within `tolerance_m`, else red. At most 4 lines a goal.
-MARROW_API Status goal_lines(const Skeleton& skeleton, Span<const IkGoal> goals, Span<const Affine> scene_from_joint, float size_m,
-                  float tolerance_m, DebugLines& lines);
+MARROW_API Status goal_lines(const Skeleton& skeleton, Span<const IkGoal> goals, Span<const Affine> scene_from_joint,
+                             float size_m, float tolerance_m, DebugLines& lines);
 
 // The bones of each chain, and its tip. scene_from_joint: after simulate_springs(). At most a line a joint.
-MARROW_API Status spring_lines(const Skeleton& skeleton, Span<const SpringChain> chains, Span<const Affine> scene_from_joint,
-                    DebugLines& lines);
+MARROW_API Status spring_lines(const Skeleton& skeleton, Span<const SpringChain> chains,
+                               Span<const Affine> scene_from_joint, DebugLines& lines);
 
 // Each collider as great circles about its ends, and lines between them: 48 lines a sphere, 100 a capsule.
 MARROW_API Status collider_lines(const Skeleton& skeleton, Span<const SpringCollider> colliders,
-                      Span<const Affine> scene_from_joint, DebugLines& lines);
+                                 Span<const Affine> scene_from_joint, DebugLines& lines);
 
 // The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
 MARROW_API Status bounds_lines(const Bounds& bounds, DebugLines& lines);

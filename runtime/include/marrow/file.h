@@ -425,9 +425,9 @@ class File {
 
   // Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
   // colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
-  std::uint32_t spring_count(std::uint32_t skeleton) const;
-  SpringChain spring(std::uint32_t skeleton, std::uint32_t index) const;
-  Span<const SpringCollider> spring_colliders(std::uint32_t skeleton) const;
+  MARROW_API std::uint32_t spring_count(std::uint32_t skeleton) const;
+  MARROW_API SpringChain spring(std::uint32_t skeleton, std::uint32_t index) const;
+  MARROW_API Span<const SpringCollider> spring_colliders(std::uint32_t skeleton) const;
 
   // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
   MARROW_API std::uint32_t find_skeleton(const char* name) const;
