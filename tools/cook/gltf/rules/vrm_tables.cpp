@@ -107,7 +107,7 @@ constexpr Property kCapsule[] = {numbers("offset", 3, 3), numbers("tail", 3, 3),
 constexpr Schema kCapsuleSchema{kCapsule, true};
 constexpr Property kShape[] = {object("sphere", kSphereSchema), object("capsule", kCapsuleSchema)};
 constexpr Schema kShapeSchema{kShape, true};
-constexpr Property kCollider[] = {index_of("node", "nodes", true), object("shape", kShapeSchema, true)};
+constexpr Property kCollider[] = {index_of("node", "nodes", true), object("shape", kShapeSchema)};
 constexpr Schema kColliderSchema{kCollider, true};
 constexpr Property kColliderGroup[] = {references("colliders")};
 constexpr Schema kColliderGroupSchema{kColliderGroup, true};

@@ -52,12 +52,12 @@ class SpringImporter {
   void import_1(const Json& spring_bone, const std::string& where) {
     const Json& colliders = member_or_empty(spring_bone, "colliders");
     for (std::size_t c = 0; c < colliders.size(); ++c) {
-      const Json& shape = colliders[c].at("shape");
+      const Json& shape = member_or_empty(colliders[c], "shape");
       const Json& capsule = member_or_empty(shape, "capsule");
       const Json& round = capsule.is_object() ? capsule : member_or_empty(shape, "sphere");
       const glm::dvec3 from = round.is_object() ? vector_or(round, "offset", {}) : glm::dvec3(0);
       const glm::dvec3 to = capsule.is_object() ? vector_or(capsule, "tail", {}) : from;
-      const double radius = round.is_object() ? number_or(round, "radius", 0) : 0;
+      const double radius = round.is_object() ? number_or(round, "radius", 0) : -1;  // dropped
       add_collider(colliders[c].at("node"), {kNone, from, to, radius}, under(where, "colliders", c), false);
     }
     const Json& groups = member_or_empty(spring_bone, "colliderGroups");
@@ -133,7 +133,8 @@ class SpringImporter {
       return !(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) <= kFarthest_m);
     };
     if (is_far(collider.from) || is_far(collider.to) || !(collider.radius_m >= 0 && collider.radius_m <= kFarthest_m)) {
-      vrm_.report.warn(where, "collider-dropped", "its radius is below 0, or a number is beyond a million");
+      vrm_.report.warn(where, "collider-dropped",
+                       "neither a sphere nor a capsule, a radius below 0, or a number beyond a million");
       collider.node = kNone;
     }
     if (collider.node != kNone && !node(collider.node).in_scene) collider.node = kNone;
