@@ -18,6 +18,14 @@ file(WRITE ${stand_in}/stdint.h "#pragma once
 #include \"${resources}/include/stdint.h\"
 #undef __STDC_HOSTED__
 #define __STDC_HOSTED__ 1
+#undef __int_least64_t
+#undef __uint_least64_t
+#undef __int_least32_t
+#undef __uint_least32_t
+#undef __int_least16_t
+#undef __uint_least16_t
+#undef __int_least8_t
+#undef __uint_least8_t
 ")
 foreach(header intn uintn)
   file(WRITE ${stand_in}/bits/stdint-${header}.h "#include <stdint.h>\n")
