@@ -8,7 +8,7 @@ set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES MARROW_TARGET MARROW_HEADERS)
 get_filename_component(triple ${MARROW_HEADERS} NAME)
 # What GNU's headers must not say here: Android passes floats as whole numbers, for which they want a header that is
 # empty; Darwin's 64-bit numbers are another type, which the compiler's own header knows, and its compilers have a
-# keyword that is a macro there.
+# keyword that is a macro there. GNU compilers define _GNU_SOURCE for C++.
 set(stand_in ${CMAKE_BINARY_DIR}/stand_in)
 execute_process(COMMAND clang++-19 -print-resource-dir OUTPUT_VARIABLE resources OUTPUT_STRIP_TRAILING_WHITESPACE)
 file(WRITE ${stand_in}/gnu/stubs-soft.h "")
@@ -30,6 +30,6 @@ file(WRITE ${stand_in}/stdint.h "#pragma once
 foreach(header intn uintn)
   file(WRITE ${stand_in}/bits/stdint-${header}.h "#include <stdint.h>\n")
 endforeach()
-set(CMAKE_CXX_FLAGS_INIT "-U__nonnull -nostdlibinc -isystem ${stand_in} \
+set(CMAKE_CXX_FLAGS_INIT "-D_GNU_SOURCE -U__nonnull -nostdlibinc -isystem ${stand_in} \
 -isystem ${MARROW_HEADERS}/include/c++/12 -isystem ${MARROW_HEADERS}/include/c++/12/${triple} \
 -isystem ${MARROW_HEADERS}/include")
