@@ -2,8 +2,8 @@
 #include <cstring>
 
 #include "asset/checker.h"
-#include "core/off_boundary.h"
 #include "core/check.h"
+#include "core/off_boundary.h"
 
 namespace marrow {
 

@@ -1,9 +1,9 @@
 // Which clips of a file or a clip pack the skeletons of a character play together.
 #include <cstring>
 
-#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
+#include "core/off_boundary.h"
 #include "marrow/character.h"
 #include "marrow/clip_pack.h"
 

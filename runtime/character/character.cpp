@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
+#include "core/off_boundary.h"
 #include "marrow/local_to_model.h"
 #include "marrow/palette.h"
 #include "marrow/sample.h"

@@ -1,9 +1,9 @@
 // A mesh for crowds: its palettes of all frames in a texture, and a texture to render those of the instances to.
 #include <cstring>
 
-#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
+#include "core/off_boundary.h"
 #include "gles3/crowd.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"

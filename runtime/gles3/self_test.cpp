@@ -1,10 +1,10 @@
 // At start-up: every path skins small meshes, and what comes back is compared with the CPU.
 #include "marrow/gles3_self_test.h"
 
-#include "core/off_boundary.h"
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/memory.h"
+#include "core/off_boundary.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/self_test_key.h"

@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "core/off_boundary.h"
 #include "core/check.h"
 #include "core/memory.h"
+#include "core/off_boundary.h"
 #include "gles3/compile.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"

@@ -2,10 +2,10 @@
 
 #include <bit>
 
-#include "core/off_boundary.h"
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/memory.h"
+#include "core/off_boundary.h"
 #include "math/f32x4.h"
 #include "math/finite.h"
 

@@ -3,8 +3,8 @@
 #include <bit>
 #include <cstring>
 
-#include "core/off_boundary.h"
 #include "core/check.h"
+#include "core/off_boundary.h"
 #include "marrow/skin.h"
 #include "math/vector.h"
 #include "skin/as_block.h"

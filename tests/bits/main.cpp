@@ -92,13 +92,13 @@ int run() {
 
 // The arrays of a mesh lie on boundaries of 16 bytes, which 32-bit ARM's allocator does not give of itself.
 void* operator new(std::size_t bytes) {
-  return ::operator new(bytes, std::align_val_t{16});
+  return ::operator new (bytes, std::align_val_t{16});
 }
 void operator delete(void* memory) noexcept {
-  ::operator delete(memory, std::align_val_t{16});
+  ::operator delete (memory, std::align_val_t{16});
 }
 void operator delete(void* memory, std::size_t) noexcept {
-  ::operator delete(memory, std::align_val_t{16});
+  ::operator delete (memory, std::align_val_t{16});
 }
 
 int main() {

@@ -1,11 +1,11 @@
 // Packed files built by hand, with a codec that stores numbers as they are.
 #pragma once
 
-#include <bit>
 #include <cstring>
 #include <memory>
 #include <vector>
 
+#include "core/builtins.h"
 #include "marrow/file.h"
 #include "marrow/unpack.h"
 #include "support/aligned.h"
@@ -44,7 +44,7 @@ struct Bytes {
     for (int i = 0; i < 4; ++i) u8(v >> (8 * i));
     return *this;
   }
-  Bytes& f32(float v) { return u32(std::bit_cast<std::uint32_t>(v)); }
+  Bytes& f32(float v) { return u32(bit_cast<std::uint32_t>(v)); }
   Bytes& numbers(std::initializer_list<int> values) {
     for (const int v : values) u32(static_cast<std::uint32_t>(v));
     return *this;
