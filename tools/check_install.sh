@@ -87,9 +87,10 @@ cmake_minimum_required(VERSION 3.24)
 project(game LANGUAGES CXX)
 find_package(marrow REQUIRED)
 add_executable(game game.cpp)
-target_link_libraries(game PRIVATE marrow::draco marrow::meshopt marrow::gles3 marrow::egl)
+target_link_libraries(game PRIVATE marrow::draco marrow::meshopt marrow::gles3 marrow::egl marrow::c)
 EOF
   cat >game.cpp <<'EOF'
+#include <marrow/c.h>
 #include <marrow/draco.h>
 #include <marrow/egl.h>
 #include <marrow/gles3.h>
@@ -98,7 +99,7 @@ EOF
 int main() {
   marrow::gles3::Api api;
   return marrow::draco_decoder().decode != nullptr && marrow::meshopt_decoder().decode != nullptr &&
-                 load_api(api, marrow::egl::load_proc) != marrow::Status::bad_argument
+                 load_api(api, marrow::egl::load_proc) != marrow::Status::bad_argument && mrw_abi() == MRW_ABI
              ? 0
              : 1;
 }
