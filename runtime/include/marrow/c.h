@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xe0666ff3u
+#define MRW_ABI 0xb6dec143u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -742,12 +742,6 @@ struct mrw_mesh {
 
 // Whether a limit keeps these rules, as those of make_limit() and load() do.
 bool mrw_is_valid(const mrw_joint_limit* limit);
-
-typedef struct mrw_spring_collider_list mrw_spring_collider_list;
-struct mrw_spring_collider_list {
-  const mrw_spring_collider* data;
-  size_t size;
-};
 
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 typedef struct mrw_file mrw_file;

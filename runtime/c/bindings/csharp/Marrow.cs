@@ -1089,12 +1089,6 @@ public unsafe struct Mesh {
     public Geometry geometry;
 }
 
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct SpringColliderList {
-    public SpringCollider* data;
-    public UIntPtr size;
-}
-
 /// <summary>
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 /// </summary>
@@ -2465,7 +2459,7 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xe0666ff3;
+    public const uint AbiNumber = 0xb6dec143;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3892,7 +3886,6 @@ public static unsafe class Marrow {
             sizeof(MeshLod) == 8 &&
             sizeof(Bounds) == 28 &&
             sizeof(Mesh) == 368 &&
-            sizeof(SpringColliderList) == 16 &&
             sizeof(File) == 120 &&
             sizeof(JointMisfit) == 8 &&
             sizeof(Playback) == 24 &&

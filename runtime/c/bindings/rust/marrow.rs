@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xe0666ff3;
+pub const ABI: u32 = 0xb6dec143;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
@@ -1107,20 +1107,6 @@ impl Default for Mesh {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Mesh>() == 368);
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct SpringColliderList {
-    pub data: *const SpringCollider,
-    pub size: usize,
-}
-impl Default for SpringColliderList {
-    fn default() -> Self {
-        unsafe { std::mem::zeroed() }
-    }
-}
-#[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<SpringColliderList>() == 16);
 
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 #[repr(C)]
