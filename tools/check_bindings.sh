@@ -63,9 +63,10 @@ if has em++ node; then
   # A library of another release is refused, and says so.
   cp "$here"/runtime/c/bindings/typescript/*.mjs "$work"
   sed -i 's/^export const ABI = .*/export const ABI = 1;/' "$work/tables.mjs"
-  node -e 'import(process.argv[1]).then((b) => b.Marrow.load(require("fs").readFileSync(process.argv[2])))' \
-    "$work/marrow.mjs" "$work/wasm/runtime/c/marrow.wasm" 2>&1 | grep '^Error: marrow: the library has ABI' ||
-    { echo "check_bindings: JavaScript takes a library of another ABI" >&2; exit 1; }
+  said=$(node -e 'import(process.argv[1]).then((b) => b.Marrow.load(require("fs").readFileSync(process.argv[2])))' \
+    "$work/marrow.mjs" "$work/wasm/runtime/c/marrow.wasm" 2>&1) && said=nothing
+  [[ $said == *"Error: marrow: the library has ABI"* ]] ||
+    { printf 'check_bindings: JavaScript takes a library of another ABI, and says\n%s\n' "$said" >&2; exit 1; }
 else
   skip "JavaScript: there is no em++ or node"
 fi

@@ -103,6 +103,8 @@ def read_rows(text):
                 raise Wrong('no such row')
         except (Wrong, TypeError, IndexError) as wrong:
             raise SystemExit(f'api.txt: line {number}: {line.strip()}: {wrong}')
+        if rows and any(r.kind == rows[-1].kind and r.name == rows[-1].name for r in rows[:-1]):
+            raise SystemExit(f'api.txt: line {number}: {rows[-1].name}: is there already')
     return rows
 
 
