@@ -154,7 +154,7 @@ std::vector<MisuseRow> rows_of_characters() {
            joints.push_back(m.truth(false) ? kNoJoint : static_cast<std::uint16_t>(m.index(j)));
          if (m.round() % 2 == 0) {
            const OutfitSkeleton one{m.index(0), m.in(joints)};
-           const Outfit outfit{m.in(std::vector<OutfitSkeleton>{one})};
+           const Outfit outfit{{&one, m.truth(true) ? 1u : 0u}};
            m.returned(follow_body(outfit, m.either(dance().character, face().character), worn.character));
            return;
          }

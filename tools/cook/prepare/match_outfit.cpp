@@ -207,8 +207,8 @@ void Dressing::check_followed() {
     joints.insert(joints.end(), skeleton.joint_names.begin(), skeleton.joint_names.end());
   const std::string question = tools::did_you_mean(node(lost.front()).name, joints);
   fail(lost.front(), "no such joint in " + body_.file,
-       tools::listed(names) + " hang on no joint of it; " + question + (question.empty() ? "" : " ") +
-           "rename them, or hang them on a node that is called like a joint");
+       tools::listed(names) + ": no joint of it is there or above; " + question + (question.empty() ? "" : " ") +
+           "rename, or hang it on a node that is called like a joint");
 }
 
 // The body's joints and the outfit's own, breadth-first.
