@@ -352,9 +352,6 @@ SAME_SPAN(mrw_mesh, Mesh, half_joints, half_joint_count);
 SAME_SPAN(mrw_mesh, Mesh, targets, target_count);
 SAME_SPAN(mrw_mesh, Mesh, lods, lod_count);
 SAME_MEMBER(mrw_mesh, Mesh, geometry, geometry);
-SAME(mrw_spring_collider_list, Span<const SpringCollider>);
-SAME_MEMBER(mrw_spring_collider_list, Span<const SpringCollider>, data, data);
-SAME_MEMBER(mrw_spring_collider_list, Span<const SpringCollider>, size, size);
 SAME(mrw_file, File);
 static_assert(sizeof(mrw_misfit) == sizeof(Misfit));
 static_assert(MRW_MISFIT_MISSING == static_cast<int>(Misfit::missing));
@@ -677,6 +674,11 @@ SAME(mrw_animation_layer, AnimationLayer);
 SAME_MEMBER(mrw_animation_layer, AnimationLayer, animation, animation);
 SAME_MEMBER(mrw_animation_layer, AnimationLayer, time_s, time_s);
 SAME_MEMBER(mrw_animation_layer, AnimationLayer, weight, weight);
+SAME(mrw_outfit_skeleton, OutfitSkeleton);
+SAME_MEMBER(mrw_outfit_skeleton, OutfitSkeleton, body_skeleton, body_skeleton);
+SAME_SPAN(mrw_outfit_skeleton, OutfitSkeleton, body_joints, body_joint_count);
+SAME(mrw_outfit, Outfit);
+SAME_SPAN(mrw_outfit, Outfit, skeletons, skeleton_count);
 
 }  // namespace marrow
 // NOLINTEND(bugprone-sizeof-expression)
