@@ -1,6 +1,6 @@
 # Tests of the cooker and of the program; included where the tools are built.
 # Names of their own that another test's file has as well.
-set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp
+set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
   unit/deform/deformers_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input unit/cook/bvh_read_test.cpp unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
@@ -13,7 +13,7 @@ target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marr
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp
   unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/lod_test.cpp
-  unit/cook/packs_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
+  unit/cook/outfits_rules_test.cpp unit/cook/packs_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
   unit/cook/subdivide_mesh_test.cpp)
 # To cook twice takes minutes under a sanitizer, which sees the same code in all the others.
 if(MARROW_SANITIZE)
@@ -53,12 +53,12 @@ target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVA
 marrow_warnings(marrow_reference)
 
 marrow_test(marrow_road_tests road road/road_test.cpp road/bounds_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp)
+  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp road/outfits_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
 marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp
   cli/bench_test.cpp cli/bvh_test.cpp
-  cli/clip_pack_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
+  cli/clip_pack_test.cpp cli/outfit_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
   cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/demo_test.cpp cli/export_test.cpp cli/film_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
   cli/names_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp cli/watch_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
@@ -130,6 +130,7 @@ marrow_c_program(marrow_example_play_c examples/play.c)
 target_link_libraries(marrow_example_play_c PRIVATE marrow::c marrow::draco)
 find_package(Threads REQUIRED)
 marrow_example(jobs marrow::draco marrow::meshopt Threads::Threads)
+marrow_example(outfit marrow::runtime)
 set(example_draw "")
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   marrow_example(draw marrow::gles3 marrow::egl)
@@ -138,6 +139,7 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
 endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
   -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DJOBS=$<TARGET_FILE:marrow_example_jobs>
+  -DOUTFIT=$<TARGET_FILE:marrow_example_outfit>
   -DDRAW=${example_draw}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")

@@ -2,44 +2,12 @@
 
 #include <cstring>
 
+#include "asset/misfits.h"
 #include "asset/skeleton_hash.h"
 #include "core/check.h"
 
 namespace marrow {
 namespace {
-
-// Joints by name and parent, wherever they come from.
-struct Joints {
-  const File& file;
-  const std::uint32_t* names;
-  const std::uint16_t* parents;
-  std::uint32_t count;
-
-  const char* name(std::uint32_t joint) const { return file.text(names[joint]); }
-  // "": none.
-  const char* parent_name(std::uint32_t joint) const { return parents[joint] == kNoParent ? "" : name(parents[joint]); }
-  // The joint called so, `likely` if it is; else the first; `count` if there is none.
-  std::uint32_t find(const char* wanted, std::uint32_t likely) const {
-    if (likely < count && std::strcmp(name(likely), wanted) == 0) return likely;
-    std::uint32_t joint = 0;
-    while (joint < count && std::strcmp(name(joint), wanted) != 0) ++joint;
-    return joint;
-  }
-};
-
-class Misfits {
- public:
-  explicit Misfits(Span<JointMisfit> out) : out_(out) {}
-  void add(Misfit how, std::uint32_t joint) {
-    if (count_ < out_.size) out_[count_] = {how, joint};
-    ++count_;
-  }
-  std::size_t count() const { return count_; }
-
- private:
-  Span<JointMisfit> out_;
-  std::size_t count_ = 0;
-};
 
 void list(const Joints& wanted, const std::uint32_t* rest_hashes, const Joints& there, const SoaTransform* rest,
           Misfits& out) {

@@ -674,6 +674,11 @@ SAME(mrw_animation_layer, AnimationLayer);
 SAME_MEMBER(mrw_animation_layer, AnimationLayer, animation, animation);
 SAME_MEMBER(mrw_animation_layer, AnimationLayer, time_s, time_s);
 SAME_MEMBER(mrw_animation_layer, AnimationLayer, weight, weight);
+SAME(mrw_outfit_skeleton, OutfitSkeleton);
+SAME_MEMBER(mrw_outfit_skeleton, OutfitSkeleton, body_skeleton, body_skeleton);
+SAME_SPAN(mrw_outfit_skeleton, OutfitSkeleton, body_joints, body_joint_count);
+SAME(mrw_outfit, Outfit);
+SAME_SPAN(mrw_outfit, Outfit, skeletons, skeleton_count);
 
 }  // namespace marrow
 // NOLINTEND(bugprone-sizeof-expression)

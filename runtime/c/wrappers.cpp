@@ -16,6 +16,7 @@
 #include "marrow/limits.h"
 #include "marrow/local_to_model.h"
 #include "marrow/morph.h"
+#include "marrow/outfit.h"
 #include "marrow/palette.h"
 #include "marrow/playback.h"
 #include "marrow/pose.h"
@@ -504,6 +505,20 @@ mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_fi
     mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there) {
   MRW_NEEDS(leads_to<File>(pack) && leads_to<File>(character) && is_list<JointMisfit>(misfits, misfit_count) && leads_to_if_any<std::size_t>(misfits_there), MRW_BAD_ARGUMENT);
   return code(marrow::bind_clips(of<File>(pack), reference, of<File>(character), skeleton, span<JointMisfit>(misfits, misfit_count), misfits_there));
+}
+
+mrw_status mrw_bind_outfit(const mrw_file* outfit, uint32_t skeleton, const mrw_file* body, uint32_t body_skeleton,
+    uint16_t* body_joints, size_t body_joint_count, mrw_joint_misfit* misfits, size_t misfit_count,
+    size_t* misfits_there) {
+  MRW_NEEDS(leads_to<File>(outfit) && leads_to<File>(body) && is_list<std::uint16_t>(body_joints, body_joint_count) && is_list<JointMisfit>(misfits, misfit_count) && leads_to_if_any<std::size_t>(misfits_there), MRW_BAD_ARGUMENT);
+  return code(marrow::bind_outfit(of<File>(outfit), skeleton, of<File>(body), body_skeleton, span<std::uint16_t>(body_joints, body_joint_count), span<JointMisfit>(misfits, misfit_count), misfits_there));
+}
+
+mrw_status mrw_follow_body(const mrw_skeleton* skeleton, const uint16_t* body_joints, size_t body_joint_count,
+    const mrw_affine* body_scene_from_joint, size_t body_scene_from_joint_count, const mrw_soa_transform* local,
+    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<std::uint16_t>(body_joints, body_joint_count) && is_list<Affine>(body_scene_from_joint, body_scene_from_joint_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
+  return code(marrow::follow_body(of<Skeleton>(skeleton), span<const std::uint16_t>(body_joints, body_joint_count), span<const Affine>(body_scene_from_joint, body_scene_from_joint_count), span<const SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count)));
 }
 
 mrw_status mrw_advance(mrw_playback* playback, float duration_s, float dt_s) {
@@ -1050,6 +1065,22 @@ mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_laye
 mrw_status mrw_finish_character(mrw_character* character) {
   MRW_NEEDS(leads_to<Character>(character), MRW_BAD_ARGUMENT);
   return code(marrow::finish_character(to<Character>(character)));
+}
+
+size_t mrw_outfit_bytes(const mrw_file* outfit) {
+  MRW_NEEDS(leads_to<File>(outfit), 0);
+  return marrow::outfit_bytes(of<File>(outfit));
+}
+
+mrw_status mrw_make_outfit(const mrw_file* body, const mrw_file* outfit, void* memory, size_t memory_bytes,
+    mrw_outfit* out) {
+  MRW_NEEDS(leads_to<File>(body) && leads_to<File>(outfit) && is_list<std::byte>(memory, memory_bytes) && leads_to<Outfit>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::make_outfit(of<File>(body), of<File>(outfit), span<std::byte>(memory, memory_bytes), to<Outfit>(out)));
+}
+
+mrw_status mrw_character_follow_body(const mrw_outfit* outfit, const mrw_character* body, mrw_character* worn) {
+  MRW_NEEDS(leads_to<Outfit>(outfit) && leads_to<Character>(body) && leads_to<Character>(worn), MRW_BAD_ARGUMENT);
+  return code(marrow::follow_body(of<Outfit>(outfit), of<Character>(body), to<Character>(worn)));
 }
 
 }  // extern "C"

@@ -266,6 +266,14 @@ static int call_bind_clips(const Round* r) {
   (void)r;
   return mrw_bind_clips(at(r, 0), (uint32_t)whole(r), at(r, 2), (uint32_t)whole(r), list(r, 4), count(r), at(r, 5));
 }
+static int call_bind_outfit(const Round* r) {
+  (void)r;
+  return mrw_bind_outfit(at(r, 0), (uint32_t)whole(r), at(r, 2), (uint32_t)whole(r), list(r, 4), count(r), list(r, 5), count(r), at(r, 6));
+}
+static int call_follow_body(const Round* r) {
+  (void)r;
+  return mrw_follow_body(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), list(r, 3), count(r), list(r, 4), count(r));
+}
 static int call_playback_init(const Round* r) {
   mrw_playback_init(at(r, 0));
   return -1;
@@ -809,6 +817,19 @@ static int call_finish_character(const Round* r) {
   (void)r;
   return mrw_finish_character(at(r, 0));
 }
+static int call_outfit_bytes(const Round* r) {
+  (void)r;
+  (void)mrw_outfit_bytes(at(r, 0));
+  return -1;
+}
+static int call_make_outfit(const Round* r) {
+  (void)r;
+  return mrw_make_outfit(at(r, 0), at(r, 1), list(r, 2), count(r), at(r, 3));
+}
+static int call_character_follow_body(const Round* r) {
+  (void)r;
+  return mrw_character_follow_body(at(r, 0), at(r, 1), at(r, 2));
+}
 
 static const Row rows[] = {
     {"mrw_data_error_init", call_data_error_init, 0, 0},
@@ -870,6 +891,8 @@ static const Row rows[] = {
     {"mrw_bounds_is_empty", call_bounds_is_empty, 1, 0},
     {"mrw_skeleton_hash", call_skeleton_hash, 1, 0},
     {"mrw_bind_clips", call_bind_clips, 1, 1},
+    {"mrw_bind_outfit", call_bind_outfit, 1, 1},
+    {"mrw_follow_body", call_follow_body, 1, 1},
     {"mrw_playback_init", call_playback_init, 0, 0},
     {"mrw_advance", call_advance, 1, 0},
     {"mrw_clip_time", call_clip_time, 1, 0},
@@ -1000,4 +1023,7 @@ static const Row rows[] = {
     {"mrw_pose_character", call_pose_character, 1, 1},
     {"mrw_add_expression", call_add_expression, 1, 0},
     {"mrw_finish_character", call_finish_character, 1, 0},
+    {"mrw_outfit_bytes", call_outfit_bytes, 1, 0},
+    {"mrw_make_outfit", call_make_outfit, 1, 1},
+    {"mrw_character_follow_body", call_character_follow_body, 1, 0},
 };

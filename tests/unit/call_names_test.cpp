@@ -85,6 +85,7 @@ TEST_F(CallNames, OfPoses) {
   File file;
   REFUSED(load, {}, file);
   REFUSED(bind_clips, File{}, 0, File{}, 0);
+  REFUSED(bind_outfit, File{}, 0, File{}, 0, {});
   REFUSED(get_joint, {}, 0, joint);
   REFUSED(set_joint, {}, 0, joint);
   REFUSED(advance, playback, 1, NAN);
@@ -101,6 +102,7 @@ TEST_F(CallNames, OfPoses) {
   REFUSED(local_to_model, one_.skeleton, {}, {});
   REFUSED(local_to_model_first, one_.skeleton, {}, 1, {});
   REFUSED(local_to_model_below, one_.skeleton, {}, 0, {});
+  REFUSED(follow_body, one_.skeleton, {}, {}, {}, {});
   REFUSED(check_curve, {});
   REFUSED(evaluate_curve, {}, 0, {});
   REFUSED(curve_velocity, {}, 0, {});
@@ -172,8 +174,9 @@ TEST_F(CallNames, OfSkinning) {
 TEST_F(CallNames, OfEveryFunctionInTheHeaders) {
   if (covered().empty()) GTEST_SKIP() << "run alone";
   // What takes a packed file or a character is asked where there is one.
-  const std::set<std::string> elsewhere = {"unpack",           "unpack_sizes",   "make_animations",  "make_character",
-                                           "sample_character", "pose_character", "finish_character", "add_expression"};
+  const std::set<std::string> elsewhere = {"unpack",           "unpack_sizes",     "make_animations",
+                                           "make_character",   "sample_character", "pose_character",
+                                           "finish_character", "add_expression",   "make_outfit"};
   const std::set<std::string> all = declared();
   EXPECT_GT(all.size(), 60u);
   for (const std::string& name : all)

@@ -9,6 +9,11 @@ void add_input(CLI::App* command, std::string& to) {
   command->add_option("file", to, "the cooked file")->required()->type_name("FILE");
 }
 
+void add_outfits(CLI::App* command, std::vector<std::string>& to) {
+  command->add_option("outfits", to, "hair, clothes, what it holds: files cooked with --skeleton FILE")
+      ->type_name("OUTFIT.mrw");
+}
+
 void add_choice(CLI::App* command, Choice& choice) {
   command
       ->add_option("--clip", choice.clip,

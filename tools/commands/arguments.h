@@ -12,6 +12,9 @@
 namespace marrow::tools {
 
 void add_input(CLI::App* command, std::string& to);
+// Files that the character wears, behind it.
+void add_outfits(CLI::App* command, std::vector<std::string>& to);
+
 void add_choice(CLI::App* command, Choice& choice);
 void add_deformer(CLI::App* command, Deformer& to);
 

@@ -12,6 +12,7 @@
 #include "cook/mesh/build_materials.h"
 #include "cook/mesh/build_meshes.h"
 #include "cook/mesh/derive_binds.h"
+#include "cook/prepare/match_outfit.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/prepare/prepare_scene.h"
 #include "cook/prepare/retarget.h"
@@ -89,9 +90,8 @@ std::vector<Mesh> views_of(const BuiltMeshes& built) {
   return out;
 }
 
-// Of a scene that is prepared.
-BuiltScene build_whole(const RawScene& scene, const CookOptions& options, Notes& notes) {
-  BuiltScene out = build_skeletons(scene);
+// Of a scene that is prepared, and what its meshes follow.
+BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions& options, Notes& notes) {
   std::vector<std::vector<JointLimit>> limits = build_limits(scene, out, notes);
   for (std::size_t s = 0; s < limits.size(); ++s) out.skeletons[s].limits = std::move(limits[s]);
   std::vector<BuiltSprings> springs = build_springs(scene, out, notes);
@@ -117,8 +117,12 @@ BuiltScene build_whole(const RawScene& scene, const CookOptions& options, Notes&
 }  // namespace
 
 BuiltScene build_scene(RawScene scene, const CookOptions& options, Notes& notes) {
-  if (options.clips_only) return build_pack(std::move(scene), options, notes);
-  return build_whole(prepare_scene(std::move(scene), options, notes), options, notes);
+  // What has no meshes and is for a character, as motion capture, can be nothing else.
+  if (options.clips_only || (options.onto && scene.meshes.empty())) return build_pack(std::move(scene), options, notes);
+  scene = prepare_scene(std::move(scene), options, notes);
+  if (!options.onto) return build_whole(scene, build_skeletons(scene), options, notes);
+  Matched matched = match_outfit(*options.onto, std::move(scene), notes);
+  return build_whole(matched.scene, std::move(matched.built), options, notes);
 }
 
 CookResult cook_scene(RawScene scene, const CookOptions& options) {

@@ -26,13 +26,10 @@ constexpr Option kSceneOptions[] = {
     {"skeleton",
      OptionKind::text,
      "CHARACTER",
-     "a clip pack for this character, cooked or glTF; nodes are matched with its joints by name, and motion capture "
-     "(.bvh) is fitted to its proportions and rest pose",
+     "the character, cooked or glTF, that hair and clothes or, without meshes or with --clips-only, clips are for; "
+     "nodes are matched with its joints by name, and motion capture (.bvh) is fitted to its proportions and rest pose",
      {},
-     [](CookOptions& options, const Value& value) {
-       options.skeleton_file = value.text;
-       options.clips_only = true;
-     }},
+     [](CookOptions& options, const Value& value) { options.skeleton_file = value.text; }},
     {"keep-vertex-order",
      OptionKind::flag,
      "",

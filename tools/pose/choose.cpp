@@ -4,32 +4,19 @@
 
 #include "common/failure.h"
 #include "marrow/clip_pack.h"
+#include "pose/misfits_text.h"
 
 namespace marrow::tools {
 namespace {
 
-constexpr std::size_t kMostListed = 12;
-
 // "hand_l" is missing, …
 std::string describe(const File& pack, std::uint32_t reference, const File& file, std::uint32_t skeleton) {
-  std::vector<JointMisfit> misfits(kMostListed);
+  std::vector<JointMisfit> misfits(kMostMisfits);
   std::size_t count = 0;
   if (bind_clips(pack, reference, file, skeleton, misfits, &count) == Status::ok) return {};
-  std::string text;
-  for (std::size_t i = 0; i < std::min(count, kMostListed); ++i) {
-    const JointMisfit& m = misfits[i];
-    const std::uint32_t* const names =
-        m.how == Misfit::extra ? file.skeleton(skeleton).names : pack.reference(reference).names;
-    text.append(i > 0 ? ", " : "").append("\"");
-    text.append((m.how == Misfit::extra ? file : pack).text(names[m.joint])).append("\"");
-    text.append(m.how == Misfit::missing        ? " is missing"
-                : m.how == Misfit::other_parent ? " has another parent"
-                : m.how == Misfit::other_rest   ? " has another rest pose"
-                : m.how == Misfit::extra        ? " is not in the pack"
-                                                : " stands elsewhere");
-  }
-  if (count > kMostListed) text.append(", and ").append(std::to_string(count - kMostListed)).append(" more");
-  return text;
+  return misfits_text(
+      misfits, count, [&](std::uint32_t joint) { return pack.text(pack.reference(reference).names[joint]); },
+      [&](std::uint32_t joint) { return file.text(file.skeleton(skeleton).names[joint]); }, "the pack");
 }
 
 std::size_t count_misfits(const File& pack, std::uint32_t reference, const File& file, std::uint32_t skeleton) {
@@ -74,11 +61,11 @@ Play play_pack(const std::string& pack_path, const File& pack, const std::string
 
 }  // namespace
 
-Chosen choose(const std::string& path, const File& file, const Choice& choice) {
+Chosen choose(const std::string& path, const File& file, const Choice& choice, bool dressed) {
   if (file.reference_count() > 0)
     throw Failure(Exit::invalid, path, "", "a clip pack has nothing to move",
                   "name the character's file, and this one with --clips");
-  if (file.mesh_count() == 0) throw Failure(Exit::invalid, path, "", "no mesh", "name a file that has one");
+  if (file.mesh_count() == 0 && !dressed) throw Failure(Exit::invalid, path, "", "no mesh", "name a file that has one");
   Chosen out;
   if (!choice.clips.empty()) {
     if (choice.clip.empty())

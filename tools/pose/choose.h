@@ -20,8 +20,9 @@ struct Chosen {
   std::optional<LoadedFile> pack;  // holds the clips
 };
 
-// Throws Failure: invalid if `file` has no mesh; usage if there is no such clip; invalid, with the joints that are in
-// the way, if a clip of the pack fits no skeleton of `file`; what load_mrw() throws of the pack.
-Chosen choose(const std::string& path, const File& file, const Choice& choice);
+// dressed: outfits go with it, so that `file` may be joints and clips alone. Throws Failure: invalid if `file` has no
+// mesh; usage if there is no such clip; invalid, with the joints that are in the way, if a clip of the pack fits no
+// skeleton of `file`; what load_mrw() throws of the pack.
+Chosen choose(const std::string& path, const File& file, const Choice& choice, bool dressed = false);
 
 }  // namespace marrow::tools

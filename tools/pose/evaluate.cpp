@@ -1,5 +1,7 @@
 #include "pose/evaluate.h"
 
+#include "pose/worn.h"
+
 namespace marrow::tools {
 
 std::vector<std::vector<float>> tangents_of(const File& file, std::uint32_t level) {
@@ -76,6 +78,15 @@ void Character::pose(std::span<const PlayLayer> layers) {
     change_(i, body_.skeletons[i].local, body_.skeletons[i].scene_from_joint);
   for (std::uint32_t i = 0; i < body_.meshes.size && weigh_; ++i)
     if (!body_.meshes[i].weights.empty()) weigh_(i, body_.meshes[i].weights);
+  check(finish_character(body_));
+  for (const std::shared_ptr<Worn>& worn : worn_)
+    worn->character->follow(worn->outfit, *this, layers.front().play.empty() ? Play{} : worn->play,
+                            layers.front().time_s);
+}
+
+void Character::follow(const Outfit& outfit, const Character& body, const Play& play, float time_s) {
+  check(sample_character(body_, {{play.empty() ? &rest_ : &play, time_s}}));
+  check(follow_body(outfit, body.body_, body_));
   check(finish_character(body_));
 }
 

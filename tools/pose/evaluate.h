@@ -62,6 +62,8 @@ struct PlayLayer {
   float weight = 1;  // 0 … 1
 };
 
+struct Worn;
+
 // A marrow::Character with its memory, that throws.
 class Character {
  public:
@@ -78,10 +80,16 @@ class Character {
   using Weigh = std::function<void(std::uint32_t mesh, Span<float> weights)>;
   void set_weigh(Weigh weigh) { weigh_ = std::move(weigh); }
 
+  // What follows it from now on in each pose(), see worn.h; they are posed by their own plays at the same time.
+  void wear(std::vector<std::shared_ptr<Worn>> worn) { worn_ = std::move(worn); }
+  const std::vector<std::shared_ptr<Worn>>& worn() const { return worn_; }
+
   void pose(const Play& play, float time_s);
   // A blend of at most kMostLayers.
   void pose(std::span<const PlayLayer> layers);
   static constexpr std::uint32_t kMostLayers = 4;
+  // As an outfit of `body`, in its pose; joints of its own and morph targets play.
+  void follow(const Outfit& outfit, const Character& body, const Play& play, float time_s);
   // Deforms one mesh, morphed, in the pose of the last call to pose().
   void skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) const;
 
@@ -104,6 +112,7 @@ class Character {
   Animation rest_;
   Change change_;
   Weigh weigh_;
+  std::vector<std::shared_ptr<Worn>> worn_;
   std::vector<std::vector<float>> tangents_;  // a mesh; empty: normals go through the blend
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "pose/worn.h"
+
 namespace marrow::tools {
 namespace {
 
@@ -27,6 +29,8 @@ Box box_of(const std::vector<glm::vec3>& points) {
 std::vector<PosedMesh> skin_all(const File& file, const Character& character, Deformer deformer) {
   std::vector<PosedMesh> posed(file.mesh_count());
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) character.skin(i, deformer, posed[i]);
+  for (const std::shared_ptr<Worn>& worn : character.worn())
+    for (PosedMesh& mesh : skin_all(worn->loaded.file, *worn->character, deformer)) posed.push_back(std::move(mesh));
   return posed;
 }
 

@@ -48,7 +48,7 @@ class Performance {
 
 // Box of all vertices of a posed character.
 Box box_of(const std::vector<PosedMesh>& posed);
-// Every mesh deformed.
+// Every mesh deformed, those of what the character wears behind its own.
 std::vector<PosedMesh> skin_all(const File& file, const Character& character, Deformer deformer);
 
 }  // namespace marrow::tools

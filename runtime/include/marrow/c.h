@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xb6dec143u
+#define MRW_ABI 0x50e56963u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -876,6 +876,45 @@ uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton);
 // May be null: misfits_there.
 mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character, uint32_t skeleton,
     mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there) MRW_NODISCARD;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Hair, clothes and what a hand holds, in files of their own: their joints stand where the body's stand.
+//
+// `marrow cook hair.glb --skeleton body.mrw` gives an outfit the body's whole skeleton, and among it the joints that
+// only the outfit has: of each parent behind its children of the body. So an outfit may be posed, may have springs,
+// clips and masks as anything else, and where it has no joints of its own, its joints are the body's, number by number.
+//
+// character.h does what is here for whole characters: make_outfit(), follow_body().
+
+// Whether an outfit fits a body, and which joint of the body each of its joints is.
+//
+// body_joints: at least the outfit's joint_count; gets the number of the body's joint, ascending, or kNoJoint for what
+// only the outfit has. It fits if all joints of the body are there, in their order and each below the same parent, and
+// if each joint of its own hangs on another joint. Rest poses may differ, as may what stands above the roots: the same
+// clothes fit a taller body. Where all joints are the body's own, body_joints[j] is j.
+//
+// misfits: as of bind_clips(), where `joint` is of the outfit and `extra` one that the outfit lacks, of the body;
+// `missing`: a root that the body lacks.
+// Errors: mismatch if it does not fit, where body_joints holds nothing of use; bad_argument if an index is out of range
+// or a span too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
+// Thread-safe.
+// May be null: misfits_there.
+mrw_status mrw_bind_outfit(const mrw_file* outfit, uint32_t skeleton, const mrw_file* body, uint32_t body_skeleton,
+    uint16_t* body_joints, size_t body_joint_count, mrw_joint_misfit* misfits, size_t misfit_count,
+    size_t* misfits_there) MRW_NODISCARD;
+
+// The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
+// below their parents. Poses are the same bits as if local_to_model() had posed them all.
+//
+// skeleton: the outfit's. body_joints: as bind_outfit() gives it. local: at least skeleton.soa_size(), of which joints
+// of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the body's.
+// Errors: bad_argument if a span is too short, a joint out of range, or a root none of the body's.
+// Cost: 48 bytes are copied a joint of the body; the others cost what local_to_model() does. Where body_joints[j] is
+// always j, build_palette() and gles3::pose() may as well take the body's joints themselves, without a copy.
+// Thread-safe on different outputs.
+mrw_status mrw_follow_body(const mrw_skeleton* skeleton, const uint16_t* body_joints, size_t body_joint_count,
+    const mrw_affine* body_scene_from_joint, size_t body_scene_from_joint_count, const mrw_soa_transform* local,
+    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) MRW_NODISCARD;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 1½, playback: where in its clip a character is, moved on from frame to frame.
@@ -2432,6 +2471,47 @@ mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_laye
 // Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
 // mesh.
 mrw_status mrw_finish_character(mrw_character* character) MRW_NODISCARD;
+
+// Of one skeleton of an outfit: what it follows.
+typedef struct mrw_outfit_skeleton mrw_outfit_skeleton;
+struct mrw_outfit_skeleton {
+  uint32_t body_skeleton;
+  const uint16_t* body_joints;  // one a joint of the outfit; see bind_outfit()
+  size_t body_joint_count;
+};
+
+// What characters of one file, hair or clothes, follow of a body of another. Serves any number of them.
+typedef struct mrw_outfit mrw_outfit;
+struct mrw_outfit {
+  const mrw_outfit_skeleton* skeletons;  // one a skeleton of the outfit
+  size_t skeleton_count;
+};
+
+// Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
+size_t mrw_outfit_bytes(const mrw_file* outfit);
+
+// Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
+// that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
+//
+// memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
+// Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
+// way. Cost: compares names; once a load.
+mrw_status mrw_make_outfit(const mrw_file* body, const mrw_file* outfit, void* memory, size_t memory_bytes,
+    mrw_outfit* out) MRW_NODISCARD;
+
+// Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
+// finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
+// So where its clips or springs move them, a frame is
+//
+//   sample_character(outfit, …); follow_body(…); springs; finish_character(outfit)
+//
+// where sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
+// written. Morph targets are the outfit's own: its clips move them, or the game writes CharacterMesh::weights.
+//
+// worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
+// outfit.h for each skeleton.
+mrw_status mrw_character_follow_body(const mrw_outfit* outfit, const mrw_character* body,
+    mrw_character* worn) MRW_NODISCARD;
 
 #ifdef __cplusplus
 }

@@ -142,4 +142,39 @@ MARROW_API Status add_expression(Character& character, const AnimationLayer& exp
 // mesh.
 MARROW_API Status finish_character(Character& character);
 
+// Of one skeleton of an outfit: what it follows.
+struct OutfitSkeleton {
+  std::uint32_t body_skeleton = 0;
+  Span<const std::uint16_t> body_joints = {};  // one a joint of the outfit; see bind_outfit()
+};
+
+// What characters of one file, hair or clothes, follow of a body of another. Serves any number of them.
+struct Outfit {
+  Span<const OutfitSkeleton> skeletons = {};  // one a skeleton of the outfit
+};
+
+// Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
+std::size_t outfit_bytes(const File& outfit);
+
+// Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
+// that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
+//
+// memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
+// Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
+// way. Cost: compares names; once a load.
+Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out);
+
+// Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
+// finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
+// So where its clips or springs move them, a frame is
+//
+//   sample_character(outfit, …); follow_body(…); springs; finish_character(outfit)
+//
+// where sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
+// written. Morph targets are the outfit's own: its clips move them, or the game writes CharacterMesh::weights.
+//
+// worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
+// outfit.h for each skeleton.
+Status follow_body(const Outfit& outfit, const Character& body, Character& worn);
+
 }  // namespace marrow

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "marrow/outfit.h"
 #include "support/golden.h"
 #include "unit/misuse/misuse.h"
 
@@ -132,6 +133,34 @@ std::vector<MisuseRow> rows_of_characters() {
          Whole whole(golden_channels_copy);
          misuse_poses(m, whole.character);
          m.returned(finish_character(whole.character));
+       }},
+      {"outfit_bytes",
+       [](Misuse& m) {
+         (void)outfit_bytes(m.either(face().file, File{}));
+         m.returned_ok();
+       }},
+      {"make_outfit",
+       [](Misuse& m) {
+         const File& outfit = m.either(dance().file, face().file);
+         Outfit& out = m.one(Outfit{});
+         m.returned(make_outfit(m.either(dance().file, face().file), outfit, m.memory(outfit_bytes(outfit)), out));
+       }},
+      {"follow_body",
+       [](Misuse& m) {
+         Whole worn(golden_coded_copy);
+         const Skeleton skeleton = worn.file.skeleton(0);
+         std::vector<std::uint16_t> joints;
+         for (std::uint16_t j = 0; j < skeleton.joint_count; ++j)
+           joints.push_back(m.truth(false) ? kNoJoint : static_cast<std::uint16_t>(m.index(j)));
+         if (m.round() % 2 == 0) {
+           const OutfitSkeleton one{m.index(0), m.in(joints)};
+           const Outfit outfit{{&one, m.truth(true) ? 1u : 0u}};
+           m.returned(follow_body(outfit, m.either(dance().character, face().character), worn.character));
+           return;
+         }
+         const Span<const Affine> body = dance().character.skeletons[0].scene_from_joint;
+         const Span<const SoaTransform> local = dance().character.skeletons[0].local;
+         m.returned(follow_body(skeleton, m.in(joints), m.in(body), m.in(local), m.out<Affine>(skeleton.joint_count)));
        }},
   };
 }

@@ -174,6 +174,14 @@ std::vector<MisuseRow> rows_of_files() {
          m.returned(bind_clips(m.either(pack().file, file_of(m)), m.index(0), m.either(dance().file, file_of(m)),
                                m.index(0), misfits, m.pointer(&count)));
        }},
+      {"bind_outfit",
+       [](Misuse& m) {
+         std::size_t count = 0;
+         const File outfit = m.either(dance().file, file_of(m)), body = m.either(dance().file, file_of(m));
+         const Span<std::uint16_t> joints = m.room<std::uint16_t>(dance().file.skeleton(0).joint_count);
+         const Span<JointMisfit> misfits = m.room<JointMisfit>(2);
+         m.returned(bind_outfit(outfit, m.index(0), body, m.index(0), joints, misfits, m.pointer(&count)));
+       }},
   };
   for (const auto& more : {rows_of_views(), rows_of_basics()}) rows.insert(rows.end(), more.begin(), more.end());
   return rows;

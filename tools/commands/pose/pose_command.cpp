@@ -8,6 +8,7 @@ void add_pose(CLI::App& app, int&) {
   static PoseArguments a;  // as long as the options that point at it
   CLI::App* const command = app.add_subcommand("pose", "Write a character's vertices at a moment of a clip");
   add_input(command, a.in);
+  add_outfits(command, a.outfits);
   add_choice(command, a.choice);
   add_deformer(command, a.deformer);
   command

@@ -9,7 +9,7 @@
 #include "common/formats.h"
 #include "common/load_mrw.h"
 #include "common/vertex_order.h"
-#include "pose/evaluate.h"
+#include "pose/worn.h"
 
 namespace marrow::tools {
 namespace {
@@ -21,6 +21,7 @@ struct PosedParts {
   std::vector<PosedMesh> posed;
 };
 
+// Those of what the character wears behind its own.
 std::vector<PosedParts> pose_parts(const File& file, const Character& character, Deformer deformer) {
   std::vector<PosedParts> out;
   for (std::uint32_t m = 0; m < file.mesh_count();) {
@@ -29,6 +30,8 @@ std::vector<PosedParts> pose_parts(const File& file, const Character& character,
     parts.geometries = geometries_of(parts.meshes);
     for (std::size_t i = 0; i < parts.meshes.size(); ++i) character.skin(m++, deformer, parts.posed.emplace_back());
   }
+  for (const std::shared_ptr<Worn>& worn : character.worn())
+    for (PosedParts& parts : pose_parts(worn->loaded.file, *worn->character, deformer)) out.push_back(std::move(parts));
   return out;
 }
 
@@ -83,8 +86,9 @@ void run_pose(const PoseArguments& a) {
   expect_writable(a.out);
   const bool obj = has_extension(a.out, ".obj");
   const LoadedFile loaded = load_mrw(a.in);
-  const Chosen chosen = choose(a.in, loaded.file, a.choice);
+  const Chosen chosen = choose(a.in, loaded.file, a.choice, !a.outfits.empty());
   Character character(loaded.file);
+  put_on(a.outfits, a.in, loaded.file, chosen.play, character);
   character.pose(chosen.play, a.choice.time_s);
   write_file_atomically(a.out,
                         obj ? to_obj(loaded.file, character, a.deformer) : to_bin(loaded.file, character, a.deformer));

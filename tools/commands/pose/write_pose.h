@@ -9,6 +9,7 @@ namespace marrow::tools {
 
 struct PoseArguments {
   std::string in, out;
+  std::vector<std::string> outfits;
   Deformer deformer = Deformer::ssd;
   Choice choice;
 };

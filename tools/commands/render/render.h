@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/render/viewpoint.h"
 #include "render/look.h"
@@ -11,6 +12,7 @@ namespace marrow::tools {
 
 struct RenderArguments : LookArguments {
   std::string output;
+  std::vector<std::string> outfits;  // that the character wears
   ViewpointArguments viewpoint;
   bool movie = false;
   bool held = false;  // a movie of the moment --time

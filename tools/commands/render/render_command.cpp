@@ -45,6 +45,7 @@ void add_render(CLI::App& app, int&) {
   static RenderArguments a;  // as long as the options that point at it
   CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
   add_look(command, a, kSkinPaths);
+  add_outfits(command, a.outfits);
   add_reach(command, a.reach);
   add_viewpoint(command, a.viewpoint);
   command->add_flag("--springs", a.springs, "the file's springs swing as the clip moves them, from its beginning on");

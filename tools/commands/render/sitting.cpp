@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
+#include "pose/worn.h"
 #include "render/heat.h"
 #include "render/legend.h"
 #include "render/mark.h"
@@ -24,21 +25,33 @@ Sitting::Sitting(const RenderArguments& arguments)
       manner_{arguments.deformer, arguments.path, parse_pair(arguments.heatmap)},
       normals_(arguments.normals),
       loaded_(load_level(arguments.file, arguments.lod)),
-      chosen_(choose(arguments.file, loaded_.file, arguments.choice)),
+      chosen_(choose(arguments.file, loaded_.file, arguments.choice, !arguments.outfits.empty())),
       viewpoint_(make_viewpoint(arguments.file, loaded_.file, arguments.viewpoint)),
       reach_(loaded_.file, arguments.reach),
       springs_(loaded_.file),
       character_(loaded_.file, normals_, arguments.lod),
-      performance_(loaded_.file, reaching(), chosen_.play),
+      performance_(loaded_.file, prepared(), chosen_.play),
       textures_(gl_, arguments.file, loaded_.file, places_of_cooked(arguments.file, arguments.images_from)),
       studio_(gl_, size_.first, size_.second),
       figure_(gl_, studio_.programs(), loaded_.file, &textures_, normals_, arguments.lod) {
+  for (const std::shared_ptr<Worn>& worn : character_.worn())
+    worn_.push_back(std::make_unique<WornFigure>(gl_, studio_.programs(), *worn, arguments));
   if (manner_.path != SkinPath::crowd || manner_.heat) return;
   baked_ = figure_.bake(arguments.file, chosen_.play, manner_.deformer);
   manner_.baked = baked_.get();
 }
 
-Character& Sitting::reaching() {
+Sitting::WornFigure::WornFigure(const Gl& gl, gles3::ProgramSet& programs, const Worn& worn,
+                                const RenderArguments& arguments)
+    : textures(gl, worn.path, worn.loaded.file, places_of_cooked(worn.path, arguments.images_from)),
+      figure(gl, programs, worn.loaded.file, &textures, arguments.normals, arguments.lod) {}
+
+// Dressed, and with its goals.
+Character& Sitting::prepared() {
+  if (!arguments_.outfits.empty() && manner_.path == SkinPath::crowd)
+    throw Failure(Exit::usage, "--path crowd", "", "crowds are baked from one file, without outfits",
+                  "use another --path");
+  put_on(arguments_.outfits, arguments_.file, loaded_.file, chosen_.play, character_, normals_, arguments_.lod);
   if (arguments_.springs && !springs_.has_any())
     throw Failure(Exit::usage, "--springs", "", "the file has no springs", "draw without; marrow info lists them");
   if (reach_.empty() && !arguments_.springs) return character_;
@@ -140,8 +153,13 @@ Image Sitting::shoot(const Instant& instant) {
   note_misses();
   Shot shot = frame(instant);
   if (baked_) baked_->blend(instant.time_s);
-  const std::vector<Drawable> drawables =
-      drawables_of(arguments_.file, loaded_.file, character_, figure_, manner_, shot);
+  std::vector<Drawable> drawables = drawables_of(arguments_.file, loaded_.file, character_, figure_, manner_, shot);
+  for (std::size_t i = 0; i < worn_.size(); ++i) {
+    const Worn& worn = *character_.worn()[i];
+    for (const Drawable& d :
+         drawables_of(worn.path, worn.loaded.file, *worn.character, worn_[i]->figure, manner_, shot))
+      drawables.push_back(d);
+  }
   Image image = studio_.shoot(shot, drawables);
   if (manner_.heat) draw_legend(image, "distance, " + arguments_.heatmap, largest_m_, manner_.heat_scale);
   for (const Reach::Goal& goal : reach_.goals()) draw_mark(image, shot.camera, goal.position);

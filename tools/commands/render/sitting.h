@@ -44,7 +44,7 @@ class Sitting {
     float largest_m = 0;
     int pictures = 0;
   };
-  Character& reaching();
+  Character& prepared();
   void swing_to(float time_s);
   Shot frame(const Instant& instant) const;
   void note_misses();
@@ -67,6 +67,13 @@ class Sitting {
   Textures textures_;
   Studio studio_;
   Figure figure_;
+  // One of what the character wears.
+  struct WornFigure {
+    WornFigure(const Gl& gl, gles3::ProgramSet& programs, const Worn& worn, const RenderArguments& arguments);
+    Textures textures;
+    Figure figure;
+  };
+  std::vector<std::unique_ptr<WornFigure>> worn_;
   float largest_m_ = 0;               // of the heat map
   std::unique_ptr<BakedPlay> baked_;  // of path crowd
 };

@@ -74,11 +74,7 @@ class Matching {
 };
 
 void Matching::match_names() {
-  std::map<std::string, NearestJoint> joints;
-  for (std::size_t s = 0; s < character_.skeletons.size(); ++s)
-    for (std::size_t j = 0; j < character_.skeletons[s].joint_names.size(); ++j)
-      joints.try_emplace(character_.skeletons[s].joint_names[j],
-                         NearestJoint{static_cast<int>(s), static_cast<int>(j), glm::dmat4(1.0)});
+  const std::map<std::string, NearestJoint> joints = joints_by_name(character_);
   out_.joint_of_node.assign(scene_.nodes.size(), kNone);
   out_.nearest.assign(scene_.nodes.size(), {});
   for (std::size_t n = 0; n < scene_.nodes.size(); ++n) {
@@ -203,6 +199,15 @@ void expect_skeletons(const Character& character) {
   if (character.skeletons.empty())
     throw tools::Failure(tools::Exit::invalid, character.file, "", "no skeleton",
                          "name the character's file, not a clip pack");
+}
+
+std::map<std::string, NearestJoint> joints_by_name(const Character& character) {
+  std::map<std::string, NearestJoint> out;
+  for (std::size_t s = 0; s < character.skeletons.size(); ++s)
+    for (std::size_t j = 0; j < character.skeletons[s].joint_names.size(); ++j)
+      out.try_emplace(character.skeletons[s].joint_names[j],
+                      NearestJoint{static_cast<int>(s), static_cast<int>(j), glm::dmat4(1.0)});
+  return out;
 }
 
 Matched match_skeletons(const Character& character, RawScene scene, Notes& notes) {

@@ -1,6 +1,7 @@
 // Clips exported apart from their character: their nodes become the joints of the same names that the character has.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ Character view_character(const std::string& path, const File& file);
 
 // Throws tools::Failure (invalid) for what has none, as a clip pack.
 void expect_skeletons(const Character& character);
+
+// Of each name the first skeleton's first joint.
+std::map<std::string, NearestJoint> joints_by_name(const Character& character);
 
 struct Matched {
   RawScene scene;    // its clips move joints alone

@@ -35,7 +35,7 @@ struct BuiltSkeleton {
   std::vector<std::uint16_t> parents;
   std::vector<Affine> scene_from_root;
   std::vector<SoaTransform> rest;
-  std::vector<int> node_of_joint;  // the way back to the source
+  std::vector<int> node_of_joint;  // the way back to the source; kNone: of an outfit, a joint of its body
   std::vector<JointLimit> limits;  // ascending by joint
   BuiltSprings springs;
   // The rest pose as packed files hold it, see unpack/rest.h.
@@ -173,7 +173,7 @@ struct Kept {
   std::vector<std::string> nodes;
 };
 
-// A character that is cooked already, or will be, for clip packs.
+// A character that is cooked already, or will be, for clip packs and outfits.
 struct Character {
   std::string file;
   std::vector<BuiltSkeleton> skeletons = {};
@@ -183,7 +183,8 @@ struct Character {
 };
 
 struct BuiltScene {
-  bool is_pack = false;  // the skeletons are only referred to
+  bool is_pack = false;    // the skeletons are only referred to
+  bool is_outfit = false;  // the skeletons are a body's, which poses them
   std::vector<BuiltSkeleton> skeletons;
   std::vector<int> joint_of_node;         // in its skeleton; kNone for nodes that are no joints
   std::vector<NearestJoint> nearest;      // a node

@@ -111,7 +111,7 @@ struct CookOptions {
   std::optional<double> clip_shell;              // metres: clips keep their promise there; none: at the vertices too
   bool clips_only = false;                       // a clip pack
   std::string skeleton_file;                     // the file of `onto`, for whoever reads it
-  std::shared_ptr<const Character> onto;         // that the pack is for; null: the file's own skeletons
+  std::shared_ptr<const Character> onto;         // that a pack or an outfit is for; null: own skeletons
   bool keep_vertex_order = false;                // remember where every vertex of the source went
   Images images = Images::reference;
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints

@@ -27,7 +27,8 @@ std::vector<std::vector<JointLimit>> build_limits(const RawScene& scene, const B
   for (const BuiltSkeleton& skeleton : built.skeletons) {
     std::vector<JointLimit>& limits = out.emplace_back();
     for (std::size_t j = 0; j < skeleton.node_of_joint.size(); ++j)
-      if (scene.nodes[static_cast<std::size_t>(skeleton.node_of_joint[j])].limit)
+      if (const int node = skeleton.node_of_joint[j];
+          node != kNone && scene.nodes[static_cast<std::size_t>(node)].limit)
         limits.push_back(build_limit(scene, skeleton, j));
   }
   for (std::size_t n = 0; n < scene.nodes.size(); ++n)

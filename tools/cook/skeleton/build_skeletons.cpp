@@ -10,32 +10,6 @@
 namespace marrow::cook {
 namespace {
 
-// Every node after its parent.
-std::vector<std::size_t> parents_first(const RawScene& scene) {
-  std::vector<std::vector<std::size_t>> children(scene.nodes.size());
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const int parent = scene.nodes[i].parent;
-    (parent == kNone ? order : children[static_cast<std::size_t>(parent)]).push_back(i);
-  }
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order.insert(order.end(), children[order[i]].begin(), children[order[i]].end());
-  return order;
-}
-
-std::vector<char> named_or_moved(const RawScene& scene) {
-  std::vector<char> joint(scene.nodes.size(), 0);
-  for (const RawSkin* const skin : skins_in_use(scene))
-    for (const int node : skin->joints) joint[static_cast<std::size_t>(node)] = 1;
-  for (const RawClip& clip : scene.clips)
-    for (const RawChannel& channel : clip.channels)
-      if (scene.nodes[static_cast<std::size_t>(channel.node)].in_scene)
-        joint[static_cast<std::size_t>(channel.node)] = 1;
-  for (std::size_t n = 0; n < scene.nodes.size(); ++n)
-    if (scene.nodes[n].moved_by_game && scene.nodes[n].in_scene) joint[n] = 1;
-  return joint;
-}
-
 std::vector<char> choose_joints(const RawScene& scene, const std::vector<std::size_t>& order) {
   std::vector<char> joint = named_or_moved(scene);
   std::vector<char> rigid(scene.nodes.size(), 0), above(scene.nodes.size(), 0), below(scene.nodes.size(), 0);
@@ -87,18 +61,6 @@ std::vector<std::vector<int>> breadth_first(const RawScene& scene, const std::ve
   return out;
 }
 
-void set_rest(const RawNode& node, std::size_t lane, SoaTransform& four) {
-  for (int axis = 0; axis < 3; ++axis) {
-    four.translation[axis][lane] = static_cast<float>(node.translation[axis]);
-    four.scale[axis][lane] = static_cast<float>(node.scale[axis]);
-  }
-  const glm::dquat& q = node.rotation;
-  const double xyzw[4] = {q.x, q.y, q.z, q.w};
-  for (int i = 0; i < 4; ++i) four.rotation[i][lane] = static_cast<float>(xyzw[i]);
-}
-
-constexpr SoaTransform kIdentity = {{}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}};
-
 void number_joints(const RawScene& scene, const std::vector<std::vector<int>>& skeletons,
                    const std::vector<std::size_t>& order, BuiltScene& out) {
   out.joint_of_node.assign(scene.nodes.size(), kNone);
@@ -114,24 +76,20 @@ void number_joints(const RawScene& scene, const std::vector<std::vector<int>>& s
       out.nearest[node] = {static_cast<int>(s), static_cast<int>(j), glm::dmat4(1.0)};
     }
   }
-  for (const std::size_t n : order) {
-    const RawNode& node = scene.nodes[n];
-    if (out.joint_of_node[n] != kNone) continue;
-    if (node.parent != kNone) out.nearest[n] = out.nearest[static_cast<std::size_t>(node.parent)];
-    out.nearest[n].joint_from_node = out.nearest[n].joint_from_node * local_matrix(node);
-  }
+  for (const std::size_t n : order)
+    if (out.joint_of_node[n] == kNone) place_below_parent(scene, n, out.nearest);
 }
 
 BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, const std::vector<NearestJoint>& nearest) {
   BuiltSkeleton out;
-  out.rest.assign(soa_count(joints.size()), kIdentity);
+  out.rest.assign(soa_count(joints.size()), kRestOfNone);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const RawNode& node = scene.nodes[static_cast<std::size_t>(joints[j])];
     const NearestJoint up = node.parent == kNone ? NearestJoint{} : nearest[static_cast<std::size_t>(node.parent)];
     out.joint_names.push_back(node.name);
     out.parents.push_back(up.joint == kNone ? kNoParent : static_cast<std::uint16_t>(up.joint));
     if (up.joint == kNone) out.scene_from_root.push_back(to_affine(up.joint_from_node));
-    set_rest(node, j % 4, out.rest[j / 4]);
+    set_rest(node, j, out);
   }
   round_rest(out);
   out.node_of_joint = std::move(joints);
@@ -140,6 +98,49 @@ BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, con
 }
 
 }  // namespace
+
+std::vector<std::size_t> parents_first(const RawScene& scene) {
+  std::vector<std::vector<std::size_t>> children(scene.nodes.size());
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const int parent = scene.nodes[i].parent;
+    (parent == kNone ? order : children[static_cast<std::size_t>(parent)]).push_back(i);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order.insert(order.end(), children[order[i]].begin(), children[order[i]].end());
+  return order;
+}
+
+std::vector<char> named_or_moved(const RawScene& scene) {
+  std::vector<char> joint(scene.nodes.size(), 0);
+  for (const RawSkin* const skin : skins_in_use(scene))
+    for (const int node : skin->joints) joint[static_cast<std::size_t>(node)] = 1;
+  for (const RawClip& clip : scene.clips)
+    for (const RawChannel& channel : clip.channels)
+      if (scene.nodes[static_cast<std::size_t>(channel.node)].in_scene)
+        joint[static_cast<std::size_t>(channel.node)] = 1;
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+    if (scene.nodes[n].moved_by_game && scene.nodes[n].in_scene) joint[n] = 1;
+  return joint;
+}
+
+void place_below_parent(const RawScene& scene, std::size_t node, std::vector<NearestJoint>& nearest) {
+  const RawNode& raw = scene.nodes[node];
+  if (raw.parent != kNone) nearest[node] = nearest[static_cast<std::size_t>(raw.parent)];
+  nearest[node].joint_from_node = nearest[node].joint_from_node * local_matrix(raw);
+}
+
+void set_rest(const RawNode& node, std::size_t joint, BuiltSkeleton& skeleton) {
+  SoaTransform& four = skeleton.rest[joint / 4];
+  const std::size_t lane = joint % 4;
+  for (int axis = 0; axis < 3; ++axis) {
+    four.translation[axis][lane] = static_cast<float>(node.translation[axis]);
+    four.scale[axis][lane] = static_cast<float>(node.scale[axis]);
+  }
+  const glm::dquat& q = node.rotation;
+  const double xyzw[4] = {q.x, q.y, q.z, q.w};
+  for (int i = 0; i < 4; ++i) four.rotation[i][lane] = static_cast<float>(xyzw[i]);
+}
 
 BuiltScene build_skeletons(const RawScene& scene) {
   BuiltScene out;

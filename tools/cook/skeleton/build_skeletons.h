@@ -12,4 +12,22 @@ namespace marrow::cook {
 // for too many joints.
 BuiltScene build_skeletons(const RawScene& scene);
 
+// For whoever makes skeletons otherwise.
+
+// Four joints that are not there.
+inline constexpr SoaTransform kRestOfNone = {
+    {}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}};
+
+// Every node after its parent.
+std::vector<std::size_t> parents_first(const RawScene& scene);
+
+// A node: 1 if a skin in use names it or a clip moves it.
+std::vector<char> named_or_moved(const RawScene& scene);
+
+// A node that is no joint, whose parent has its place already.
+void place_below_parent(const RawScene& scene, std::size_t node, std::vector<NearestJoint>& nearest);
+
+// The joint stands at rest as the node does.
+void set_rest(const RawNode& node, std::size_t joint, BuiltSkeleton& skeleton);
+
 }  // namespace marrow::cook

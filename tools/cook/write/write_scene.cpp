@@ -356,7 +356,8 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   pool.add_all(names.pool());
   pool.compact = compact_names(names.pool());
   add(format::kNames, std::move(pool));
-  const std::vector<Section> bounds = bounds_sections(entries, source);
+  // Poses of an outfit are its body's.
+  const std::vector<Section> bounds = scene.is_outfit ? std::vector<Section>() : bounds_sections(entries, source);
   for (const Section& b : bounds)
     entries.insert(entries.end() - 1, {format::kBounds, b.codec, b.bytes(), b.codec, b.bytes()});
 

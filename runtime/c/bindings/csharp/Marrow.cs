@@ -2455,11 +2455,36 @@ public unsafe struct AnimationLayer {
     }
 }
 
+/// <summary>
+/// Of one skeleton of an outfit: what it follows.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct OutfitSkeleton {
+    public uint body_skeleton;
+    /// <summary>
+    /// one a joint of the outfit; see bind_outfit()
+    /// </summary>
+    public ushort* body_joints;
+    public UIntPtr body_joint_count;
+}
+
+/// <summary>
+/// What characters of one file, hair or clothes, follow of a body of another. Serves any number of them.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Outfit {
+    /// <summary>
+    /// one a skeleton of the outfit
+    /// </summary>
+    public OutfitSkeleton* skeletons;
+    public UIntPtr skeleton_count;
+}
+
 public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xb6dec143;
+    public const uint AbiNumber = 0x50e56963;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -2857,6 +2882,36 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_bind_clips", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status BindClips(File* pack, uint reference, File* character, uint skeleton, JointMisfit* misfits, UIntPtr misfit_count, UIntPtr* misfits_there);
+    /// <summary>
+    /// Whether an outfit fits a body, and which joint of the body each of its joints is.
+    ///
+    /// body_joints: at least the outfit's joint_count; gets the number of the body's joint, ascending, or kNoJoint for what
+    /// only the outfit has. It fits if all joints of the body are there, in their order and each below the same parent, and
+    /// if each joint of its own hangs on another joint. Rest poses may differ, as may what stands above the roots: the same
+    /// clothes fit a taller body. Where all joints are the body's own, body_joints[j] is j.
+    ///
+    /// misfits: as of bind_clips(), where `joint` is of the outfit and `extra` one that the outfit lacks, of the body;
+    /// `missing`: a root that the body lacks.
+    /// Errors: mismatch if it does not fit, where body_joints holds nothing of use; bad_argument if an index is out of range
+    /// or a span too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
+    /// Thread-safe.
+    /// May be null: misfits_there.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_bind_outfit", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status BindOutfit(File* outfit, uint skeleton, File* body, uint body_skeleton, ushort* body_joints, UIntPtr body_joint_count, JointMisfit* misfits, UIntPtr misfit_count, UIntPtr* misfits_there);
+    /// <summary>
+    /// The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
+    /// below their parents. Poses are the same bits as if local_to_model() had posed them all.
+    ///
+    /// skeleton: the outfit's. body_joints: as bind_outfit() gives it. local: at least skeleton.soa_size(), of which joints
+    /// of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the body's.
+    /// Errors: bad_argument if a span is too short, a joint out of range, or a root none of the body's.
+    /// Cost: 48 bytes are copied a joint of the body; the others cost what local_to_model() does. Where body_joints[j] is
+    /// always j, build_palette() and gles3::pose() may as well take the body's joints themselves, without a copy.
+    /// Thread-safe on different outputs.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_follow_body", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status FollowBody(Skeleton* skeleton, ushort* body_joints, UIntPtr body_joint_count, Affine* body_scene_from_joint, UIntPtr body_scene_from_joint_count, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count);
     [DllImport(Library, EntryPoint = "mrw_playback_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void PlaybackInit(Playback* @out);
     /// <summary>
@@ -3845,6 +3900,36 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_finish_character", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FinishCharacter(Character* character);
+    /// <summary>
+    /// Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_outfit_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr OutfitBytes(File* outfit);
+    /// <summary>
+    /// Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
+    /// that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
+    ///
+    /// memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
+    /// Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
+    /// way. Cost: compares names; once a load.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_make_outfit", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status MakeOutfit(File* body, File* outfit, void* memory, UIntPtr memory_bytes, Outfit* @out);
+    /// <summary>
+    /// Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
+    /// finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
+    /// So where its clips or springs move them, a frame is
+    ///
+    ///   sample_character(outfit, …); follow_body(…); springs; finish_character(outfit)
+    ///
+    /// where sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
+    /// written. Morph targets are the outfit's own: its clips move them, or the game writes CharacterMesh::weights.
+    ///
+    /// worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
+    /// outfit.h for each skeleton.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_character_follow_body", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status CharacterFollowBody(Outfit* outfit, Character* body, Character* worn);
 
     /// <summary>Whether structs are laid out as those of a library of 64 bits.</summary>
     public static bool IsLaidOut() {
@@ -3932,7 +4017,9 @@ public static unsafe class Marrow {
             sizeof(CharacterSkeleton) == 96 &&
             sizeof(CharacterMesh) == 968 &&
             sizeof(Character) == 224 &&
-            sizeof(AnimationLayer) == 16;
+            sizeof(AnimationLayer) == 16 &&
+            sizeof(OutfitSkeleton) == 24 &&
+            sizeof(Outfit) == 16;
     }
 
     /// <summary>Bytes on a boundary of 16, which are to be freed by FreeBlock().</summary>

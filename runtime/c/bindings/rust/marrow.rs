@@ -4,7 +4,7 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xb6dec143;
+pub const ABI: u32 = 0x50e56963;
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
@@ -2460,6 +2460,39 @@ impl Default for AnimationLayer {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<AnimationLayer>() == 16);
 
+/// Of one skeleton of an outfit: what it follows.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct OutfitSkeleton {
+    pub body_skeleton: u32,
+    /// one a joint of the outfit; see bind_outfit()
+    pub body_joints: *const u16,
+    pub body_joint_count: usize,
+}
+impl Default for OutfitSkeleton {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<OutfitSkeleton>() == 24);
+
+/// What characters of one file, hair or clothes, follow of a body of another. Serves any number of them.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Outfit {
+    /// one a skeleton of the outfit
+    pub skeletons: *const OutfitSkeleton,
+    pub skeleton_count: usize,
+}
+impl Default for Outfit {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Outfit>() == 16);
+
 extern "C" {
     #[link_name = "mrw_abi"]
     pub fn abi() -> u32;
@@ -2690,6 +2723,32 @@ extern "C" {
     /// May be null: misfits_there.
     #[link_name = "mrw_bind_clips"]
     pub fn bind_clips(pack: *const File, reference: u32, character: *const File, skeleton: u32, misfits: *mut JointMisfit, misfit_count: usize, misfits_there: *mut usize) -> Status;
+    /// Whether an outfit fits a body, and which joint of the body each of its joints is.
+    ///
+    /// body_joints: at least the outfit's joint_count; gets the number of the body's joint, ascending, or kNoJoint for what
+    /// only the outfit has. It fits if all joints of the body are there, in their order and each below the same parent, and
+    /// if each joint of its own hangs on another joint. Rest poses may differ, as may what stands above the roots: the same
+    /// clothes fit a taller body. Where all joints are the body's own, body_joints[j] is j.
+    ///
+    /// misfits: as of bind_clips(), where `joint` is of the outfit and `extra` one that the outfit lacks, of the body;
+    /// `missing`: a root that the body lacks.
+    /// Errors: mismatch if it does not fit, where body_joints holds nothing of use; bad_argument if an index is out of range
+    /// or a span too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
+    /// Thread-safe.
+    /// May be null: misfits_there.
+    #[link_name = "mrw_bind_outfit"]
+    pub fn bind_outfit(outfit: *const File, skeleton: u32, body: *const File, body_skeleton: u32, body_joints: *mut u16, body_joint_count: usize, misfits: *mut JointMisfit, misfit_count: usize, misfits_there: *mut usize) -> Status;
+    /// The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
+    /// below their parents. Poses are the same bits as if local_to_model() had posed them all.
+    ///
+    /// skeleton: the outfit's. body_joints: as bind_outfit() gives it. local: at least skeleton.soa_size(), of which joints
+    /// of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the body's.
+    /// Errors: bad_argument if a span is too short, a joint out of range, or a root none of the body's.
+    /// Cost: 48 bytes are copied a joint of the body; the others cost what local_to_model() does. Where body_joints[j] is
+    /// always j, build_palette() and gles3::pose() may as well take the body's joints themselves, without a copy.
+    /// Thread-safe on different outputs.
+    #[link_name = "mrw_follow_body"]
+    pub fn follow_body(skeleton: *const Skeleton, body_joints: *const u16, body_joint_count: usize, body_scene_from_joint: *const Affine, body_scene_from_joint_count: usize, local: *const SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize) -> Status;
     #[link_name = "mrw_playback_init"]
     pub fn playback_init(out: *mut Playback);
     /// Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
@@ -3484,4 +3543,28 @@ extern "C" {
     /// mesh.
     #[link_name = "mrw_finish_character"]
     pub fn finish_character(character: *mut Character) -> Status;
+    /// Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
+    #[link_name = "mrw_outfit_bytes"]
+    pub fn outfit_bytes(outfit: *const File) -> usize;
+    /// Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
+    /// that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
+    ///
+    /// memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
+    /// Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
+    /// way. Cost: compares names; once a load.
+    #[link_name = "mrw_make_outfit"]
+    pub fn make_outfit(body: *const File, outfit: *const File, memory: *mut c_void, memory_bytes: usize, out: *mut Outfit) -> Status;
+    /// Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
+    /// finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
+    /// So where its clips or springs move them, a frame is
+    ///
+    ///   sample_character(outfit, …); follow_body(…); springs; finish_character(outfit)
+    ///
+    /// where sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
+    /// written. Morph targets are the outfit's own: its clips move them, or the game writes CharacterMesh::weights.
+    ///
+    /// worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
+    /// outfit.h for each skeleton.
+    #[link_name = "mrw_character_follow_body"]
+    pub fn character_follow_body(outfit: *const Outfit, body: *const Character, worn: *mut Character) -> Status;
 }

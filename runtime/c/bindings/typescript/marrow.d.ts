@@ -2132,6 +2132,27 @@ export interface AnimationLayer extends View {
   weight: number;
 }
 
+/**
+ * Of one skeleton of an outfit: what it follows.
+ */
+export interface OutfitSkeleton extends View {
+  body_skeleton: number;
+  /**
+   * one a joint of the outfit; see bind_outfit()
+   */
+  body_joints: List<number>;
+}
+
+/**
+ * What characters of one file, hair or clothes, follow of a body of another. Serves any number of them.
+ */
+export interface Outfit extends View {
+  /**
+   * one a skeleton of the outfit
+   */
+  skeletons: List<OutfitSkeleton>;
+}
+
 export interface Structs {
   DataError: DataError;
   Block: Block;
@@ -2218,6 +2239,8 @@ export interface Structs {
   CharacterMesh: CharacterMesh;
   Character: Character;
   AnimationLayer: AnimationLayer;
+  OutfitSkeleton: OutfitSkeleton;
+  Outfit: Outfit;
 }
 
 export class Marrow {
@@ -2455,6 +2478,34 @@ export class Marrow {
    * May be null: misfits_there.
    */
   bind_clips(pack: File | null, reference: number, character: File | null, skeleton: number, misfits: List<JointMisfit> | null, misfits_there: View | number | null): Status;
+  /**
+   * Whether an outfit fits a body, and which joint of the body each of its joints is.
+   *
+   * body_joints: at least the outfit's joint_count; gets the number of the body's joint, ascending, or kNoJoint for what
+   * only the outfit has. It fits if all joints of the body are there, in their order and each below the same parent, and
+   * if each joint of its own hangs on another joint. Rest poses may differ, as may what stands above the roots: the same
+   * clothes fit a taller body. Where all joints are the body's own, body_joints[j] is j.
+   *
+   * misfits: as of bind_clips(), where `joint` is of the outfit and `extra` one that the outfit lacks, of the body;
+   * `missing`: a root that the body lacks.
+   * Errors: mismatch if it does not fit, where body_joints holds nothing of use; bad_argument if an index is out of range
+   * or a span too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
+   * Thread-safe.
+   * May be null: misfits_there.
+   */
+  bind_outfit(outfit: File | null, skeleton: number, body: File | null, body_skeleton: number, body_joints: List<number> | null, misfits: List<JointMisfit> | null, misfits_there: View | number | null): Status;
+  /**
+   * The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
+   * below their parents. Poses are the same bits as if local_to_model() had posed them all.
+   *
+   * skeleton: the outfit's. body_joints: as bind_outfit() gives it. local: at least skeleton.soa_size(), of which joints
+   * of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the body's.
+   * Errors: bad_argument if a span is too short, a joint out of range, or a root none of the body's.
+   * Cost: 48 bytes are copied a joint of the body; the others cost what local_to_model() does. Where body_joints[j] is
+   * always j, build_palette() and gles3::pose() may as well take the body's joints themselves, without a copy.
+   * Thread-safe on different outputs.
+   */
+  follow_body(skeleton: Skeleton | null, body_joints: List<number> | null, body_scene_from_joint: List<Affine> | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null): Status;
   /**
    * Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
    * however many times over: a loop loses no time and shows none twice, and so does a turn. Afterwards time_s is in
@@ -3281,4 +3332,31 @@ export class Marrow {
    * mesh.
    */
   finish_character(character: Character | null): Status;
+  /**
+   * Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
+   */
+  outfit_bytes(outfit: File | null): number;
+  /**
+   * Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
+   * that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
+   *
+   * memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
+   * Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
+   * way. Cost: compares names; once a load.
+   */
+  make_outfit(body: File | null, outfit: File | null, memory: List<number> | null, out: Outfit | null): Status;
+  /**
+   * Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
+   * finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
+   * So where its clips or springs move them, a frame is
+   *
+   *   sample_character(outfit, …); follow_body(…); springs; finish_character(outfit)
+   *
+   * where sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
+   * written. Morph targets are the outfit's own: its clips move them, or the game writes CharacterMesh::weights.
+   *
+   * worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
+   * outfit.h for each skeleton.
+   */
+  character_follow_body(outfit: Outfit | null, body: Character | null, worn: Character | null): Status;
 }

@@ -1,7 +1,7 @@
 // Made by tools/c_api from runtime/c/api.txt: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0xb6dec143;
+export const ABI = 0x50e56963;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -137,6 +137,8 @@ export const structs = {
   CharacterMesh: { size: 560, align: 4, init: "", fields: {"mesh": [0, "struct", "Mesh"], "weights": [220, "list", "f32"], "palette": [228, "list", "Affine"], "coordinates": [236, "list", "f32"], "morphed": [244, "struct", "MorphedGeometry"], "vertices": [548, "list", "byte"], "first_target": [556, "value", "u32"]} },
   Character: { size: 164, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [108, "struct", "CharacterOptions"], "skeletons": [120, "list", "CharacterSkeleton"], "meshes": [128, "list", "CharacterMesh"], "target_count": [136, "value", "u32"], "sampled": [140, "list", "SoaTransform"], "blended": [148, "list", "BlendLayer"], "change": [156, "list", "AdditiveTransform"]} },
   AnimationLayer: { size: 12, align: 4, init: "animation_layer_init", fields: {"animation": [0, "pointer", "Animation"], "time_s": [4, "value", "f32"], "weight": [8, "value", "f32"]} },
+  OutfitSkeleton: { size: 12, align: 4, init: "", fields: {"body_skeleton": [0, "value", "u32"], "body_joints": [4, "list", "u16"]} },
+  Outfit: { size: 8, align: 4, init: "", fields: {"skeletons": [0, "list", "OutfitSkeleton"]} },
 };
 
 // What each function takes, and what it gives.
@@ -204,6 +206,8 @@ export const functions = {
   bounds_is_empty: [["pointer"], "bool"],
   skeleton_hash: [["pointer", "number"], "bigint"],
   bind_clips: [["pointer", "number", "pointer", "number", "list", "pointer"], "number"],
+  bind_outfit: [["pointer", "number", "pointer", "number", "list", "list", "pointer"], "number"],
+  follow_body: [["pointer", "list", "list", "list", "list"], "number"],
   playback_init: [['pointer'], 'void'],
   advance: [["pointer", "number", "number"], "number"],
   clip_time: [["pointer"], "real"],
@@ -334,4 +338,7 @@ export const functions = {
   pose_character: [["pointer", "list"], "number"],
   add_expression: [["pointer", "pointer"], "number"],
   finish_character: [["pointer"], "number"],
+  outfit_bytes: [["pointer"], "number"],
+  make_outfit: [["pointer", "pointer", "list", "pointer"], "number"],
+  character_follow_body: [["pointer", "pointer", "pointer"], "number"],
 };
