@@ -5,6 +5,7 @@
 #include "asset/misfits.h"
 #include "asset/skeleton_hash.h"
 #include "core/check.h"
+#include "core/mark.h"
 
 namespace marrow {
 namespace {
@@ -41,6 +42,7 @@ std::uint64_t skeleton_hash(const File& file, std::uint32_t index) {
 
 Status bind_clips(const File& pack, std::uint32_t reference, const File& character, std::uint32_t skeleton,
                   Span<JointMisfit> misfits, std::size_t* misfit_count) {
+  MARROW_MARK;
   if (misfit_count != nullptr) *misfit_count = 0;
   MARROW_REQUIRE(reference < pack.reference_count());
   MARROW_REQUIRE(skeleton < character.skeleton_count());

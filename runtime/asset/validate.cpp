@@ -3,6 +3,7 @@
 
 #include "asset/checker.h"
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/off_boundary.h"
 
 namespace marrow {
@@ -150,6 +151,7 @@ DataError check_container(Span<const std::byte> block) {
 }  // namespace
 
 Status load(Span<const std::byte> block, File& out, DataError* error) {
+  MARROW_MARK;
   if (error != nullptr) {
     const char* const off = off_boundary(block.data);
     *error = {Status::bad_argument, 0, off != nullptr ? off : "a block that is not null"};

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
 #include "marrow/local_to_model.h"
@@ -192,6 +193,7 @@ std::size_t character_bytes(const File& file, const CharacterOptions& options) {
 }
 
 Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out) {
+  MARROW_MARK;
   MARROW_REQUIRE(options.layers > 0);
   MARROW_REQUIRE(holds(memory, character_bytes(file, options)));
   MARROW_REQUIRE_GOOD(check_boundary(memory.data));
@@ -211,11 +213,13 @@ Status make_character(const File& file, const CharacterOptions& options, Span<st
 }
 
 Status sample_character(Character& character, Span<const AnimationLayer> layers) {
+  MARROW_MARK;
   MARROW_REQUIRE_GOOD(check_layers(character, layers));
   return sample_layers(character, layers);
 }
 
 Status local_to_model(Character& character) {
+  MARROW_MARK;
   for (const CharacterSkeleton& s : character.skeletons) {
     const Status status = local_to_model(s.skeleton, s.local, s.scene_from_joint);
     if (status != Status::ok) return status;
@@ -224,6 +228,7 @@ Status local_to_model(Character& character) {
 }
 
 Status pose_character(Character& character, Span<const AnimationLayer> layers) {
+  MARROW_MARK;
   MARROW_REQUIRE_GOOD(check_layers(character, layers));
   const Status status = sample_layers(character, layers);
   return status == Status::ok ? local_to_model(character) : status;
@@ -242,6 +247,7 @@ Status add_expression(Character& character, const AnimationLayer& expression) {
 }
 
 Status finish_character(Character& character) {
+  MARROW_MARK;
   if (!character.options.skin) return Status::ok;
   for (const CharacterMesh& m : character.meshes) MARROW_REQUIRE(all_finite(m.weights.data, m.weights.size));
   for (CharacterMesh& m : character.meshes) {

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/memory.h"
 #include "marrow/block.h"
 #include "marrow/character.h"
@@ -57,6 +58,7 @@ std::size_t outfit_bytes(const File& outfit) {
 }
 
 Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(memory, outfit_bytes(outfit)));
   MARROW_REQUIRE(is_on_boundary(memory.data));
   if (outfit.skeleton_count() == 0) return Status::mismatch;
@@ -75,6 +77,7 @@ Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory,
 }
 
 Status follow_body(const Outfit& outfit, const Character& body, Character& worn) {
+  MARROW_MARK;
   MARROW_REQUIRE_GOOD(check_outfit(outfit, body, worn));
   for (std::size_t s = 0; s < worn.skeletons.size; ++s) {
     const OutfitSkeleton& follows = outfit.skeletons[s];

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "core/mark.h"
 #include "gles3/compile.h"
 #include "gles3/errors.h"
 #include "gles3/label.h"
@@ -103,6 +104,7 @@ Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd) {
 
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                      Span<const CrowdInstance> instances) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(instances, 1) && first <= crowd.count);
   MARROW_REQUIRE(crowd.count == 0 || frames.frame_count == crowd.frame_count);
   if (first > crowd.capacity || instances.size > crowd.capacity - first) return Status::unsupported;
@@ -133,6 +135,7 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
 
 Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
                             std::uint8_t features, ProgramSet& programs) {
+  MARROW_MARK;
   MARROW_REQUIRE(skins(deformer));
   MARROW_REQUIRE_GOOD(check_roles(programs));
   Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
@@ -152,6 +155,7 @@ const Program& blending_program_of(const ProgramSet& programs) {
 
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                    double time_s, std::uint32_t texture_unit, const Program& program) {
+  MARROW_MARK;
   MARROW_REQUIRE(program.crowd >= 0 && "a program from build_crowd_program()");
   MARROW_REQUIRE(is_there(first, count, crowd) && mesh.joints > 0);
   MARROW_REQUIRE(has_ticks(time_s));

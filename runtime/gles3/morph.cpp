@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "gles3/gl_constants.h"
 #include "gles3/gl_size.h"
 #include "gles3/texture.h"
@@ -121,6 +122,7 @@ Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<st
 
 Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                   std::uint32_t texture_unit, const Program& program) {
+  MARROW_MARK;
   const Span<const MorphTarget> targets = mesh.geometry.targets;
   MARROW_REQUIRE(gpu.morph_texture != 0);
   MARROW_REQUIRE(program.morph_changes >= 0 && "a program with kMorphs, in use");

@@ -1,5 +1,6 @@
 // Every frame: a mesh's vertices through a palette into a buffer, by transform feedback or by compute shader.
 #include "core/check.h"
+#include "core/mark.h"
 #include "gles3/compile.h"
 #include "gles3/gl_size.h"
 #include "gles3/skinned.h"
@@ -89,6 +90,7 @@ Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Pr
 }
 
 Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, const SkinnedMesh& to) {
+  MARROW_MARK;
   const bool as = deformer == Deformer::as;
   const std::uint32_t array = as ? mesh.as_array : mesh.ssd_array;
   MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");

@@ -1,5 +1,6 @@
 // Once a context: the skinning text and a role's own text → a linked program.
 #include "core/check.h"
+#include "core/mark.h"
 #include "gles3/compile.h"
 #include "gles3/label.h"
 
@@ -165,6 +166,7 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
 
 Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
                      Program& out, Span<char> log) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(log));
   clear(log);
   MARROW_REQUIRE(source.vertex != nullptr && source.fragment != nullptr);

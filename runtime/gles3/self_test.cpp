@@ -3,6 +3,7 @@
 
 #include "core/builtins.h"
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
 #include "gles3/errors.h"
@@ -255,6 +256,7 @@ std::size_t self_test_bytes(const SelfTestOptions& options) {
 
 Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<std::byte> memory,
                  SelfTest& out) {
+  MARROW_MARK;
   MARROW_REQUIRE(options.ssd || options.as);
   MARROW_REQUIRE(options.seconds == nullptr || options.slow >= 1);
   MARROW_REQUIRE(holds(memory, self_test_bytes(options)));

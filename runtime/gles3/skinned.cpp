@@ -2,6 +2,7 @@
 #include "gles3/skinned.h"
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "gles3/attributes.h"
 #include "gles3/errors.h"
 #include "gles3/gl_size.h"
@@ -72,6 +73,7 @@ void destroy(const Api& api, SkinnedMesh& mesh) {
 }
 
 Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices) {
+  MARROW_MARK;
   const SkinnedBlocks blocks = blocks_of(mesh);
   MARROW_REQUIRE(!vertices.positions.empty() && fits(vertices.positions, blocks.position_bytes));
   MARROW_REQUIRE(fits(vertices.normals, blocks.normal_bytes));
@@ -86,6 +88,7 @@ Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& verti
 }
 
 void draw(const Api& api, const GpuMesh& mesh, const SkinnedMesh& skinned) {
+  MARROW_MARK;
   api.BindVertexArray(skinned.array);
   api.DrawElements(mesh.primitive, static_cast<int>(mesh.index_count), mesh.index_type, nullptr);
   api.BindVertexArray(0);

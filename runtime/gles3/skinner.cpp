@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
 #include "gles3/compile.h"
@@ -178,6 +179,7 @@ std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options) {
 
 Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
                       ProgramSet& programs, Span<std::byte> memory, Skinner& out) {
+  MARROW_MARK;
   MARROW_REQUIRE(options.instances > 0);
   MARROW_REQUIRE(skins(options.deformer) && options.path <= SkinningPath::cpu);
   MARROW_REQUIRE_GOOD(check_roles(programs));
@@ -232,6 +234,7 @@ Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_jo
 }
 
 Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint32_t count) {
+  MARROW_MARK;
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(count <= s.options.instances);
   if (skins_once(s.options.path))
@@ -268,6 +271,7 @@ const Program& program_of(const Skinner& s, const ProgramSet& programs, std::uin
 
 Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program, std::uint32_t first,
             std::uint32_t count) {
+  MARROW_MARK;
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(first <= s.updated && count <= s.updated - first);
   MARROW_REQUIRE(may_draw(s, program) && "the program from program_of()");

@@ -1,6 +1,7 @@
 #include "marrow/feet.h"
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "ik/turn_joint.h"
 #include "ik/two_bone.h"
 #include "marrow/local_to_model.h"
@@ -326,6 +327,7 @@ Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Af
 
 Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
                   Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
+  MARROW_MARK;
   FeetCall call{skeleton, feet, frame, local, scene_from_joint};
   MARROW_REQUIRE_GOOD(check_feet(call, ground, motion));
   call.rate = kAllButTwoPercent / feet.ease_s;

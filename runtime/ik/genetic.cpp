@@ -4,6 +4,7 @@
 // Kinematics in Robotics and Animation), with cyclic coordinate descent in the place of its gradient steps.
 #include <algorithm>
 
+#include "core/mark.h"
 #include "ik/heuristic.h"
 
 namespace marrow {
@@ -155,6 +156,7 @@ std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& 
 
 Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                         const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+  MARROW_MARK;
   MARROW_REQUIRE_GOOD(solve_ik_by(solve_genetic, skeleton, local, scene_from_joint, problem, options, scratch,
                                   ik_genetic_scratch_bytes(skeleton, problem), report));
   return Status::ok;

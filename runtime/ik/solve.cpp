@@ -1,6 +1,7 @@
 #include "marrow/ik_solve.h"
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "ik/tree.h"
 #include "marrow/block.h"
 #include "math/finite.h"
@@ -70,6 +71,7 @@ std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem,
 
 Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+  MARROW_MARK;
   const IkSolver solver = is_jacobian(options.method) ? solve_jacobian : solve_heuristic;
   MARROW_REQUIRE_GOOD(solve_ik_by(solver, skeleton, local, scene_from_joint, problem, options, scratch,
                                   ik_scratch_bytes(skeleton, problem, options), report));

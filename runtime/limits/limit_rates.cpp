@@ -1,5 +1,6 @@
 // Limits over time: what follows a target, with limited speed and acceleration.
 #include "core/check.h"
+#include "core/mark.h"
 #include "limits/joint_limit.h"
 #include "math/joint.h"
 
@@ -185,6 +186,7 @@ Status follow_rotation(RotationFollower& state, const float (&target)[4], float 
 }
 
 Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s, Span<SoaTransform> local) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(limits) && holds(local));
   MARROW_REQUIRE(holds(states, limits.size));
   MARROW_REQUIRE(is_time(dt_s));

@@ -1,6 +1,7 @@
 #include "marrow/limits.h"
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "limits/joint_limit.h"
 #include "limits/limit_ranges.h"
 #include "math/joint.h"
@@ -147,6 +148,7 @@ float limit_excess(const JointLimit& limit, const float (&local)[4]) {
 }
 
 Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(limits) && holds(local));
   for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint / 4u < local.size);
   for (const JointLimit& limit : limits) {

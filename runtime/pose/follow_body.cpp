@@ -1,5 +1,6 @@
 // The joints of an outfit in its body's pose.
 #include "core/check.h"
+#include "core/mark.h"
 #include "marrow/outfit.h"
 #include "pose/joint_range.h"
 
@@ -8,6 +9,7 @@ namespace marrow {
 Status follow_body(const Skeleton& skeleton, Span<const std::uint16_t> body_joints,
                    Span<const Affine> body_scene_from_joint, Span<const SoaTransform> local,
                    Span<Affine> scene_from_joint) {
+  MARROW_MARK;
   const std::uint32_t count = skeleton.joint_count;
   MARROW_REQUIRE(holds(body_joints, count));
   MARROW_REQUIRE(holds(body_scene_from_joint));

@@ -1,6 +1,7 @@
 #include "marrow/local_to_model.h"
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "math/affine.h"
 #include "math/quaternion.h"
 #include "pose/joint_range.h"
@@ -64,6 +65,7 @@ void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::
 }
 
 Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(local, skeleton.soa_size()));
   MARROW_REQUIRE(holds(out, skeleton.joint_count));
   transform_joints(skeleton, local.data, 0, skeleton.joint_count, out.data);
@@ -72,6 +74,7 @@ Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, 
 
 Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint_count,
                             Span<Affine> out) {
+  MARROW_MARK;
   MARROW_REQUIRE(joint_count <= skeleton.joint_count);
   MARROW_REQUIRE(holds(local, soa_count(joint_count)));
   MARROW_REQUIRE(holds(out, joint_count));
@@ -82,6 +85,7 @@ Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> l
 // Breadth-first order keeps the children of neighbours together, so the descendants of each generation are one range.
 Status local_to_model_below(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint,
                             Span<Affine> out) {
+  MARROW_MARK;
   const std::uint32_t count = skeleton.joint_count;
   const std::uint16_t* const parents = skeleton.parents;
   MARROW_REQUIRE(joint < count);

@@ -5,6 +5,7 @@
 #include "asset/format.h"
 #include "core/builtins.h"
 #include "core/check.h"
+#include "core/mark.h"
 #include "marrow/blend.h"
 #include "math/keys.h"
 #include "math/slerp.h"
@@ -134,12 +135,14 @@ BadCall sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Sp
 
 Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
               const SampleOptions& options) {
+  MARROW_MARK;
   MARROW_REQUIRE(!clip.additive);
   MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, options));
   return Status::ok;
 }
 
 Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> out) {
+  MARROW_MARK;
   MARROW_REQUIRE(clip.additive);
   MARROW_REQUIRE(clip.reference == nullptr || clip.joint_count == skeleton.joint_count);
   // The pose stands where its change will; make_additive reads every group before it writes it.
@@ -150,6 +153,7 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
 }
 
 Status sample_channels(const Clip& clip, float time_s, Span<float> out) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(out, clip.channels.size));
   MARROW_REQUIRE(time_s == time_s);
   MomentFinder moment(clip, time_s);

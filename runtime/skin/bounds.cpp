@@ -4,6 +4,7 @@
 
 #include "core/builtins.h"
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
 #include "math/f32x4.h"
@@ -149,6 +150,7 @@ std::size_t reach_bytes(const Mesh& mesh) {
 }
 
 Status make_reach(const Mesh& mesh, Span<std::byte> memory, Reach& out) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(memory, reach_bytes(mesh)));
   MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   const Geometry& g = mesh.geometry;
@@ -166,6 +168,7 @@ Status make_reach(const Mesh& mesh, Span<std::byte> memory, Reach& out) {
 }
 
 Status palette_bounds(const Reach& reach, Span<const Affine> palette, Span<const float> weights, Bounds& out) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(palette, reach.joints.size));
   MARROW_REQUIRE(weights.empty() || holds(weights, reach.targets.size));
   MARROW_REQUIRE(weights.empty() || all_finite(weights.data, reach.targets.size));

@@ -1,4 +1,5 @@
 // Multi-weight enveloping, four vertices at a time.
+#include "core/mark.h"
 #include "math/rotation.h"
 #include "skin/joint_set.h"
 
@@ -83,6 +84,7 @@ class MultiWeight {
 }  // namespace
 
 Status skin_mwe(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
+  MARROW_MARK;
   const Geometry& g = mesh.geometry;
   MARROW_REQUIRE(g.mwe_residual != nullptr && aligned(g.mwe_residual));
   MARROW_REQUIRE(holds(palette, mesh.palette_size()) && g.mwe_root < mesh.palette_size());

@@ -1,6 +1,7 @@
 #include "marrow/palette.h"
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "math/affine.h"
 #include "skin/half_way.h"
 
@@ -20,6 +21,7 @@ double volume(const Affine& map) {
 
 Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
                      Span<Affine> out, Span<const HalfJoint> half_joints) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(joints) && holds(half_joints) && holds(scene_from_joint));
   MARROW_REQUIRE(holds(bind, joints.size));
   MARROW_REQUIRE(holds(out, joints.size + half_joints.size));
@@ -47,6 +49,7 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
 }
 
 Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out) {
+  MARROW_MARK;
   return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, scene_from_joint, out,
                        mesh.half_joints);
 }

@@ -1,5 +1,6 @@
 // How far a pose is from the examples of pose-space deformation, four palette entries at a time.
 #include "core/check.h"
+#include "core/mark.h"
 #include "marrow/skin.h"
 #include "math/rotation.h"
 
@@ -73,6 +74,7 @@ std::size_t psd_distance_count(const Geometry& geometry) {
 }
 
 Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<float> out) {
+  MARROW_MARK;
   const PoseSpace& space = geometry.pose_space;
   const std::size_t joints = geometry.joint_count, examples = space.examples.size;
   MARROW_REQUIRE(holds(palette, joints));

@@ -1,4 +1,5 @@
 // Skeletal subspace deformation, four vertices at a time.
+#include "core/mark.h"
 #include "skin/joint_set.h"
 
 namespace marrow {
@@ -43,6 +44,7 @@ struct Ssd {
 }  // namespace
 
 Status skin_ssd(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
+  MARROW_MARK;
   MARROW_REQUIRE_GOOD(deform<Ssd>(mesh, mesh.geometry.skin, palette, out));
   return Status::ok;
 }

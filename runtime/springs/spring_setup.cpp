@@ -4,6 +4,7 @@
 
 #include "asset/spring_rules.h"
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/off_boundary.h"
 #include "math/finite.h"
 #include "springs/spring_state.h"
@@ -120,6 +121,7 @@ std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chai
 }
 
 Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Span<std::byte> memory, Springs& out) {
+  MARROW_MARK;
   MARROW_REQUIRE_GOOD(check_chains(skeleton, chains));
   const std::size_t bytes = springs_bytes(skeleton, chains), groups = groups_of(chains);
   MARROW_REQUIRE(holds(memory, bytes));

@@ -2,6 +2,7 @@
 
 #include "asset/spring_rules.h"
 #include "core/check.h"
+#include "core/mark.h"
 #include "math/joint.h"
 #include "math/rotation.h"
 #include "pose/joint_range.h"
@@ -397,6 +398,7 @@ int steps_of(float dt_s) {
 
 Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs, Span<SoaTransform> local,
                         Span<Affine> scene_from_joint) {
+  MARROW_MARK;
   MARROW_REQUIRE_GOOD(check_frame(skeleton, frame, springs, local, scene_from_joint));
   PlacedCollider colliders[kMaxSpringColliders];
   SpringCall call{skeleton, frame, springs, local.data, scene_from_joint.data};

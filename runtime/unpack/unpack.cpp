@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "core/check.h"
+#include "core/mark.h"
 #include "core/off_boundary.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
@@ -240,6 +241,7 @@ Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* e
 
 Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
               Span<const std::byte>& file, DataError* error) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(packed) && holds(decoders));
   Header h;
   Status status = read_counts(packed, h, error);
@@ -254,6 +256,7 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
 
 Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
                     Unpacking& out, DataError* error) {
+  MARROW_MARK;
   MARROW_REQUIRE(holds(packed) && holds(decoders));
   Header h;
   const Status status = read_counts(packed, h, error);
@@ -268,6 +271,7 @@ Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decode
 }
 
 Status unpack_step(Unpacking& unpacking, DataError* error) {
+  MARROW_MARK;
   Unpacker& unpacker = *reinterpret_cast<Unpacker*>(unpacking.state);
   MARROW_REQUIRE(unpacker.is_begun() && "begin_unpack() before, and neither failed nor finished since");
   const bool last = unpacker.at_end();

@@ -4,9 +4,10 @@
 // C++ function or type, here it is mrw_ and that name in small letters; a Span is a pointer and a count, a null pointer
 // with a count of 0 is empty. What is "empty by default" or "may be null" there may be null here.
 //
-// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's, and
-// nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return MRW_BAD_ARGUMENT,
-// and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told why.
+// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's,
+// and nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return
+// MRW_BAD_ARGUMENT, and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told
+// why.
 #ifndef MARROW_C_H
 #define MARROW_C_H
 
@@ -28,7 +29,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x50e56963u
+#define MRW_ABI 0x80d753f1u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 

@@ -5,6 +5,7 @@
 #include "marrow/version.h"         //    everywhere      which Marrow, which files
 #include "marrow/status.h"          //    everywhere      how calls fail
 #include "marrow/call_error.h"      //    everywhere      who is told of bad calls
+#include "marrow/marks.h"           //    everywhere      begin and end of calls, for profilers
 #include "marrow/block.h"          //    everywhere      memory on 16-byte boundaries
 #include "marrow/unpack.h"          // 0. unpack          packed file → .mrw in memory
 #include "marrow/file.h"            // 1. load            .mrw → Skeleton, Clip, Mesh

@@ -1,8 +1,8 @@
 // The scene as the artist's file has it: what reading glTF or BVH yields and what the build stage starts from.
 //
-// Units and axes are glTF's: metres (a BVH file's own unit), right-handed, +Y up, column vectors. Nothing here is compressed, reordered or
-// dropped, except what `RawScene::warnings` lists. Whoever cooks it reads it and changes nothing: preparation gives a
-// new scene.
+// Units and axes are glTF's: metres (a BVH file's own unit), right-handed, +Y up, column vectors. Nothing here is
+// compressed, reordered or dropped, except what `RawScene::warnings` lists. Whoever cooks it reads it and changes
+// nothing: preparation gives a new scene.
 #pragma once
 
 #include <array>

@@ -2484,7 +2484,7 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x50e56963;
+    public const uint AbiNumber = 0x80d753f1;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;

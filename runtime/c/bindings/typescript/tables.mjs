@@ -1,7 +1,7 @@
 // Made by tools/c_api from runtime/c/api.txt: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x50e56963;
+export const ABI = 0x80d753f1;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;

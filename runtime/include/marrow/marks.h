@@ -1,0 +1,27 @@
+// Begin and end of the calls that take time, for the profiler that a game has: Perfetto, Tracy, systrace, Instruments.
+//
+//   static const marrow::MarkHandler marks = {[](const char* name) { ATrace_beginSection(name); },
+//                                             [](const char*) { ATrace_endSection(); }};
+//   marrow::set_mark_handler(&marks);
+//
+// Only a build with MARROW_MARKS=ON has marks. Without it, which is the default, they take no byte and no instruction,
+// and nobody is told.
+#pragma once
+
+#include "marrow/api.h"
+
+namespace marrow {
+
+// Called on the thread of the call. name: of the public function, as "sample"; a static string. Calls nest, and each
+// begin has its end, by the same handler.
+struct MarkHandler {
+  void (*begin)(const char* name);
+  void (*end)(const char* name);
+};
+
+// From now on calls that begin are told to `handler`, which stays as it is while any of them goes on; null: nobody is
+// told. Returns the handler before. Thread-safe; the handler must be so too. Cost of a mark without a handler: a load
+// and a comparison. Without MARROW_MARKS it does nothing and returns null.
+MARROW_API const MarkHandler* set_mark_handler(const MarkHandler* handler);
+
+}  // namespace marrow
