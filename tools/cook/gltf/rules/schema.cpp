@@ -44,8 +44,8 @@ class Walker {
   void check_object(Json& value, const Schema& schema, const Path& path) {
     if (!value.is_object()) wrong_kind(path, "an object");
     for (auto member = value.begin(); member != value.end();) {
-      const bool at_root =
-          path.up == nullptr && std::ranges::count(schema.properties, member.key(), &Property::name) > 0;
+      const bool at_root = path.up == nullptr && member.key() != "extensions" &&  // which is no collection
+                           std::ranges::count(schema.properties, member.key(), &Property::name) > 0;
       if (at_root && member->is_array() && member->empty()) {
         report_.mend(path.step(member.key()).text(), "empty-array",
                      "left out; a collection like /nodes has elements or is not there");
