@@ -27,7 +27,9 @@ function(marrow_library name)
   if(BUILD_SHARED_LIBS)
     target_compile_definitions(${target} PRIVATE MARROW_BUILDS_SHARED)
     if(UNIX AND NOT APPLE)
-      target_link_options(${target} PRIVATE -Wl,-Bsymbolic-functions -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map)
+      # A library that calls what another one hides does not link.
+      target_link_options(${target} PRIVATE -Wl,-Bsymbolic-functions -Wl,-z,defs
+        -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map)
       set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exports.map)
     endif()
   endif()

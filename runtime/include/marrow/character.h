@@ -154,7 +154,7 @@ struct Outfit {
 };
 
 // Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
-std::size_t outfit_bytes(const File& outfit);
+MARROW_API std::size_t outfit_bytes(const File& outfit);
 
 // Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
 // that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
@@ -162,7 +162,7 @@ std::size_t outfit_bytes(const File& outfit);
 // memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
 // Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
 // way. Cost: compares names; once a load.
-Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out);
+MARROW_API Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out);
 
 // Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
 // finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
@@ -175,6 +175,6 @@ Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory,
 //
 // worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
 // outfit.h for each skeleton.
-Status follow_body(const Outfit& outfit, const Character& body, Character& worn);
+MARROW_API Status follow_body(const Outfit& outfit, const Character& body, Character& worn);
 
 }  // namespace marrow

@@ -7,6 +7,7 @@
 // character.h does what is here for whole characters: make_outfit(), follow_body().
 #pragma once
 
+#include "marrow/api.h"
 #include "marrow/clip_pack.h"
 #include "marrow/file.h"
 
@@ -24,9 +25,9 @@ namespace marrow {
 // Errors: mismatch if it does not fit, where body_joints holds nothing of use; bad_argument if an index is out of range
 // or a span too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
 // Thread-safe.
-Status bind_outfit(const File& outfit, std::uint32_t skeleton, const File& body, std::uint32_t body_skeleton,
-                   Span<std::uint16_t> body_joints, Span<JointMisfit> misfits = {},
-                   std::size_t* misfit_count = nullptr);
+MARROW_API Status bind_outfit(const File& outfit, std::uint32_t skeleton, const File& body, std::uint32_t body_skeleton,
+                              Span<std::uint16_t> body_joints, Span<JointMisfit> misfits = {},
+                              std::size_t* misfit_count = nullptr);
 
 // The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
 // below their parents. Poses are the same bits as if local_to_model() had posed them all.
@@ -37,8 +38,8 @@ Status bind_outfit(const File& outfit, std::uint32_t skeleton, const File& body,
 // Cost: 48 bytes are copied a joint of the body; the others cost what local_to_model() does. Where body_joints[j] is
 // always j, build_palette() and gles3::pose() may as well take the body's joints themselves, without a copy.
 // Thread-safe on different outputs.
-Status follow_body(const Skeleton& skeleton, Span<const std::uint16_t> body_joints,
-                   Span<const Affine> body_scene_from_joint, Span<const SoaTransform> local,
-                   Span<Affine> scene_from_joint);
+MARROW_API Status follow_body(const Skeleton& skeleton, Span<const std::uint16_t> body_joints,
+                              Span<const Affine> body_scene_from_joint, Span<const SoaTransform> local,
+                              Span<Affine> scene_from_joint);
 
 }  // namespace marrow
