@@ -11,15 +11,15 @@
 namespace marrow {
 namespace {
 
-struct Pieces {
+struct OutfitPieces {
   Span<OutfitSkeleton> skeletons;
   Span<std::uint16_t> joints;  // skeleton after skeleton
 };
 
-Pieces lay_out(const File& outfit, Memory& memory) {
+OutfitPieces lay_out(const File& outfit, Memory& memory) {
   std::uint64_t joints = 0;
   for (std::uint32_t s = 0; s < outfit.skeleton_count(); ++s) joints += outfit.skeleton(s).joint_count;
-  Pieces out;
+  OutfitPieces out;
   out.skeletons = memory.take<OutfitSkeleton>(outfit.skeleton_count());
   out.joints = memory.take<std::uint16_t>(joints);
   return out;
@@ -63,7 +63,7 @@ Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory,
   MARROW_REQUIRE(is_on_boundary(memory.data));
   if (outfit.skeleton_count() == 0) return Status::mismatch;
   Memory taken{memory.data};
-  const Pieces pieces = lay_out(outfit, taken);
+  const OutfitPieces pieces = lay_out(outfit, taken);
   std::size_t first = 0;
   for (std::uint32_t s = 0; s < outfit.skeleton_count(); ++s) {
     const Span<std::uint16_t> joints(pieces.joints.data + first, outfit.skeleton(s).joint_count);
