@@ -68,7 +68,7 @@ try() {  # NAME
   local target=$program gles=OFF bits=ON
   if [[ " $objects " == *" $name "* ]]; then target="marrow_gles3 marrow_unpack" gles=ON bits=OFF; fi
   # shellcheck disable=SC2046,SC2086
-  if ! { cmake -G Ninja -S . -B "$folder" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" \
+  if ! { cmake --fresh -G Ninja -S . -B "$folder" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" \
     -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_GLES=$gles -DMARROW_BITS=$bits -DCMAKE_UNITY_BUILD=ON \
     -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 --no-warn-unused-cli $(arguments "$name") && cmake --build "$folder" --target $target
   } >"$folder.log" 2>&1; then

@@ -85,8 +85,8 @@ void place_colliders(SpringCall& call) {
     const float squared = dot(out.along, out.along);
     out.over_squared = squared > 1e-20f ? 1.0f / squared : 0.0f;
     float scale = 0.0f;
-    constexpr Vector3 kAxes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (const Vector3& axis : kAxes) {
+    constexpr Vector3 kEveryAxis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const Vector3& axis : kEveryAxis) {
       const float l = length(turn(world, turn(joint, axis)));
       scale = l > scale ? l : scale;
     }
