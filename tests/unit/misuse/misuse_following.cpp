@@ -52,7 +52,7 @@ RotationFollower turning(Misuse& m) {
 
 std::vector<SpringChain> chains_of(Misuse& m, std::vector<SpringJoint>& joints) {
   for (const std::uint32_t joint : {2u, 5u, 10u})
-    joints.push_back({static_cast<std::uint16_t>(m.index(joint)), m.number(2), m.number(0.5f), m.number(1),
+    joints.push_back({static_cast<std::uint16_t>(m.index(joint)), 0, m.number(2), m.number(0.5f), m.number(1),
                       m.number(0.5f), m.number(0.05f), m.number(1)});
   return {{m.in(joints), {m.number(0.2f), m.number(0), m.number(0)}}};
 }

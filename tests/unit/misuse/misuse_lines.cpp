@@ -67,7 +67,7 @@ std::vector<MisuseRow> rows_of_lines() {
        [](Misuse& m) {
          DebugLines& lines = lines_of(m);
          const std::vector<SpringCollider> colliders = {
-             {joint_of(m, 3), {m.number(0), 0, 0}, {0, m.number(0.1f), 0}, m.number(0.1f)}};
+             {joint_of(m, 3), 0, {m.number(0), 0, 0}, {0, m.number(0.1f), 0}, m.number(0.1f)}};
          m.returned(collider_lines(stage().skeleton, m.in(colliders), scene_of(m), lines));
        }},
       {"bounds_lines",

@@ -21,7 +21,8 @@ std::set<std::string> declared(const std::function<bool(const std::string&)>& he
   const std::set<std::string> none = {"alignas",         "requires",      "Span",
                                       "begin",           "end",           "empty",
                                       "operator",        "draco_decoder", "call_error_handler",
-                                      "meshopt_decoder", "geometry",      "section"};
+                                      "meshopt_decoder", "geometry",      "section",
+                                      "springs_of"};
   const std::regex function(R"(^(?:  )?(?:MARROW_API )?(?:(?:inline|constexpr|const) )*)"
                             R"((?!MARROW_API)[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
   for (const auto& entry : std::filesystem::directory_iterator(in_source("runtime/include/marrow"))) {
