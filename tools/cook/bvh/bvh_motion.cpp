@@ -124,7 +124,8 @@ RawClip read_motion(Words& words, const BvhHierarchy& hierarchy, const gltf::Rep
     read_frame(words, all, first_line == hierarchy.channel_count ? what : what + " (" + compare + ')');
   }
   if (!words.at_end())
-    words.fail("more numbers than " + std::to_string(frames) + " frames need", compare + "; correct Frames: or export again");
+    words.fail("more numbers than " + std::to_string(frames) + " frames need",
+               compare + "; correct Frames: or export again");
   return clip;
 }
 
