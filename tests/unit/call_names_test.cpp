@@ -147,6 +147,17 @@ TEST_F(CallNames, OfReaching) {
   REFUSED(simulate_springs, one_.skeleton, {}, springs, {}, {});
 }
 
+TEST_F(CallNames, OfLines) {
+  DebugLines lines;
+  REFUSED(joint_lines, one_.skeleton, {}, 0, lines);
+  REFUSED(limit_lines, one_.skeleton, {}, {}, {}, 0, lines);
+  REFUSED(goal_lines, one_.skeleton, {}, {}, 0, 0, lines);
+  REFUSED(spring_lines, one_.skeleton, {}, {}, lines);
+  REFUSED(collider_lines, one_.skeleton, {}, {}, lines);
+  lines.count = 1;
+  REFUSED(bounds_lines, Bounds{}, lines);
+}
+
 TEST_F(CallNames, OfSkinning) {
   REFUSED(find_weight_channels, {}, one_.mesh, {}, {}, {});
   REFUSED(morph_weights, one_.mesh, {}, {}, {});
@@ -174,9 +185,9 @@ TEST_F(CallNames, OfSkinning) {
 TEST_F(CallNames, OfEveryFunctionInTheHeaders) {
   if (covered().empty()) GTEST_SKIP() << "run alone";
   // What takes a packed file or a character is asked where there is one.
-  const std::set<std::string> elsewhere = {"unpack",           "unpack_sizes",     "make_animations",
-                                           "make_character",   "sample_character", "pose_character",
-                                           "finish_character", "add_expression",   "make_outfit"};
+  const std::set<std::string> elsewhere = {"unpack",           "unpack_sizes",   "begin_unpack",     "unpack_step",
+                                           "make_animations",  "make_character", "sample_character", "pose_character",
+                                           "finish_character", "add_expression", "make_outfit"};
   const std::set<std::string> all = declared();
   EXPECT_GT(all.size(), 60u);
   for (const std::string& name : all)

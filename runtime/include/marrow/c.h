@@ -4,9 +4,10 @@
 // C++ function or type, here it is mrw_ and that name in small letters; a Span is a pointer and a count, a null pointer
 // with a count of 0 is empty. What is "empty by default" or "may be null" there may be null here.
 //
-// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's, and
-// nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return MRW_BAD_ARGUMENT,
-// and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told why.
+// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's,
+// and nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return
+// MRW_BAD_ARGUMENT, and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told
+// why.
 #ifndef MARROW_C_H
 #define MARROW_C_H
 
