@@ -360,13 +360,13 @@ TEST(Springs, BadCallsWriteNothing) {
     refuses([&](F f, M) { f.weight = bad; });
     refuses([&](F f, M) { f.world_from_scene.rows[1][2] = bad; });
     for (std::size_t j = 0; j < 4; ++j) refuses([&](F, M m) { m[j].rows[2][3] = bad; });
-    refuses([&](F f, M) { colliders[0] = {0, {0, bad, 0}, {0, 0, 0}, 1}, f.colliders = colliders; });
-    refuses([&](F f, M) { colliders[0] = {0, {0, 0, 0}, {0, 0, bad}, 1}, f.colliders = colliders; });
-    refuses([&](F f, M) { colliders[0] = {0, {0, 0, 0}, {0, 0, 0}, bad}, f.colliders = colliders; });
+    refuses([&](F f, M) { colliders[0] = {0, 0, {0, bad, 0}, {0, 0, 0}, 1}, f.colliders = colliders; });
+    refuses([&](F f, M) { colliders[0] = {0, 0, {0, 0, 0}, {0, 0, bad}, 1}, f.colliders = colliders; });
+    refuses([&](F f, M) { colliders[0] = {0, 0, {0, 0, 0}, {0, 0, 0}, bad}, f.colliders = colliders; });
   }
   refuses([&](F f, M) { f.dt_s = -0.001f; });
   refuses([&](F f, M) { f.weight = 1.001f; });
-  refuses([&](F f, M) { colliders[0] = {4, {0, 0, 0}, {0, 0, 0}, 1}, f.colliders = colliders; });
+  refuses([&](F f, M) { colliders[0] = {4, 0, {0, 0, 0}, {0, 0, 0}, 1}, f.colliders = colliders; });
   refuses([&](F f, M) { colliders.assign(kMaxSpringColliders + 1, {}), f.colliders = colliders; });
   refuses([&](F, M m) { m.pop_back(); });
   EXPECT_EQ(refused, 3 * 13 + 5);

@@ -18,10 +18,6 @@ namespace {
 
 constexpr std::uint64_t kFewPoses = 1u << 22;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 // With the sign that is next to the key before it.
 void add_rotation(const glm::dquat& q, std::vector<glm::vec4>& keys) {
   const glm::vec4 key(glm::dvec4(q.x, q.y, q.z, q.w));

@@ -18,10 +18,6 @@ constexpr double kFlat = 0.05;  // skeletons that reach less far sideways than t
 
 using Joints = std::vector<RetargetJoint>;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 // Of what stands above a root. A mirror is a rotation and a point reflection, in which all rotations are the same.
 glm::dquat rotation_of(const glm::dmat4& m) {
   const glm::dmat3 linear(m);

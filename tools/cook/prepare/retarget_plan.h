@@ -2,6 +2,7 @@
 // much their rest poses differ, and what is carried.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@
 #include "cook/scene/views.h"
 
 namespace marrow::cook {
+
+// A node or a joint that is there, as an index.
+inline std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 // A joint of the character.
 struct RetargetJoint {
