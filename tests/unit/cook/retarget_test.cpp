@@ -22,6 +22,8 @@
 namespace marrow::cook {
 namespace {
 
+using Names = std::vector<std::string>;
+
 using test::Map;
 using test::Vec3;
 
@@ -282,7 +284,7 @@ TEST(Retarget, HipsAreCarriedInTheRigsSize) {
                          glm::length(glm::dvec3(0.01, -0.5, -0.03));
   std::size_t moves = 0;
   for (const Track& track : onto.built.clips[0].tracks)
-    if (track.path == TrackPath::translation) moves += track.joint == onto.joint("rig:hips") ? 1 : 100;
+    if (track.path == TrackPath::translation) moves += track.joint == onto.joint("rig:hips") ? 1u : 100u;
   EXPECT_EQ(moves, 1u) << "hips, and nothing else";
   for (int f = 0; f < kFrames; ++f) {
     const Vec3 file = place_of(posed(kBody, f)[0]), rig = place_of(onto.at(f)[onto.joint("rig:hips")]);
@@ -400,7 +402,6 @@ TEST(Retarget, ManyJointsWithoutChannelsAndManyFrames) {
 }
 
 TEST(PairJoints, ExactlyThenLoosely) {
-  using Names = std::vector<std::string>;
   using Pairs = std::vector<int>;
   EXPECT_EQ(pair_joints({"a", "b", "c"}, {"c", "a"}), (Pairs{1, kNone, 0}));
   EXPECT_EQ(pair_joints({"mixamorig:Hips", "LeftArm"}, {"left_arm", "hips"}), (Pairs{1, 0}));
