@@ -106,7 +106,8 @@ Status open(marrow::Span<const std::byte> bytes, const gles3::SkinnerOptions& ho
   marrow::File file;
   Status status = load(bytes, file);
   if (status != Status::ok) return status;
-  if (status = make_animations(file, file, block_of(animations_bytes(file, file)), game.animations); status != Status::ok)
+  if (status = make_animations(file, file, block_of(animations_bytes(file, file)), game.animations);
+      status != Status::ok)
     return status;
   game.walk = find_animation(game.animations, "walk");
   if (game.walk == nullptr) return Status::mismatch;
