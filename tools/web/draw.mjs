@@ -12,7 +12,7 @@ import { execFileSync, spawn } from 'node:child_process';
 const kMostWrong = 0.005, kLeastInside = 0.05, kMost_s = 120;
 const kNearer = 1.5;  // as many pixels must differ from the picture by the other deformer
 const kWidth = 640, kHeight = 480, kDistance_m = 4.6, kFrames = 32, kDt_s = 1 / 64;  // exact in binary
-const kCases = ['ssd', 'as'].flatMap((deformer) => ['ubo', 'texture'].map((how) => ({
+const kCases = ['ssd', 'as'].flatMap((deformer) => ['ubo', 'texture', 'cpu'].map((how) => ({
   name: `${deformer}_${how}`, deformer, path: how, width: kWidth, height: kHeight, frames: kFrames, dt_s: kDt_s,
   distance_m: kDistance_m })));
 
