@@ -66,6 +66,11 @@ compare_bits() {
   [ $? -eq 3 ] && echo "SKIPPED: bits of poses by some compilers or processors" >&2
 }
 
+check_web() {
+  tools/check_web.sh build/release/tools/marrow && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: WebGL 2 in a browser" >&2
+}
+
 check_fbx() {
   tools/check_fbx.sh build/release/tools/marrow && return 0
   [ $? -eq 3 ] && echo "SKIPPED: FBX, by Blender" >&2
@@ -112,6 +117,7 @@ case "${1:-}" in
     timed "same bytes everywhere" compare_bytes
     timed "same bits everywhere" compare_bits
     timed "FBX, by Blender" check_fbx
+    timed "WebGL 2, in Chromium" check_web
     timed "installed, in a game" tools/check_install.sh
     timed "libFuzzer, 30 s a target" fuzz
     ;;
