@@ -43,7 +43,8 @@ TEST(Misuse, TheDescriptionOfCHasARowOfEveryFunctionInTheHeaders) {
 }
 
 TEST(ThreadsPage, NamesEveryFunctionInTheHeaders) {
-  expect_each_named_in("docs/threads.md", [](const std::string& header) { return header != "glm.h"; });
+  expect_each_named_in("docs/threads.md",
+                       [](const std::string& header) { return header != "glm.h" && header != "c.h"; });
 }
 
 TEST(Misuse, IsRefusedOrHarmless) {
