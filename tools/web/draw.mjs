@@ -114,7 +114,7 @@ const failure = await new Promise((done) => {
       '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-gpu-watchdog', '--disable-hang-monitor',
       '--disable-dev-shm-usage', '--disable-quic', '--no-first-run', '--disable-background-networking',
       '--disable-component-update', '--disable-sync', `--user-data-dir=${path.join(work, 'profile')}`,
-      `http://127.0.0.1:${server.address().port}/page.html`], { stdio: ['ignore', 'ignore', 'pipe'] });
+      `http://127.0.0.1:${server.address().port}/page.html`], { stdio: ['ignore', 'ignore', 'pipe'], detached: true });
     chromium.stderr.on('data', (text) => process.env.MARROW_VERBOSE && process.stderr.write(text));
     chromium.on('error', (error) => done(error.message));
     chromium.on('exit', () => done('Chromium ended before the page did'));
@@ -123,7 +123,12 @@ const failure = await new Promise((done) => {
 });
 chromium.removeAllListeners('exit');
 const ended = new Promise((done) => chromium.on('exit', done));
-if (chromium.pid && chromium.exitCode === null && chromium.kill()) await ended;
-fs.rmSync(work, { recursive: true, force: true, maxRetries: 5 });
+// Its processes are a group, so that none is left that writes to the profile.
+if (chromium.pid && chromium.exitCode === null && process.kill(-chromium.pid, 'SIGKILL')) await ended;
+try {
+  fs.rmSync(work, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
+} catch (error) {
+  console.error(`draw: ${work} is left behind: ${error.code}`);
+}
 if (failure) console.error(`draw: ${failure}`);
 process.exit(failure || !good || judged !== kCases.length ? 1 : 0);
