@@ -192,6 +192,7 @@ struct Rig {
     top.translation = {3, 0, -2};
     top.rotation = glm::angleAxis(-glm::half_pi<double>(), glm::dvec3(1, 0, 0));
     top.scale = glm::dvec3(0.01);
+    const glm::dvec3 here = top.translation;  // `top` goes as nodes are added
     RawSkin& skin = scene.skins.emplace_back();
     std::vector<glm::dmat4> to_scene = {glm::translate(glm::dmat4(1.0), top.translation) *
                                         glm::mat4_cast(top.rotation) * glm::scale(glm::dmat4(1.0), top.scale)};
@@ -201,7 +202,7 @@ struct Rig {
       RawNode& node = scene.nodes.emplace_back();
       node.name = bones[b].name;
       node.parent = bones[b].parent + 1;
-      node.translation = glm::dvec3(glm::inverse(to_scene[up]) * glm::dvec4(top.translation + bones[b].place, 1));
+      node.translation = glm::dvec3(glm::inverse(to_scene[up]) * glm::dvec4(here + bones[b].place, 1));
       const auto angle = static_cast<double>(b);
       const glm::dquat turned =
           glm::normalize(glm::dquat(std::cos(angle), std::sin(2 * angle), 0.4, std::cos(3 * angle)));
