@@ -20,11 +20,20 @@ static void add(const void* words, size_t count) {
   for (i = 0; i < count; ++i) hash = (hash ^ ((const uint32_t*)words)[i]) * 16777619u;
 }
 
-// Never freed: it is there until the program ends.
+// All memory, which goes back as the program ends.
+static void* taken[256];
+static size_t taken_count = 0;
+
+static void give_back(void) {
+  while (taken_count > 0) free(taken[--taken_count]);
+}
+
 static mrw_block block_of(size_t bytes) {
   mrw_block block;
   void* const memory = malloc(mrw_block_bytes(bytes));
-  if (memory == NULL) exit(1);
+  if (memory == NULL || taken_count == sizeof taken / sizeof taken[0]) exit(1);
+  if (taken_count == 0) atexit(give_back);
+  taken[taken_count++] = memory;
   TRY(mrw_block_in(memory, mrw_block_bytes(bytes), &block));
   return block;
 }

@@ -4,11 +4,22 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Memory that the runtime works in begins on a boundary of 16 bytes. It is there until the program ends. */
+/* All memory, which goes back as the program ends. */
+static void* taken[16];
+static int taken_count = 0;
+
+static void give_back(void) {
+  while (taken_count > 0) free(taken[--taken_count]);
+}
+
+/* Memory that the runtime works in begins on a boundary of 16 bytes. */
 static void* block_of(size_t bytes) {
   void* const memory = malloc(mrw_block_bytes(bytes));
   mrw_block block = {NULL, 0};
-  if (memory == NULL || mrw_block_in(memory, mrw_block_bytes(bytes), &block) != MRW_OK) exit(1);
+  if (memory == NULL || taken_count == 16) exit(1);
+  if (taken_count == 0) atexit(give_back);
+  taken[taken_count++] = memory;
+  if (mrw_block_in(memory, mrw_block_bytes(bytes), &block) != MRW_OK) exit(1);
   return block.data;
 }
 
