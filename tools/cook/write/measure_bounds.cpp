@@ -285,7 +285,8 @@ std::vector<MeasuredBounds> measure_bounds(const tools::AlignedBytes& bytes) {
       if (file.clip(c).skeleton == s) clips.push_back(c);
     for (std::uint32_t m = 0; m < file.mesh_count(); ++m)
       if (file.mesh(m).skeleton == s) meshes.push_back(m);
-    if (clips.empty() || meshes.empty()) continue;
+    // Of thousands, which no character has, posing all meshes at every moment would take minutes: theirs stay unknown.
+    if (clips.empty() || meshes.empty() || meshes.size() > kMostMeasuredMeshes) continue;
     MeasuredBounds made;
     made.header = {s, static_cast<std::uint32_t>(clips.size()), static_cast<std::uint32_t>(meshes.size())};
     made.codes.resize(clips.size() * meshes.size());
