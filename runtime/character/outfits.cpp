@@ -4,7 +4,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "core/memory.h"
-#include "marrow/block.h"
+#include "core/off_boundary.h"
 #include "marrow/character.h"
 #include "marrow/outfit.h"
 
@@ -60,7 +60,7 @@ std::size_t outfit_bytes(const File& outfit) {
 Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out) {
   MARROW_MARK;
   MARROW_REQUIRE(holds(memory, outfit_bytes(outfit)));
-  MARROW_REQUIRE(is_on_boundary(memory.data));
+  MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   if (outfit.skeleton_count() == 0) return Status::mismatch;
   Memory taken{memory.data};
   const OutfitPieces pieces = lay_out(outfit, taken);

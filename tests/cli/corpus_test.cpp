@@ -21,7 +21,7 @@ constexpr bool kIsSanitized = true;
 #else
 constexpr bool kIsSanitized = false;
 #endif
-constexpr double kMostSeconds = 20;  // of processor; 20 000 meshes take Draco 0.4 ms each here, and machines differ
+constexpr double kMostSeconds = 20;  // of processor; 20 000 meshes take half a millisecond each, and machines differ
 constexpr std::size_t kMostBytes = 64 << 20, kMostBytesAByte = 32;
 
 std::vector<fs::path> inputs() {

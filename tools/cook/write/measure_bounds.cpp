@@ -170,21 +170,44 @@ void centre_of(const format::BoundsCodes& codes, double (&out)[3]) {
   for (int c = 0; c < 3; ++c) out[c] = step * (double{1} * codes.box_min[c] + codes.box_max[c]) / 2;
 }
 
-// The sphere's radius about the centre of the decoded box. Poses that may reach furthest come first.
-double measure_radius(Stage& stage, std::uint32_t clip, std::uint32_t mesh, const Moments& moments,
-                      const Motion& motion) {
-  double centre[3];
-  centre_of(motion.codes, centre);
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < motion.poses.size(); ++i) order.emplace_back(motion.poses[i].farthest_from(centre), i);
-  std::sort(order.begin(), order.end(), std::greater<>());
-  double radius = 0;
-  for (const auto& [most, i] : order) {
-    if (!(most > radius)) break;
-    stage.show(clip, moments.times_s[i], {mesh},
-               [&](std::uint32_t, const std::vector<float>& p) { radius = std::max(radius, farthest(p, centre)); });
+// The radii of the meshes' spheres, each about the centre of its decoded box. Every moment is posed twice at most,
+// however many meshes there are: first for those that may reach furthest in it, then for those that may go beyond what
+// was found.
+std::vector<double> measure_radii(Stage& stage, std::uint32_t clip, const std::vector<std::uint32_t>& meshes,
+                                  const std::vector<std::size_t>& place, const Moments& moments,
+                                  const std::vector<Motion>& motions) {
+  struct Centre {
+    double at[3];
+  };
+  std::vector<Centre> centres(meshes.size());
+  std::vector<std::size_t> first(meshes.size(), 0);
+  std::vector<double> radii(meshes.size(), 0);
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    centre_of(motions[m].codes, centres[m].at);
+    double furthest = 0;
+    for (std::size_t i = 0; i < motions[m].poses.size(); ++i) {
+      const double most = motions[m].poses[i].farthest_from(centres[m].at);
+      if (!(most > furthest)) continue;
+      furthest = most;
+      first[m] = i;
+    }
   }
-  return std::min(radius + motion.wider, motion.all.farthest_from(centre));
+  const auto pose = [&](std::size_t moment, const auto& counts) {
+    std::vector<std::uint32_t> shown;
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+      if (counts(m)) shown.push_back(meshes[m]);
+    if (shown.empty()) return;
+    stage.show(clip, moments.times_s[moment], shown, [&](std::uint32_t mesh, const std::vector<float>& p) {
+      const std::size_t m = place[mesh];
+      radii[m] = std::max(radii[m], farthest(p, centres[m].at));
+    });
+  };
+  for (std::size_t i = 0; i < moments.times_s.size(); ++i) pose(i, [&](std::size_t m) { return first[m] == i; });
+  for (std::size_t i = 0; i < moments.times_s.size(); ++i)
+    pose(i, [&](std::size_t m) { return motions[m].poses[i].farthest_from(centres[m].at) > radii[m]; });
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    radii[m] = std::min(radii[m] + motions[m].wider, motions[m].all.farthest_from(centres[m].at));
+  return radii;
 }
 
 std::vector<Motion> measure_clip(const File& file, std::uint32_t clip, const std::vector<std::uint32_t>& meshes) {
@@ -200,12 +223,12 @@ std::vector<Motion> measure_clip(const File& file, std::uint32_t clip, const std
     stage.show(clip, moments.times_s[i], meshes, [&](std::uint32_t m, const std::vector<float>& positions) {
       add_positions(positions, out[place[m]].poses[i]);
     });
-  for (std::size_t m = 0; m < out.size(); ++m) {
-    Motion& motion = out[m];
+  for (Motion& motion : out) {
     motion.take_in(moments);
     motion.codes = encode_box(motion.all.least, motion.all.most);
-    motion.codes.radius = encode_radius(motion.codes, measure_radius(stage, clip, meshes[m], moments, motion));
   }
+  const std::vector<double> radii = measure_radii(stage, clip, meshes, place, moments, out);
+  for (std::size_t m = 0; m < out.size(); ++m) out[m].codes.radius = encode_radius(out[m].codes, radii[m]);
   return out;
 }
 
@@ -285,8 +308,7 @@ std::vector<MeasuredBounds> measure_bounds(const tools::AlignedBytes& bytes) {
       if (file.clip(c).skeleton == s) clips.push_back(c);
     for (std::uint32_t m = 0; m < file.mesh_count(); ++m)
       if (file.mesh(m).skeleton == s) meshes.push_back(m);
-    // Of thousands, which no character has, posing all meshes at every moment would take minutes: theirs stay unknown.
-    if (clips.empty() || meshes.empty() || meshes.size() > kMostMeasuredMeshes) continue;
+    if (clips.empty() || meshes.empty()) continue;
     MeasuredBounds made;
     made.header = {s, static_cast<std::uint32_t>(clips.size()), static_cast<std::uint32_t>(meshes.size())};
     made.codes.resize(clips.size() * meshes.size());
