@@ -15,6 +15,7 @@ namespace {
 constexpr double kMostGap_s = 1.0 / 60, kLeastGap_s = 1e-4;
 constexpr std::size_t kMostPosesBetween = 240;     // poses between two keys
 constexpr std::size_t kMostVertices = 60'000'000;  // skinned a clip and pass
+constexpr std::size_t kMostExtents = 1'000'000;    // kept a clip, one a mesh and moment: 48 MB
 
 struct Extent {
   double least[3] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -210,11 +211,16 @@ std::vector<double> measure_radii(Stage& stage, std::uint32_t clip, const std::v
   return radii;
 }
 
-std::vector<Motion> measure_clip(const File& file, std::uint32_t clip, const std::vector<std::uint32_t>& meshes) {
-  Stage stage(file);
+// The moments of a clip at which these meshes are posed.
+Moments moments_for(const File& file, std::uint32_t clip, const std::vector<std::uint32_t>& meshes) {
   std::size_t slots = 1;
   for (const std::uint32_t m : meshes) slots += file.mesh(m).geometry.slot_count;
-  const Moments moments = moments_of(file.clip(clip), std::max<std::size_t>(16, kMostVertices / slots));
+  return moments_of(file.clip(clip), std::max<std::size_t>(16, kMostVertices / slots));
+}
+
+std::vector<Motion> measure_clip(const File& file, std::uint32_t clip, const std::vector<std::uint32_t>& meshes) {
+  Stage stage(file);
+  const Moments moments = moments_for(file, clip, meshes);
   std::vector<std::size_t> place(file.mesh_count());
   for (std::size_t i = 0; i < meshes.size(); ++i) place[meshes[i]] = i;
   std::vector<Motion> out(meshes.size());
@@ -309,6 +315,10 @@ std::vector<MeasuredBounds> measure_bounds(const tools::AlignedBytes& bytes) {
     for (std::uint32_t m = 0; m < file.mesh_count(); ++m)
       if (file.mesh(m).skeleton == s) meshes.push_back(m);
     if (clips.empty() || meshes.empty()) continue;
+    const auto is_too_much = [&](std::uint32_t clip) {
+      return moments_for(file, clip, meshes).times_s.size() > kMostExtents / meshes.size();
+    };
+    if (std::ranges::any_of(clips, is_too_much)) continue;
     MeasuredBounds made;
     made.header = {s, static_cast<std::uint32_t>(clips.size()), static_cast<std::uint32_t>(meshes.size())};
     made.codes.resize(clips.size() * meshes.size());

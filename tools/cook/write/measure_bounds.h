@@ -21,6 +21,8 @@ struct MeasuredBounds {
 // gaps are 1/60 s; vertices are skinned by all deformers that a mesh was cooked for, at all levels of detail. What a
 // curve between two poses may add is added. Codes are rounded outwards. Cost: of the order of a CPU-skinned playback;
 // of clips of more than 60 million vertices keys are left out evenly.
+// None of a skeleton whose meshes, times the moments of a clip, are more than a million: as of a thousand meshes in a
+// clip of 16 s.
 std::vector<MeasuredBounds> measure_bounds(const tools::AlignedBytes& file);
 
 // The moments of a clip whose poses measure_bounds() takes, ascending; `is_key` says which are keys.
