@@ -6,7 +6,8 @@ precision highp int;
 
 uniform highp sampler2D marrow_palettes;    // of every frame
 uniform highp usampler2D marrow_instances;  // eight texels each
-uniform int marrow_crowd[3];                // ticks of the clock; rows of a palette; instances
+// Ticks of the clock; rows of a palette; instances end before this one, and begin with this.
+uniform int marrow_crowd[4];
 layout(location = 0) out uvec4 bits;
 
 uvec4 instance_texel(int instance, int texel) {
@@ -41,7 +42,7 @@ void add(int row, float share, inout vec4 x, inout vec4 y, inout vec4 z) {
 void main() {
   int texel = int(gl_FragCoord.y) * 2048 + int(gl_FragCoord.x);
   int instance = texel / marrow_crowd[1];
-  if (instance >= marrow_crowd[2]) discard;
+  if (instance >= marrow_crowd[2] || instance < marrow_crowd[3]) discard;
   int row = texel - instance * marrow_crowd[1];
   int first = row / 3 * 3;
 

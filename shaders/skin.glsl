@@ -9,6 +9,7 @@
 //   MARROW_PALETTES        0 in a uniform block, 1 in a texture, 2 in one that crowd.frag has written
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
+//   MARROW_MOTION          1: where the vertex was in the frame before, too
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
 // (GpuMesh::bind). Rows of vec4, never mat4: some drivers pad or transpose arrays of matrices.
@@ -57,6 +58,9 @@ MARROW_IN(1) vec2 in_weights0;
 #endif
 #else
 MARROW_IN(0) vec3 in_position;
+#if MARROW_DEFORMER == 0 && MARROW_MOTION
+MARROW_IN(1) vec3 in_previous_position;
+#endif
 #endif
 #endif
 
@@ -65,7 +69,7 @@ MARROW_IN(8) uvec4 in_joints0;  // palette entries; the largest weight comes fir
 #if MARROW_INFLUENCES == 8 && MARROW_DEFORMER != 1
 MARROW_IN(9) uvec4 in_joints1;
 #endif
-// Row r of matrix j of the palette is marrow_row(3 j + r).
+// Row r of matrix j of the palette is marrow_row(3 j + r); of the frame before's, marrow_previous_row(3 j + r).
 #if MARROW_PALETTES == 0
 layout(std140) uniform MarrowPalette {
   vec4 marrow_rows[3 * MARROW_PALETTE_JOINTS];
@@ -73,25 +77,41 @@ layout(std140) uniform MarrowPalette {
 vec4 marrow_row(int i) {
   return marrow_rows[i];
 }
+#if MARROW_MOTION
+layout(std140) uniform MarrowPreviousPalette {
+  vec4 marrow_previous_rows[3 * MARROW_PALETTE_JOINTS];
+};
+vec4 marrow_previous_row(int i) {
+  return marrow_previous_rows[i];
+}
+#endif
 #else
 #if MARROW_PALETTES == 2
-uniform highp usampler2D marrow_palettes;  // 2048 wide; a texel is a row, by the bits of its floats
+#define MarrowPalettes highp usampler2D  // 2048 wide; a texel is a row, by the bits of its floats
+#define marrow_floats(Texel) uintBitsToFloat(Texel)
 #else
-uniform highp sampler2D marrow_palettes;  // 2048 wide; a texel is a row
+#define MarrowPalettes highp sampler2D  // 2048 wide; a texel is a row
+#define marrow_floats(Texel) (Texel)
 #endif
+uniform MarrowPalettes marrow_palettes;
 uniform ivec2 marrow_first_row;  // of the first instance; from one instance to the next
-vec4 marrow_row(int i) {
+ivec2 marrow_texel(int i) {
 #if MARROW_COMPUTE
   int row = marrow_first_row.x + i;
 #else
   int row = marrow_first_row.x + gl_InstanceID * marrow_first_row.y + i;
 #endif
-#if MARROW_PALETTES == 2
-  return uintBitsToFloat(texelFetch(marrow_palettes, ivec2(row & 2047, row >> 11), 0));
-#else
-  return texelFetch(marrow_palettes, ivec2(row & 2047, row >> 11), 0);
-#endif
+  return ivec2(row & 2047, row >> 11);
 }
+vec4 marrow_row(int i) {
+  return marrow_floats(texelFetch(marrow_palettes, marrow_texel(i), 0));
+}
+#if MARROW_MOTION
+uniform MarrowPalettes marrow_previous_palettes;  // the same instances, at the same places
+vec4 marrow_previous_row(int i) {
+  return marrow_floats(texelFetch(marrow_previous_palettes, marrow_texel(i), 0));
+}
+#endif
 #endif
 #endif
 
@@ -136,13 +156,18 @@ uniform vec4 marrow_morph_targets[MARROW_MORPH_TARGETS];  // first texel; weight
 uniform int marrow_morph_count;
 uniform int marrow_morph_shift;    // the texture is 1 << this wide
 uniform int marrow_morph_per_row;  // texels
+#if MARROW_MOTION
+uniform vec4 marrow_previous_targets[MARROW_MORPH_TARGETS];
+uniform int marrow_previous_count;
+#endif
 #endif
 
 // Scene space. What the mesh lacks is zero.
 struct MarrowVertex {
   vec3 position;
   vec3 normal;
-  vec4 tangent;  // w: handedness
+  vec4 tangent;            // w: handedness
+  vec3 previous_position;  // in the frame before; the position where MARROW_MOTION is 0
 };
 
 vec3 marrow_unit(vec3 v) {
@@ -231,6 +256,52 @@ void marrow_add(float weight, uint joint, inout vec4 x, inout vec4 y, inout vec4
   x += weight * marrow_row(row);
   y += weight * marrow_row(row + 1);
   z += weight * marrow_row(row + 2);
+}
+#endif
+
+#if MARROW_MOTION && MARROW_DEFORMER != 0
+// M q, by the palette of the frame before.
+vec3 marrow_was(vec4 q, uint joint) {
+  int row = 3 * int(joint);
+  return vec3(dot(marrow_previous_row(row), q), dot(marrow_previous_row(row + 1), q),
+              dot(marrow_previous_row(row + 2), q));
+}
+
+// Every deformer is a sum of M q here: q = w (p, 1) by SSD.
+vec3 marrow_previous() {
+  vec3 change = vec3(0.0);
+#if MARROW_MORPH_TARGETS
+  int row = (int(in_morph_row) - 1) * marrow_morph_per_row;
+  for (int i = 0; in_morph_row != 0u && i < marrow_previous_count; ++i) {
+    vec4 target = marrow_previous_targets[i];
+    change += target.y * marrow_change(int(target.x) + row);
+  }
+#endif
+#if MARROW_DEFORMER == 3
+#define MARROW_WAS(Coordinate, Joint) marrow_was(Coordinate + vec4(Coordinate.w * change, 0.0), Joint)
+  vec3 p = MARROW_WAS(in_coordinate0, in_joints0.x) + MARROW_WAS(in_coordinate1, in_joints0.y) +
+           MARROW_WAS(in_coordinate2, in_joints0.z) + MARROW_WAS(in_coordinate3, in_joints0.w);
+#if MARROW_INFLUENCES == 8
+  p += MARROW_WAS(in_coordinate4, in_joints1.x) + MARROW_WAS(in_coordinate5, in_joints1.y) +
+       MARROW_WAS(in_coordinate6, in_joints1.z) + MARROW_WAS(in_coordinate7, in_joints1.w);
+#endif
+  return marrow_coordinate_scale * p;
+#else
+  vec4 q = vec4(in_position.xyz + change, 1.0);
+#if MARROW_DEFORMER == 1
+  return marrow_was(q, in_joints0.x);
+#else
+  float first = 1.0 - in_position.w - in_weights0.x - in_weights0.y;
+  vec3 p = marrow_was(in_position.w * q, in_joints0.y) + marrow_was(in_weights0.x * q, in_joints0.z) +
+           marrow_was(in_weights0.y * q, in_joints0.w);
+#if MARROW_INFLUENCES == 8
+  first -= in_weights0.z + in_weights0.w + in_weights1.x + in_weights1.y;
+  p += marrow_was(in_weights0.z * q, in_joints1.x) + marrow_was(in_weights0.w * q, in_joints1.y) +
+       marrow_was(in_weights1.x * q, in_joints1.z) + marrow_was(in_weights1.y * q, in_joints1.w);
+#endif
+  return p + marrow_was(first * q, in_joints0.x);
+#endif
+#endif
 }
 #endif
 
@@ -329,6 +400,13 @@ MarrowVertex marrow_skin() {
                    in_tangent.y < 0.0 ? -mirrored : mirrored);
 #endif
 #endif
+#endif
+#if !MARROW_MOTION
+  v.previous_position = v.position;
+#elif MARROW_DEFORMER == 0
+  v.previous_position = in_previous_position;
+#else
+  v.previous_position = marrow_previous();
 #endif
   return v;
 }

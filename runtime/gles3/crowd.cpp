@@ -68,9 +68,45 @@ void bind_textures(const Api& api, const Program& program, std::uint32_t palette
   if (program.instances >= 0) api.Uniform1i(program.instances, static_cast<int>(unit + 1));
 }
 
+BadCall check_blending(const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
+                       double time_s, const Program& program) {
+  MARROW_CHECK(program.crowd >= 0 && "a program from build_crowd_program()");
+  MARROW_CHECK(is_there(first, count, crowd) && mesh.joints > 0);
+  MARROW_CHECK(has_ticks(time_s));
+  MARROW_CHECK(count == 0 || crowd.frame_count == mesh.frame_count);
+  return {};
+}
+
+// Where palettes are written to, and whose.
+struct Blending {
+  std::uint32_t framebuffer;
+  std::uint32_t first, count;   // lines with palettes of these are drawn to
+  std::uint32_t least, behind;  // and in them those of instances from `least` on and before `behind` written
+};
+
+Status blend(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, const Blending& to, double time_s,
+             std::uint32_t texture_unit, const Program& program) {
+  if (crowd.lost || mesh.lost) return Status::gl_error;
+  if (to.first + to.count > mesh.capacity) return Status::unsupported;
+  const std::uint32_t rows = 3 * mesh.joints;
+  const auto line = static_cast<int>(std::uint64_t{rows} * to.first / kPaletteTextureWidth);
+  const auto end = static_cast<int>((std::uint64_t{rows} * (to.first + to.count) - 1) / kPaletteTextureWidth + 1);
+  bind_textures(api, program, mesh.frames_texture, crowd.texture, texture_unit);
+  const int values[4] = {static_cast<int>(ticks_of(time_s)), static_cast<int>(rows), static_cast<int>(to.behind),
+                         static_cast<int>(to.least)};
+  api.Uniform1iv(program.crowd, 4, values);
+  api.BindFramebuffer(kGlFramebuffer, to.framebuffer);
+  api.Viewport(0, line, static_cast<int>(kPaletteTextureWidth), end - line);
+  api.BindVertexArray(0);
+  api.DrawArrays(kGlTriangles, 0, 3);
+  api.BindFramebuffer(kGlFramebuffer, 0);
+  return Status::ok;
+}
+
 ProgramKey drawing_key(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features, const ProgramSet& programs,
                        std::uint32_t role) {
-  return {deformer, mesh.gpu.influences, features_read(programs, role, mesh.gpu, deformer, features), Palettes::crowd};
+  return {deformer, mesh.gpu.influences, features_read(programs, role, mesh.gpu, deformer, features, mesh.motion),
+          Palettes::crowd};
 }
 
 }  // namespace
@@ -156,28 +192,30 @@ const Program& blending_program_of(const ProgramSet& programs) {
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                    double time_s, std::uint32_t texture_unit, const Program& program) {
   MARROW_MARK;
-  MARROW_REQUIRE(program.crowd >= 0 && "a program from build_crowd_program()");
-  MARROW_REQUIRE(is_there(first, count, crowd) && mesh.joints > 0);
-  MARROW_REQUIRE(has_ticks(time_s));
+  MARROW_REQUIRE_GOOD(check_blending(crowd, mesh, first, count, time_s, program));
   if (count == 0) return Status::ok;
-  const std::uint32_t now = ticks_of(time_s);
-  MARROW_REQUIRE(crowd.frame_count == mesh.frame_count);
-  if (crowd.lost || mesh.lost) return Status::gl_error;
-  if (first + count > mesh.capacity) return Status::unsupported;
-  // Whole lines: of instances that share one with these too.
-  const std::uint32_t rows = 3 * mesh.joints;
-  const auto line = static_cast<int>(std::uint64_t{rows} * first / kPaletteTextureWidth);
-  const auto end = static_cast<int>((std::uint64_t{rows} * (first + count) - 1) / kPaletteTextureWidth + 1);
+  // Of all that there are: whole lines, so those of instances that share one with these too.
   const std::uint32_t known = crowd.count < mesh.capacity ? crowd.count : mesh.capacity;
-  bind_textures(api, program, mesh.frames_texture, crowd.texture, texture_unit);
-  const int values[3] = {static_cast<int>(now), static_cast<int>(rows), static_cast<int>(known)};
-  api.Uniform1iv(program.crowd, 3, values);
-  api.BindFramebuffer(kGlFramebuffer, mesh.framebuffer);
-  api.Viewport(0, line, static_cast<int>(kPaletteTextureWidth), end - line);
-  api.BindVertexArray(0);
-  api.DrawArrays(kGlTriangles, 0, 3);
-  api.BindFramebuffer(kGlFramebuffer, 0);
-  return Status::ok;
+  return blend(api, crowd, mesh, {mesh.framebuffer, first, count, 0, known}, time_s, texture_unit, program);
+}
+
+void begin_frame(CrowdMesh& mesh) {
+  if (!mesh.motion) return;
+  const std::uint32_t texture = mesh.blended_texture, framebuffer = mesh.framebuffer;
+  mesh.blended_texture = mesh.previous_texture;
+  mesh.framebuffer = mesh.previous_framebuffer;
+  mesh.previous_texture = texture;
+  mesh.previous_framebuffer = framebuffer;
+}
+
+Status blend_previous_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
+                            std::uint32_t count, double time_s, std::uint32_t texture_unit, const Program& program) {
+  MARROW_MARK;
+  MARROW_REQUIRE(mesh.motion);
+  MARROW_REQUIRE_GOOD(check_blending(crowd, mesh, first, count, time_s, program));
+  if (count == 0) return Status::ok;
+  return blend(api, crowd, mesh, {mesh.previous_framebuffer, first, count, first, first + count}, time_s, texture_unit,
+               program);
 }
 
 Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
@@ -185,9 +223,15 @@ Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std
   MARROW_REQUIRE(program.reads == Palettes::crowd);
   MARROW_REQUIRE(is_there(first, count, crowd) && mesh.joints > 0);
   MARROW_REQUIRE(crowd.frame_count == mesh.frame_count);
+  MARROW_REQUIRE(program.previous_palettes < 0 || mesh.motion);
   if (crowd.lost || mesh.lost) return Status::gl_error;
   if (first + count > mesh.capacity) return Status::unsupported;
   bind_textures(api, program, mesh.blended_texture, crowd.texture, texture_unit);
+  if (program.previous_palettes >= 0) {
+    api.ActiveTexture(kGlTexture0 + texture_unit + 2);
+    api.BindTexture(kGlTexture2d, mesh.previous_texture);
+    api.Uniform1i(program.previous_palettes, static_cast<int>(texture_unit + 2));
+  }
   const std::uint32_t rows = 3 * mesh.joints;
   api.Uniform2i(program.first_row, static_cast<int>(rows * first), static_cast<int>(rows));
   return Status::ok;

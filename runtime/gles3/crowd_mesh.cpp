@@ -64,31 +64,41 @@ void put_frames(const Api& api, const CrowdMesh& crowd_mesh) {
 
 void forget_objects(CrowdMesh& mesh) {
   mesh.gpu = {};
-  mesh.frames_texture = mesh.blended_texture = mesh.framebuffer = 0;
+  mesh.frames_texture = mesh.blended_texture = mesh.previous_texture = 0;
+  mesh.framebuffer = mesh.previous_framebuffer = 0;
 }
 
 void destroy_objects(const Api& api, CrowdMesh& mesh) {
-  const std::uint32_t textures[] = {mesh.frames_texture, mesh.blended_texture};
-  api.DeleteFramebuffers(1, &mesh.framebuffer);
-  api.DeleteTextures(2, textures);
+  const std::uint32_t textures[] = {mesh.frames_texture, mesh.blended_texture, mesh.previous_texture};
+  const std::uint32_t framebuffers[] = {mesh.framebuffer, mesh.previous_framebuffer};
+  api.DeleteFramebuffers(2, framebuffers);
+  api.DeleteTextures(3, textures);
   destroy(api, mesh.gpu);
   forget_objects(mesh);
 }
 
-// The textures, and the framebuffer. Errors are GL's to tell, but for the result: whether it can be drawn to.
+// A texture of the palettes of all instances, and a framebuffer around it. Gives whether it can be drawn to.
+bool make_blended(const Api& api, const CrowdMesh& mesh, std::uint32_t& texture, std::uint32_t& framebuffer) {
+  texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kPaletteTextureWidth,
+                         lines_of(mesh.capacity, mesh.joints));
+  api.BindTexture(kGlTexture2d, 0);
+  api.GenFramebuffers(1, &framebuffer);
+  api.BindFramebuffer(kGlFramebuffer, framebuffer);
+  api.FramebufferTexture2D(kGlFramebuffer, kGlColorAttachment0, kGlTexture2d, texture, 0);
+  const bool complete = api.CheckFramebufferStatus(kGlFramebuffer) == kGlFramebufferComplete;
+  api.BindFramebuffer(kGlFramebuffer, 0);
+  label(api, kGlTexture, texture, {label_of(mesh.mesh), ": blended palettes"});
+  label(api, kGlFramebuffer, framebuffer, {label_of(mesh.mesh), ": blended palettes"});
+  return complete;
+}
+
+// The textures, and the framebuffers. Errors are GL's to tell, but for the result: whether they can be drawn to.
 bool make_textures(const Api& api, CrowdMesh& mesh) {
   mesh.frames_texture =
       make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kPaletteTextureWidth, lines_of(mesh.frame_count, mesh.joints));
   put_frames(api, mesh);
-  mesh.blended_texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kPaletteTextureWidth,
-                                      lines_of(mesh.capacity, mesh.joints));
-  api.BindTexture(kGlTexture2d, 0);
-  api.GenFramebuffers(1, &mesh.framebuffer);
-  api.BindFramebuffer(kGlFramebuffer, mesh.framebuffer);
-  api.FramebufferTexture2D(kGlFramebuffer, kGlColorAttachment0, kGlTexture2d, mesh.blended_texture, 0);
-  const bool complete = api.CheckFramebufferStatus(kGlFramebuffer) == kGlFramebufferComplete;
-  api.BindFramebuffer(kGlFramebuffer, 0);
-  return complete;
+  const bool complete = make_blended(api, mesh, mesh.blended_texture, mesh.framebuffer);
+  return complete && (!mesh.motion || make_blended(api, mesh, mesh.previous_texture, mesh.previous_framebuffer));
 }
 
 // Of a mesh that has none; all of them, or none.
@@ -104,8 +114,6 @@ Status make_objects(const Api& api, const Caps& caps, CrowdMesh& mesh) {
     return Status::gl_error;
   }
   label(api, kGlTexture, mesh.frames_texture, {label_of(mesh.mesh), ": frames"});
-  label(api, kGlTexture, mesh.blended_texture, {label_of(mesh.mesh), ": blended palettes"});
-  label(api, kGlFramebuffer, mesh.framebuffer, {label_of(mesh.mesh), ": blended palettes"});
   return Status::ok;
 }
 
@@ -125,7 +133,8 @@ std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options) {
 }
 
 Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
-                         const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out) {
+                         const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out,
+                         bool motion) {
   MARROW_REQUIRE(capacity > 0 && frames.frame_count > 0);
   MARROW_REQUIRE_GOOD(check_mesh(mesh, options));
   MARROW_REQUIRE_GOOD(check_frames(frames));
@@ -137,6 +146,7 @@ Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, con
   made.joints = mesh.palette_size();
   made.frame_count = frames.frame_count;
   made.capacity = capacity;
+  made.motion = motion;
   made.mesh = mesh;
   made.options = options;
   made.frames = frames;

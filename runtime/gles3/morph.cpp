@@ -80,6 +80,48 @@ float magnitude(float x) {
   return x < 0 ? -x : x;
 }
 
+// The first texel of a target, then its weight times the step of positions, normals and tangents: what a program takes.
+struct TargetValues {
+  float values[kMorphTargets][4];
+  std::uint32_t count = 0;
+};
+
+BadCall choose_targets(const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights, TargetValues& out) {
+  const Span<const MorphTarget> targets = mesh.geometry.targets;
+  MARROW_CHECK(gpu.morph_texture != 0);
+  MARROW_CHECK(holds(weights, targets.size));
+  float reach[kMorphTargets];
+  for (std::size_t t = 0; t < targets.size; ++t) {
+    const MorphTarget& target = targets[t];
+    const float w = weights[t];
+    MARROW_CHECK(w - w == 0 && "weights are finite");
+    if (w == 0 || target.block_count == 0) continue;
+    // In the place of the one that moves least, if there is no room.
+    const float moves = magnitude(w) * (magnitude(target.position_step) + 1e-30f);
+    std::uint32_t at = out.count;
+    if (out.count == kMorphTargets) {
+      at = 0;
+      for (std::uint32_t i = 1; i < out.count; ++i)
+        if (reach[i] < reach[at]) at = i;
+      if (moves <= reach[at]) continue;
+    } else {
+      ++out.count;
+    }
+    reach[at] = moves;
+    out.values[at][0] = static_cast<float>(t * gpu.morph_texels);  // below 2^22
+    out.values[at][1] = w * target.position_step * gpu.morph_unit;
+    out.values[at][2] = w * target.normal_step;
+    out.values[at][3] = w * target.tangent_step;
+  }
+  return {};
+}
+
+void set_targets(const Api& api, const TargetValues& targets, std::int32_t count, std::int32_t values) {
+  if (count < 0) return;
+  api.Uniform1i(count, static_cast<int>(targets.count));
+  if (targets.count > 0) api.Uniform4fv(values, static_cast<int>(targets.count), targets.values[0]);
+}
+
 }  // namespace
 
 std::size_t morph_scratch_bytes(const Geometry& g) {
@@ -123,42 +165,23 @@ Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<st
 Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                   std::uint32_t texture_unit, const Program& program) {
   MARROW_MARK;
-  const Span<const MorphTarget> targets = mesh.geometry.targets;
-  MARROW_REQUIRE(gpu.morph_texture != 0);
   MARROW_REQUIRE(program.morph_changes >= 0 && "a program with kMorphs, in use");
-  MARROW_REQUIRE(holds(weights, targets.size));
-  float values[kMorphTargets][4];
-  float reach[kMorphTargets];
-  std::uint32_t count = 0;
-  for (std::size_t t = 0; t < targets.size; ++t) {
-    const MorphTarget& target = targets[t];
-    const float w = weights[t];
-    MARROW_REQUIRE(w - w == 0 && "weights are finite");
-    if (w == 0 || target.block_count == 0) continue;
-    // In the place of the one that moves least, if there is no room.
-    const float moves = magnitude(w) * (magnitude(target.position_step) + 1e-30f);
-    std::uint32_t at = count;
-    if (count == kMorphTargets) {
-      at = 0;
-      for (std::uint32_t i = 1; i < count; ++i)
-        if (reach[i] < reach[at]) at = i;
-      if (moves <= reach[at]) continue;
-    } else {
-      ++count;
-    }
-    reach[at] = moves;
-    values[at][0] = static_cast<float>(t * gpu.morph_texels);  // below 2^22
-    values[at][1] = w * target.position_step * gpu.morph_unit;
-    values[at][2] = w * target.normal_step;
-    values[at][3] = w * target.tangent_step;
-  }
+  TargetValues targets;
+  MARROW_REQUIRE_GOOD(choose_targets(mesh, gpu, weights, targets));
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, gpu.morph_texture);
   api.Uniform1i(program.morph_changes, static_cast<int>(texture_unit));
-  api.Uniform1i(program.morph_count, static_cast<int>(count));
   api.Uniform1i(program.morph_shift, gpu.morph_shift);
   api.Uniform1i(program.morph_per_row, gpu.morph_per_row);
-  if (count > 0) api.Uniform4fv(program.morph_targets, static_cast<int>(count), values[0]);
+  set_targets(api, targets, program.morph_count, program.morph_targets);
+  return Status::ok;
+}
+
+Status set_previous_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
+                           const Program& program) {
+  TargetValues targets;
+  MARROW_REQUIRE_GOOD(choose_targets(mesh, gpu, weights, targets));
+  set_targets(api, targets, program.previous_count, program.previous_targets);
   return Status::ok;
 }
 

@@ -48,6 +48,7 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
   MARROW_REQUIRE(holds(palettes, 1));
   if (palettes.size > texture.capacity) return Status::unsupported;
   texture.current = (texture.current + 1) % 3;
+  texture.previous_count = texture.count;
   texture.count = static_cast<std::uint32_t>(palettes.size);
   const std::uint32_t rows = 3 * static_cast<std::uint32_t>(palettes.size);
   const std::uint32_t whole = rows / kPaletteTextureWidth;
@@ -67,6 +68,18 @@ Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t
   api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
   api.Uniform1i(program.palettes, static_cast<int>(texture_unit));
   api.Uniform2i(program.first_row, static_cast<int>(3 * first), static_cast<int>(3 * joints));
+  return Status::ok;
+}
+
+Status bind_previous_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
+                             bool kept, std::uint32_t texture_unit, const Program& program) {
+  MARROW_REQUIRE(program.reads == Palettes::texture);
+  const std::uint32_t count = kept ? texture.previous_count : texture.count;
+  MARROW_REQUIRE(first < count && joints <= count - first);
+  if (program.previous_palettes < 0) return Status::ok;
+  api.ActiveTexture(kGlTexture0 + texture_unit);
+  api.BindTexture(kGlTexture2d, texture.textures[(texture.current + (kept ? 2 : 0)) % 3]);
+  api.Uniform1i(program.previous_palettes, static_cast<int>(texture_unit));
   return Status::ok;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 // Text in a fixed buffer; what does not fit would be a programming error here, so it is cut.
 struct Text {
-  char chars[640];
+  char chars[704];
   std::size_t size = 0;
 
   Text() { chars[0] = '\0'; }
@@ -52,6 +52,7 @@ Text preamble(const ProgramKey& key, bool compute) {
   text.define("MARROW_SURFACE_NORMALS", can && (key.features & kSurfaceNormals) != 0 ? 1 : 0);
   text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
+  text.define("MARROW_MOTION", (key.features & kMotion) != 0 ? 1 : 0);
   return text;
 }
 
@@ -107,7 +108,7 @@ void label_program(const Api& api, const ProgramKey& key, const char* role, std:
   label(api, kGlProgram, program,
         {"marrow: ", role, kDeformers[static_cast<std::size_t>(key.deformer)],
          key.influences == 8 ? ", 8 influences" : "", (key.features & kMorphs) != 0 ? ", morph targets" : "",
-         kPlaces[static_cast<std::size_t>(key.palettes)]});
+         (key.features & kMotion) != 0 ? ", motion" : "", kPlaces[static_cast<std::size_t>(key.palettes)]});
 }
 
 }  // namespace
@@ -145,8 +146,13 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   if (made.id == 0) return Status::gl_error;
 
   made.reads = key.palettes;
-  const std::uint32_t block = api.GetUniformBlockIndex(made.id, "MarrowPalette");
-  if (block != kGlInvalidIndex) api.UniformBlockBinding(made.id, block, palette_binding);
+  made.motion = (key.features & kMotion) != 0;
+  const auto tie = [&](const char* name, std::uint32_t binding) {
+    const std::uint32_t block = api.GetUniformBlockIndex(made.id, name);
+    if (block != kGlInvalidIndex) api.UniformBlockBinding(made.id, block, binding);
+  };
+  tie("MarrowPalette", palette_binding);
+  if (made.motion) tie("MarrowPreviousPalette", palette_binding + 1);
   const auto find = [&](const char* name) { return api.GetUniformLocation(made.id, name); };
   made.coordinate_scale = find("marrow_coordinate_scale");
   made.palettes = find("marrow_palettes");
@@ -159,6 +165,9 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   made.morph_count = find("marrow_morph_count");
   made.morph_shift = find("marrow_morph_shift");
   made.morph_per_row = find("marrow_morph_per_row");
+  made.previous_palettes = find("marrow_previous_palettes");
+  made.previous_targets = find("marrow_previous_targets");
+  made.previous_count = find("marrow_previous_count");
   label_program(api, key, texts.role, made.id);
   out = made;
   return Status::ok;

@@ -38,9 +38,10 @@ const Program* find_program(const ProgramSet& programs, const ProgramKey& key, s
 }
 
 std::uint8_t features_read(const ProgramSet& programs, std::uint32_t role, const GpuMesh& mesh, Deformer deformer,
-                           std::uint8_t wanted) {
+                           std::uint8_t wanted, bool motion) {
   if (role >= kMostRoles) return 0;
-  int features = mesh.features & wanted & programs.role_features[role] & ~kSurfaceNormals;
+  const int read = wanted & programs.role_features[role];
+  int features = (mesh.features & read & ~kSurfaceNormals) | (motion ? read & kMotion : 0);
   features |= mesh.features & kMorphs;
   if (deformer == Deformer::as && (features & (kNormals | kTangents)) != 0) features |= mesh.features & kSurfaceNormals;
   return static_cast<std::uint8_t>(features);

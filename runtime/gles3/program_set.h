@@ -26,9 +26,9 @@ inline const Program& program_or_none(const Program* found) {
 }
 
 // What a role's program reads of what a mesh has, if the game wants `wanted` of it. What skinning itself needs is no
-// choice.
+// choice. motion: whether the frame before is kept.
 std::uint8_t features_read(const ProgramSet& programs, std::uint32_t role, const GpuMesh& mesh, Deformer deformer,
-                           std::uint8_t wanted);
+                           std::uint8_t wanted, bool motion);
 
 // Compiles it unless it is there. Errors: unsupported (the set is full, no compute shaders); bad_argument; gl_error.
 Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, const ProgramKey& key, std::uint32_t role);

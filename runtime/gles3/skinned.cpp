@@ -72,6 +72,16 @@ void destroy(const Api& api, SkinnedMesh& mesh) {
   mesh = {};
 }
 
+Status set_previous(const Api& api, const SkinnedMesh& mesh, const SkinnedMesh& previous) {
+  MARROW_REQUIRE(mesh.slot_count == previous.slot_count);
+  api.BindVertexArray(mesh.array);
+  api.BindBuffer(kGlArrayBuffer, previous.buffer);
+  attribute(api, kPreviousLocation, 3, kGlFloat, false, 12, 0);
+  api.BindVertexArray(0);
+  api.BindBuffer(kGlArrayBuffer, 0);
+  return Status::ok;
+}
+
 Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices) {
   MARROW_MARK;
   const SkinnedBlocks blocks = blocks_of(mesh);

@@ -29,6 +29,25 @@ PrepareOptions prepare_options(const SkinnerOptions& options) {
   return {on_gpu && !as, on_gpu && as, as && on_gpu ? options.as_tangents : Span<const float>()};
 }
 
+bool has_ring(SkinningPath path) {
+  return path == SkinningPath::ubo || path == SkinningPath::feedback || path == SkinningPath::compute;
+}
+
+void lay_out_motion(Memory& memory, Skinner& s) {
+  SkinnerMotion& m = s.motion;
+  const std::size_t count = s.options.instances;
+  m.still = memory.take<std::uint8_t>(count);
+  m.reset = memory.take<std::uint8_t>(count);
+  if (skins_once(s.options.path)) {
+    m.skinned = memory.take<SkinnedMesh>(count);
+    return;
+  }
+  const std::size_t weights = count * s.mesh.geometry.targets.size;
+  m.weights = memory.take<float>(weights);
+  m.sent_weights = memory.take<float>(weights);
+  if (s.options.path == SkinningPath::ubo) m.offsets = memory.take<std::uint32_t>(count);
+}
+
 void lay_out(Memory& memory, Skinner& s, Span<std::byte>& morphed) {
   const Geometry& g = s.mesh.geometry;
   const std::size_t count = s.options.instances;
@@ -38,6 +57,7 @@ void lay_out(Memory& memory, Skinner& s, Span<std::byte>& morphed) {
   s.offsets = memory.take<std::uint32_t>(count);
   s.scratch = memory.take<std::byte>(prepare_scratch_bytes(s.mesh, prepare_options(s.options)));
   if (skins_once(s.options.path)) s.skinned = memory.take<SkinnedMesh>(count);
+  if (s.options.motion) lay_out_motion(memory, s);
   if (s.options.path != SkinningPath::cpu) return;
   const std::size_t slots = g.slot_count;
   s.positions = memory.take<float>(3 * slots);
@@ -48,7 +68,8 @@ void lay_out(Memory& memory, Skinner& s, Span<std::byte>& morphed) {
 }
 
 ProgramKey drawing_key(const Skinner& s, const ProgramSet& programs, std::uint32_t role) {
-  const std::uint8_t features = features_read(programs, role, s.gpu, s.options.deformer, s.options.features);
+  const std::uint8_t features =
+      features_read(programs, role, s.gpu, s.options.deformer, s.options.features, s.options.motion);
   if (skins_once(s.options.path))
     return {Deformer::none, 4, static_cast<std::uint8_t>(features & ~(kMorphs | kSurfaceNormals)),
             Palettes::uniform_block};
@@ -83,12 +104,22 @@ Status make_objects(const Api& api, const Caps& caps, Skinner& s) {
   const std::uint32_t joints = o.instances * s.mesh.palette_size();
   if (status == Status::ok && o.path == SkinningPath::texture)
     status = create_palette_texture(api, caps, joints, s.texture);
-  if (status == Status::ok &&
-      (o.path == SkinningPath::ubo || o.path == SkinningPath::feedback || o.path == SkinningPath::compute))
-    status = create_palette_ring(api, caps, joints, o.instances, s.ring);
-  for (std::size_t i = 0; i < s.skinned.size && status == Status::ok; ++i)
-    status = make_skinned(api, s.gpu, label_of(s.mesh), s.skinned[i]);
+  if (status == Status::ok && has_ring(o.path)) status = create_palette_ring(api, caps, joints, o.instances, s.ring);
+  if (status == Status::ok && o.motion && o.path == SkinningPath::ubo)
+    status = create_palette_ring(api, caps, joints, o.instances, s.motion.ring);
+  for (const Span<SkinnedMesh> all : {s.skinned, s.motion.skinned})
+    for (std::size_t i = 0; i < all.size && status == Status::ok; ++i)
+      status = make_skinned(api, s.gpu, label_of(s.mesh), all[i]);
   return status;
+}
+
+void destroy_objects(const Api& api, Skinner& s) {
+  for (const Span<SkinnedMesh> all : {s.skinned, s.motion.skinned})
+    for (SkinnedMesh& skinned : all) destroy(api, skinned);
+  destroy(api, s.texture);
+  destroy(api, s.motion.ring);
+  destroy(api, s.ring);
+  destroy(api, s.gpu);
 }
 
 Status check_device(const Caps& caps, const Mesh& mesh, const SkinnerOptions& o) {
@@ -138,12 +169,84 @@ Status upload_palettes(const Api& api, Skinner& s, std::uint32_t count) {
   return upload_palettes(api, s.texture, {s.palettes.data, std::size_t{count} * s.mesh.palette_size()});
 }
 
+template <class T>
+void swap(T& a, T& b) {
+  const T was = a;
+  a = b;
+  b = was;
+}
+
+// What the last update() left becomes the frame before.
+void take_turns(Skinner& s, std::uint32_t count) {
+  SkinnerMotion& m = s.motion;
+  if (s.options.path == SkinningPath::ubo) {
+    swap(s.ring, m.ring);
+    swap(s.offsets, m.offsets);
+  }
+  swap(s.skinned, m.skinned);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    m.still[i] = i >= s.updated || m.reset[i] != 0;
+    m.reset[i] = 0;
+  }
+  swap(m.weights, m.sent_weights);
+  for (std::size_t i = 0; i < m.sent_weights.size; ++i) m.sent_weights[i] = s.weights[i];
+}
+
+// The frame before, of characters first … first + count - 1, all of them still or none, for the program in use.
+Status bind_motion(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program,
+                   std::uint32_t first, std::uint32_t count) {
+  const SkinnerMotion& m = s.motion;
+  const bool still = m.still[first] != 0;
+  if (s.options.path == SkinningPath::texture) {
+    const std::uint32_t joints = s.mesh.palette_size();
+    const Status status = bind_previous_palette(api, s.texture, first * joints, count * joints, !still,
+                                                s.options.texture_unit + 2, program);
+    if (status != Status::ok) return status;
+  } else {
+    bind_palette(api, still ? s.ring : m.ring, still ? s.offsets[first] : m.offsets[first],
+                 programs.palette_binding + 1);
+  }
+  if (m.weights.empty()) return Status::ok;
+  const std::size_t targets = s.mesh.geometry.targets.size;
+  const Span<const float> weights((still ? m.sent_weights : m.weights).data + first * targets, targets);
+  return set_previous_morphs(api, s.mesh, s.gpu, weights, program);
+}
+
 // Whether a program reads what drawing gives it.
 bool may_draw(const Skinner& s, const Program& program) {
   if (skins_once(s.options.path)) return true;
   if (s.options.path == SkinningPath::texture && (program.reads != Palettes::texture || program.palettes < 0))
     return false;
   return s.weights.empty() || program.morph_changes >= 0;
+}
+
+// How many characters from `first` on one draw call draws.
+std::uint32_t drawn_together(const Skinner& s, const Program& program, std::uint32_t first, std::uint32_t end) {
+  if (s.options.path != SkinningPath::texture || !s.weights.empty()) return 1;
+  if (!program.motion) return end - first;
+  const Span<std::uint8_t> still = s.motion.still;
+  std::uint32_t behind = first + 1;
+  while (behind < end && still[behind] == still[first]) ++behind;
+  return behind - first;
+}
+
+Status draw_together(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program,
+                     std::uint32_t first, std::uint32_t count) {
+  if (skins_once(s.options.path)) {
+    draw(api, s.gpu, s.skinned[first]);
+    return Status::ok;
+  }
+  const std::uint32_t joints = s.mesh.palette_size(), unit = s.options.texture_unit;
+  Status status = Status::ok;
+  if (s.options.path == SkinningPath::texture) {
+    status = bind_palette(api, s.texture, first * joints, joints, unit, program);
+  } else {
+    bind_palette(api, s.ring, s.offsets[first], programs.palette_binding);
+  }
+  if (status == Status::ok && !s.weights.empty())
+    status = set_morphs(api, s.mesh, s.gpu, weights_of(s, first), unit + 1, program);
+  if (status == Status::ok && program.motion) status = bind_motion(api, s, programs, program, first, count);
+  return status == Status::ok ? draw(api, s.gpu, s.options.deformer, program, count) : status;
 }
 
 // Of characters whose palettes are in the ring.
@@ -210,12 +313,7 @@ Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const 
 }
 
 void destroy(const Api& api, Skinner& s) {
-  if (!s.lost) {
-    for (SkinnedMesh& skinned : s.skinned) destroy(api, skinned);
-    destroy(api, s.texture);
-    destroy(api, s.ring);
-    destroy(api, s.gpu);
-  }
+  if (!s.lost) destroy_objects(api, s);
   s = {};
 }
 
@@ -233,6 +331,12 @@ Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_jo
                        s.mesh.half_joints);
 }
 
+Status reset_motion(Skinner& s, std::uint32_t instance) {
+  MARROW_REQUIRE(s.options.motion && instance < s.options.instances);
+  s.motion.reset[instance] = 1;
+  return Status::ok;
+}
+
 Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint32_t count) {
   MARROW_MARK;
   if (s.lost) return Status::gl_error;
@@ -240,6 +344,7 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
   if (skins_once(s.options.path))
     for (std::size_t i = 0; i < count * s.mesh.geometry.targets.size; ++i)
       MARROW_REQUIRE(s.weights[i] - s.weights[i] == 0 && "weights are finite");
+  if (s.options.motion) take_turns(s, count);
   s.updated = 0;
   Status status = Status::ok;
   switch (s.options.path) {
@@ -261,6 +366,8 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
       for (std::uint32_t i = 0; i < count && status == Status::ok; ++i) status = skin_on_cpu(api, s, i);
       break;
   }
+  for (std::uint32_t i = 0; i < count && i < s.motion.skinned.size && status == Status::ok; ++i)
+    status = set_previous(api, s.skinned[i], s.motion.still[i] != 0 ? s.skinned[i] : s.motion.skinned[i]);
   if (status == Status::ok) s.updated = count;
   return status;
 }
@@ -275,26 +382,9 @@ Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const 
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(first <= s.updated && count <= s.updated - first);
   MARROW_REQUIRE(may_draw(s, program) && "the program from program_of()");
-  const std::uint32_t joints = s.mesh.palette_size(), unit = s.options.texture_unit;
-  const bool together = s.options.path == SkinningPath::texture && s.weights.empty();
-  if (together && count > 0) {
-    const Status status = bind_palette(api, s.texture, first * joints, joints, unit, program);
-    return status == Status::ok ? draw(api, s.gpu, s.options.deformer, program, count) : status;
-  }
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    if (skins_once(s.options.path)) {
-      draw(api, s.gpu, s.skinned[i]);
-      continue;
-    }
-    Status status = Status::ok;
-    if (s.options.path == SkinningPath::texture) {
-      status = bind_palette(api, s.texture, i * joints, joints, unit, program);
-    } else {
-      bind_palette(api, s.ring, s.offsets[i], programs.palette_binding);
-    }
-    if (status == Status::ok && !s.weights.empty())
-      status = set_morphs(api, s.mesh, s.gpu, weights_of(s, i), unit + 1, program);
-    if (status == Status::ok) status = draw(api, s.gpu, s.options.deformer, program);
+  for (const std::uint32_t end = first + count; first < end; first += count) {
+    count = drawn_together(s, program, first, end);
+    const Status status = draw_together(api, s, programs, program, first, count);
     if (status != Status::ok) return status;
   }
   return Status::ok;
@@ -302,9 +392,10 @@ Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const 
 
 void on_context_lost(Skinner& s) {
   s.gpu = {};
-  s.ring = {};
+  s.ring = s.motion.ring = {};
   s.texture = {};
-  for (SkinnedMesh& skinned : s.skinned) skinned = {};
+  for (const Span<SkinnedMesh> all : {s.skinned, s.motion.skinned})
+    for (SkinnedMesh& skinned : all) skinned = {};
   s.updated = 0;
   s.lost = true;
 }
@@ -316,10 +407,7 @@ Status on_context_restored(const Api& api, const Caps& caps, Skinner& s) {
     s.lost = false;
     return status;
   }
-  for (SkinnedMesh& skinned : s.skinned) destroy(api, skinned);
-  destroy(api, s.texture);
-  destroy(api, s.ring);
-  destroy(api, s.gpu);
+  destroy_objects(api, s);
   return status;
 }
 

@@ -265,7 +265,7 @@ TEST(Crowd, AFrameWithoutChangesUploadsNothing) {
     ASSERT_EQ(gles3::draw(api, troop.gpu(), gles3::Deformer::ssd, program, 600), Status::ok);
   }
   EXPECT_EQ(uploads, 0);
-  EXPECT_EQ(small_uploads, 30) << "the time, and two numbers";
+  EXPECT_EQ(small_uploads, 40) << "the time, and three numbers";
   ASSERT_EQ(gles3::set_instances(api, troop.crowd(), reel.frames, 250, {instances.data(), 10}), Status::ok);
   EXPECT_EQ(uploads, 2) << "the end of a line and the start of the next";
   gles3::destroy(gl(), program);

@@ -75,11 +75,14 @@ inline constexpr std::uint8_t kColours = 8;
 inline constexpr std::uint8_t kMorphs = 16;
 // In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
 inline constexpr std::uint8_t kSurfaceNormals = 32;
+// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+inline constexpr std::uint8_t kMotion = 64;
 
 // Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 // kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
 inline constexpr std::uint32_t kPositionLocation = 0;  // animation space: 0 … 7 are the coordinates
 inline constexpr std::uint32_t kWeightsLocation = 1;   // and 2
+inline constexpr std::uint32_t kPreviousLocation = 1;  // Deformer::none with kMotion: the position of the frame before
 inline constexpr std::uint32_t kJointsLocation = 8;    // and 9
 inline constexpr std::uint32_t kNormalLocation = 10;
 inline constexpr std::uint32_t kTangentLocation = 11;
@@ -194,7 +197,12 @@ enum class Palettes : std::uint8_t {
 };
 
 // What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
-// that have targets; set_morphs() before each.
+// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+// frame before, positions alone. Those, bound for each draw call like the others, are
+//   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+//   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+//   skinned elsewhere    set_previous(), see gles3_skinned.h
+// and with kMorphs set_previous_morphs().
 struct ProgramKey {
   Deformer deformer = Deformer::ssd;
   std::uint8_t influences = 4;
@@ -211,10 +219,11 @@ struct ProgramKey {
 //   }
 //
 // What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
-// was built to read it (ProgramKey::features); MARROW_PALETTES: 2 in programs for crowds.
+// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
 // What the vertex text may use:
-//   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; } in scene space, normal and
-//                                    tangent of unit length, tangent.w the handedness; what is not read is 0
+//   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+//                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+//                                    not read is 0, but previous_position is then the position
 //   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
 //   vec4 marrow_instance_colour()    of an instance of a crowd; else white
 // Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
@@ -228,15 +237,18 @@ struct ProgramSource {
 struct Program {
   std::uint32_t id = 0;
   Palettes reads = Palettes::uniform_block;
+  bool motion = false;  // built with kMotion
   // Locations of uniforms.
   std::int32_t coordinate_scale = -1;
   std::int32_t palettes = -1, first_row = -1;
   std::int32_t instances = -1, crowd = -1;
   std::int32_t vertex_layout = -1;  // of pre-skinning by compute shaders
   std::int32_t morph_changes = -1, morph_targets = -1, morph_count = -1, morph_shift = -1, morph_per_row = -1;
+  std::int32_t previous_palettes = -1, previous_targets = -1, previous_count = -1;
 };
 
-// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
+// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+// frame before to the next binding.
 // Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
 // words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
 MARROW_API Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source,
@@ -276,9 +288,10 @@ inline constexpr std::uint32_t kPaletteTextureWidth = 2048;
 // frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
 struct PaletteTexture {
   std::uint32_t textures[3] = {};
-  std::uint32_t current = 0;   // which was written last
-  std::uint32_t capacity = 0;  // matrices
-  std::uint32_t count = 0;     // that are there
+  std::uint32_t current = 0;         // which was written last
+  std::uint32_t capacity = 0;        // matrices
+  std::uint32_t count = 0;           // that are there
+  std::uint32_t previous_count = 0;  // that were there in the frame before
 };
 
 // Room for `joints` matrices: 48 B each, three times.
@@ -299,12 +312,25 @@ MARROW_API Status upload_palettes(const Api& api, PaletteTexture& texture, Span<
 MARROW_API Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                                std::uint32_t texture_unit, const Program& program);
 
+// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+// what was uploaded then).
+MARROW_API Status bind_previous_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first,
+                                        std::uint32_t joints, bool kept, std::uint32_t texture_unit,
+                                        const Program& program);
+
 // Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
 // animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
 // move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
 // targets, a program without kMorphs, too few weights, one that is not finite).
 MARROW_API Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                              std::uint32_t texture_unit, const Program& program);
+
+// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+MARROW_API Status set_previous_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
+                                      const Program& program);
 
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
 // `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to

@@ -5,7 +5,8 @@
 //   once a mesh        create_crowd_mesh, build_crowd_programs
 //   once a crowd       create_crowd
 //   on changes         set_instances
-//   every frame        for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd, draw
+//   every frame        with motion vectors: begin_frame for each mesh
+//                      for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd, draw
 //   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
 //   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
@@ -104,9 +105,13 @@ struct CrowdMesh {
   std::uint32_t frames_texture = 0;
   std::uint32_t blended_texture = 0;
   std::uint32_t framebuffer = 0;  // around the blended texture
-  std::uint32_t joints = 0;       // matrices of a palette
+  // With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+  std::uint32_t previous_texture = 0;
+  std::uint32_t previous_framebuffer = 0;
+  std::uint32_t joints = 0;  // matrices of a palette
   std::uint32_t frame_count = 0;
   std::uint32_t capacity = 0;  // instances
+  bool motion = false;
   bool lost = false;
 
   // What it is put on the next context from.
@@ -129,9 +134,11 @@ MARROW_API std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& 
 // crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
 // what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
 // the vertices, and 48 B a matrix and frame, go up, once.
+// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+// kMotion have MarrowVertex::previous_position from them.
 MARROW_API Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                                     const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory,
-                                    CrowdMesh& out);
+                                    CrowdMesh& out, bool motion = false);
 MARROW_API void destroy(const Api& api, CrowdMesh& mesh);
 
 // Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
@@ -186,8 +193,20 @@ MARROW_API const Program& blending_program_of(const ProgramSet& programs);
 MARROW_API Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
                               std::uint32_t count, double time_s, std::uint32_t texture_unit, const Program& program);
 
+// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+MARROW_API void begin_frame(CrowdMesh& mesh);
+
+// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+MARROW_API Status blend_previous_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
+                                       std::uint32_t count, double time_s, std::uint32_t texture_unit,
+                                       const Program& program);
+
 // The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
-// use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
+// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+// Errors: as there.
 MARROW_API Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
                              std::uint32_t count, std::uint32_t texture_unit, const Program& program);
 

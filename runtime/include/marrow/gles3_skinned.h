@@ -30,6 +30,12 @@ struct SkinnedMesh {
 MARROW_API Status create_skinned(const Api& api, const GpuMesh& mesh, SkinnedMesh& out);
 MARROW_API void destroy(const Api& api, SkinnedMesh& mesh);
 
+// Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+// of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+// changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+// GL_ARRAY_BUFFER and the vertex array at 0.
+MARROW_API Status set_previous(const Api& api, const SkinnedMesh& mesh, const SkinnedMesh& previous);
+
 // What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
 // Errors: bad_argument (a span of another size than the mesh has; normals or tangents may be empty, then they are
 // undefined). Leaves GL_ARRAY_BUFFER at 0.

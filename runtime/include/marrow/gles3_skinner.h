@@ -44,7 +44,8 @@ struct ProgramSet {
   // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
   ProgramSource roles[kMostRoles] = {{}, {}, {}, {}};
   std::uint32_t role_count = 1;
-  // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes.
+  // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+  // read previous_position of skinners and crowds that keep it.
   std::uint8_t role_features[kMostRoles] = {255, 255, 255, 255};
   std::uint32_t palette_binding = 0;  // uniform buffer binding of the palettes
   Span<char> log = {};                // what the driver says of a text that does not compile
@@ -55,14 +56,30 @@ struct ProgramSet {
 // Deletes all programs. Skinners that use the set must go first.
 MARROW_API void destroy(const Api& api, ProgramSet& programs);
 
+// What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+struct SkinnerMotion {
+  PaletteRing ring = {};
+  Span<std::uint32_t> offsets = {};
+  Span<SkinnedMesh> skinned = {};
+  Span<float> weights = {};
+  Span<float> sent_weights = {};  // of the last update()
+  Span<std::uint8_t> still = {};  // a character each: 1 if it had no update() before its last
+  Span<std::uint8_t> reset = {};  // 1 if the next update() is to be its first
+};
+
 struct SkinnerOptions {
   SkinningPath path = SkinningPath::ubo;
   Deformer deformer = Deformer::ssd;  // rigid, ssd or as
   std::uint32_t instances = 1;        // characters, at most
-  std::uint32_t texture_unit = 0;     // palettes in a texture; morph targets take the next one
-  std::uint8_t features = 255;        // what programs are to read of what the mesh has and their role reads
+  // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+  std::uint32_t texture_unit = 0;
+  std::uint8_t features = 255;  // what programs are to read of what the mesh has and their role reads
   // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
   Span<const float> as_tangents = {};
+  // For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+  // MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+  // too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+  bool motion = false;
 };
 
 struct Skinner {
@@ -80,6 +97,7 @@ struct Skinner {
   Span<float> weights = {};          // of morph targets, characters after each other
   Span<std::uint32_t> offsets = {};  // in the ring, a character each
   Span<SkinnedMesh> skinned = {};    // a character each, of paths that skin once a frame
+  SkinnerMotion motion = {};
   Span<float> positions = {}, normals = {}, tangents = {}, coordinates = {};  // path cpu: one character's
   MorphedGeometry morphed = {};
   Span<std::byte> scratch = {};  // of prepare(), kept for the next context
@@ -105,6 +123,11 @@ MARROW_API void destroy(const Api& api, Skinner& skinner);
 // Errors: bad_argument (no such instance, a span too short).
 MARROW_API Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> scene_from_joint,
                        Span<const float> weights = {});
+
+// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+MARROW_API Status reset_motion(Skinner& skinner, std::uint32_t instance);
 
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
 // and nothing else; on path cpu the vertices.
