@@ -215,6 +215,7 @@ Status bind_motion(const Api& api, const Skinner& s, const ProgramSet& programs,
 // Whether a program reads what drawing gives it.
 bool may_draw(const Skinner& s, const Program& program) {
   if (skins_once(s.options.path)) return true;
+  if (program.motion && !s.options.motion) return false;
   if (s.options.path == SkinningPath::texture && (program.reads != Palettes::texture || program.palettes < 0))
     return false;
   return s.weights.empty() || program.morph_changes >= 0;

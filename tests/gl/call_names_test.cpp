@@ -42,11 +42,16 @@ TEST_F(GlesCallNames, OfMeshesAndPrograms) {
   REFUSED(create_palette_texture, api_, caps_, 0, texture);
   REFUSED(upload_palettes, api_, texture, {});
   REFUSED(bind_palette, api_, texture, 0, 1, 0, program_);
+  REFUSED(bind_previous_palette, api_, texture, 0, 1, true, 0, program_);
   REFUSED(set_morphs, api_, mesh_, gpu_, {}, 0, program_);
+  REFUSED(set_previous_morphs, api_, mesh_, gpu_, {}, program_);
   REFUSED(draw, api_, gpu_, Deformer::ssd, program_);
   REFUSED(build_preskin, api_, caps_, {.deformer = Deformer::none}, Preskin::feedback, 0, program_);
   REFUSED(preskin, api_, gpu_, Deformer::none, program_, skinned);
   REFUSED(upload_skinned, api_, skinned, {});
+  SkinnedMesh larger;
+  larger.slot_count = 4;
+  REFUSED(set_previous, api_, skinned, larger);
 }
 
 TEST_F(GlesCallNames, OfSkinnersAndTheSelfTest) {
@@ -56,6 +61,7 @@ TEST_F(GlesCallNames, OfSkinnersAndTheSelfTest) {
   REFUSED(create_skinner, api_, caps_, mesh_, {.instances = 0}, programs, {}, skinner);
   REFUSED(create_skinner, api_, caps_, mesh_, {}, programs, {}, skinner);
   REFUSED(pose, skinner, 5, {});
+  REFUSED(reset_motion, skinner, 0);
   REFUSED(update, api_, skinner, programs, 5);
   REFUSED(draw, api_, skinner, programs, program_, 1, 1);
   REFUSED(self_test, api_, caps_, {.ssd = false, .as = false}, {}, test);
@@ -78,6 +84,7 @@ TEST_F(GlesCallNames, OfCrowds) {
   REFUSED(set_instances, api_, crowd, frames, 0, {});
   REFUSED(build_crowd_programs, api_, caps_, mesh, Deformer::none, 0, programs);
   REFUSED(blend_crowd, api_, crowd, mesh, 0, 1, 0, 0, program_);
+  REFUSED(blend_previous_crowd, api_, crowd, mesh, 0, 0, 0, 0, program_);
   REFUSED(bind_crowd, api_, crowd, mesh, 0, 1, 0, program_);
 }
 

@@ -6,6 +6,7 @@
 
 #include "gl/crowd_worst.h"
 #include "gl/models.h"
+#include "gl/stage.h"
 #include "gl/troop.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
@@ -351,6 +352,95 @@ TEST(Motion, CostsNothingWhereNobodyAsks) {
   gles3::Skinner plain;
   EXPECT_EQ(gles3::reset_motion(plain, 0), Status::bad_argument);
   EXPECT_EQ(gles3::reset_motion(player.skinner, kCharacters), Status::bad_argument);
+}
+
+// The texts that docs/programs.md shows: how far on the screen a pixel has come, in widths and heights of the picture.
+constexpr const char* kVelocityVertex = R"(
+uniform mat4 clip_from_scene;           // of this frame, and of the frame before
+uniform mat4 previous_clip_from_scene;
+out vec4 clip;
+out vec4 previous_clip;
+void main() {
+  MarrowVertex v = marrow_skin();
+  clip = clip_from_scene * vec4(v.position, 1.0);
+  previous_clip = previous_clip_from_scene * vec4(v.previous_position, 1.0);
+  gl_Position = clip;
+}
+)";
+constexpr const char* kVelocityFragment = R"(
+precision highp float;
+in vec4 clip;
+in vec4 previous_clip;
+out vec4 motion;
+void main() {
+  motion = vec4(0.5 * (clip.xy / clip.w - previous_clip.xy / previous_clip.w), 0.0, 1.0);
+  motion.xy = 0.5 + 0.5 * motion.xy;  // into a texture of bytes; one of floats takes them as they are
+}
+)";
+
+// A camera that looks along -z at a box, and has moved by `shift` of what it sees.
+struct Camera {
+  float matrix[16];
+  Camera(const Geometry& g, float shift) {
+    const float scale = 1 / static_cast<float>(diagonal(g));
+    const float all[16] = {scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, 1};
+    std::copy_n(all, 16, matrix);
+    for (int c = 0; c < 3; ++c) matrix[12 + c] = -0.5f * (g.box_min[c] + g.box_max[c]) * scale;
+    matrix[12] += shift;
+  }
+};
+
+// What stands still, before a camera that moves; what moves, before one that stands still; and a camera that follows.
+TEST(Motion, IsDistanceOnTheScreen) {
+  const std::optional<Model> newt = cook_model(newt_glb());
+  ASSERT_TRUE(newt);
+  on_a_thread([&] {
+    const Stage stage;
+    const gles3::Api& api = stage.real();
+    const Actor actor = actor_of(*newt);
+    const Geometry& g = actor.mesh.geometry;
+    gles3::ProgramSet programs;
+    programs.roles[0] = {kVelocityVertex, kVelocityFragment, {}};
+    gles3::SkinnerOptions options;
+    options.motion = true;
+    std::vector<SoaTransform> memory;
+    gles3::Skinner skinner;
+    ASSERT_EQ(gles3::create_skinner(api, stage.caps(), actor.mesh, options, programs,
+                                    room_for(memory, gles3::skinner_bytes(actor.mesh, options)), skinner),
+              Status::ok);
+    const auto step = static_cast<float>(0.4 * diagonal(g));  // 0.4 of the clip space's unit: a fifth of the picture
+    struct Case {
+      float character, camera;
+      int red;  // 255 (0.5 + 0.5 motion)
+    };
+    for (const Case& c : {Case{0, 0, 128}, Case{step, 0, 153}, Case{0, 0.4f, 153}, Case{step, -0.4f, 128}}) {
+      std::vector<Affine> joints = actor.joints(0.2f);
+      for (int frame = 0; frame < 2; ++frame) {
+        if (frame == 1)
+          for (Affine& joint : joints) joint.rows[0][3] += c.character;
+        ASSERT_EQ(gles3::pose(skinner, 0, joints), Status::ok);
+        ASSERT_EQ(gles3::update(api, skinner, programs, 1), Status::ok);
+      }
+      const gles3::Program& program = gles3::program_of(skinner, programs, 0);
+      stage.clear();
+      api.UseProgram(program.id);
+      api.UniformMatrix4fv(api.GetUniformLocation(program.id, "clip_from_scene"), 1, 0, Camera(g, c.camera).matrix);
+      api.UniformMatrix4fv(api.GetUniformLocation(program.id, "previous_clip_from_scene"), 1, 0, Camera(g, 0).matrix);
+      ASSERT_EQ(gles3::draw(api, skinner, programs, program, 0, 1), Status::ok);
+      const std::vector<std::uint8_t> picture = stage.picture();
+      std::size_t covered = 0;
+      for (std::size_t i = 0; i < picture.size(); i += 4) {
+        if (picture[i + 3] == 0) continue;
+        ++covered;
+        ASSERT_NEAR(picture[i], c.red, 1) << "character " << c.character << ", camera " << c.camera;
+        ASSERT_NEAR(picture[i + 1], 128, 1);
+      }
+      EXPECT_GT(covered, 200u);
+    }
+    gles3::destroy(api, skinner);
+    gles3::destroy(api, programs);
+    EXPECT_EQ(stage.error(), 0u);
+  });
 }
 
 // A crowd: instances that play on, one that is placed elsewhere on the way, one that jumps.

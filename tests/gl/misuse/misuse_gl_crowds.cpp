@@ -54,10 +54,11 @@ CrowdInstance instance_of(Misuse& m) {
 
 // A mesh and a crowd in good order, in memory that stays as long as they.
 struct Marching {
-  Marching() {
+  explicit Marching(bool motion = true) {
     const Span<std::byte> room = bytes_of(mesh_memory, crowd_mesh_bytes(stage_mesh()));
-    EXPECT_EQ(create_crowd_mesh(gl_stage().api, gl_stage().caps, stage_mesh(), {}, baked().frames, 4, room, mesh),
-              Status::ok);
+    EXPECT_EQ(
+        create_crowd_mesh(gl_stage().api, gl_stage().caps, stage_mesh(), {}, baked().frames, 4, room, mesh, motion),
+        Status::ok);
     EXPECT_EQ(create_crowd(gl_stage().api, gl_stage().caps, 4, bytes_of(crowd_memory, 4 * kCrowdInstanceBytes), crowd),
               Status::ok);
     std::vector<CrowdInstance> instances(4);
@@ -134,8 +135,8 @@ std::vector<MisuseRow> rows_of_instances() {
          const PrepareOptions options = prepare_options_of(m);
          const Span<std::byte> memory = m.memory(crowd_mesh_bytes(mesh, options));
          CrowdMesh& out = m.one(CrowdMesh{});
-         m.returned(
-             create_crowd_mesh(gl_stage().api, caps_of(m), mesh, options, frames_of(m), m.index(4), memory, out));
+         m.returned(create_crowd_mesh(gl_stage().api, caps_of(m), mesh, options, frames_of(m), m.index(4), memory, out,
+                                      m.truth(true)));
        }},
       {"create_crowd",
        [](Misuse& m) {
@@ -164,9 +165,22 @@ std::vector<MisuseRow> rows_of_instances() {
                                 m.index(1), m.index(2), static_cast<double>(m.number(3)), m.index(0),
                                 m.either(marching.program, Program{})));
        }},
+      {"begin_frame",
+       [](Misuse& m) {
+         Marching marching(m.truth(true));
+         begin_frame(marching.mesh);
+         m.returned_ok();
+       }},
+      {"blend_previous_crowd",
+       [](Misuse& m) {
+         Marching marching(m.truth(true));
+         m.returned(blend_previous_crowd(
+             gl_stage().api, m.either(marching.crowd, Crowd{}), m.either(marching.mesh, CrowdMesh{}), m.index(1),
+             m.index(2), static_cast<double>(m.number(3)), m.index(0), m.either(marching.program, Program{})));
+       }},
       {"bind_crowd",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m.truth(true));
          Program program = gl_stage().program;
          program.reads = m.kind(Palettes::crowd);
          m.returned(bind_crowd(gl_stage().api, m.either(marching.crowd, Crowd{}), m.either(marching.mesh, CrowdMesh{}),

@@ -34,7 +34,8 @@ PaletteRing ring_of(Misuse& m) {
 PaletteTexture texture_of(Misuse& m) {
   PaletteTexture texture;
   EXPECT_EQ(create_palette_texture(gl_stage().api, gl_stage().caps, 40, texture), Status::ok);
-  EXPECT_EQ(upload_palettes(gl_stage().api, texture, stage().palette), Status::ok);
+  for (int frame = 0; frame < 2; ++frame)
+    EXPECT_EQ(upload_palettes(gl_stage().api, texture, stage().palette), Status::ok);
   return m.either(texture, PaletteTexture{});
 }
 
@@ -162,6 +163,20 @@ std::vector<MisuseRow> rows_of_palettes() {
          program.reads = m.kind(Palettes::texture);
          m.returned(bind_palette(gl_stage().api, texture_of(m), m.index(0), m.index(20), m.index(1), program));
        }},
+      {"bind_previous_palette",
+       [](Misuse& m) {
+         Program program = program_of(m);
+         program.reads = m.kind(Palettes::texture);
+         m.returned(bind_previous_palette(gl_stage().api, texture_of(m), m.index(0), m.index(20), m.truth(true),
+                                          m.index(1), program));
+       }},
+      {"set_previous_morphs",
+       [](Misuse& m) {
+         const Mesh mesh = gl_mesh_of(m);
+         const Span<const float> weights = m.in(gl_stage().morphs.weights);
+         m.returned(
+             set_previous_morphs(gl_stage().api, mesh, m.either(gl_stage().gpu, GpuMesh{}), weights, program_of(m)));
+       }},
       {"set_morphs",
        [](Misuse& m) {
          const Mesh mesh = gl_mesh_of(m);
@@ -178,6 +193,11 @@ std::vector<MisuseRow> rows_of_palettes() {
        [](Misuse& m) {
          SkinnedMesh& out = m.one(SkinnedMesh{});
          m.returned(create_skinned(gl_stage().api, m.either(gl_stage().gpu, GpuMesh{}), out));
+       }},
+      {"set_previous",
+       [](Misuse& m) {
+         const SkinnedMesh skinned = skinned_of(m);
+         m.returned(set_previous(gl_stage().api, skinned, skinned_of(m)));
        }},
       {"upload_skinned",
        [](Misuse& m) {

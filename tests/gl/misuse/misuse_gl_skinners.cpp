@@ -12,14 +12,15 @@ using namespace gles3;
 
 // Skinners that will not compile, or have no room, are part of it.
 SkinnerOptions skinner_options(Misuse& m, SkinningPath path) {
-  return {m.kind(path), m.kind(Deformer::ssd), m.index(2) % 5, m.index(0), static_cast<std::uint8_t>(m.index(255))};
+  return {m.kind(path), m.kind(Deformer::ssd), m.index(2) % 5, m.index(0), static_cast<std::uint8_t>(m.index(255)),
+          {},           m.truth(true)};
 }
 
 // A skinner in good order, in memory that stays as long as it.
 struct Dressed {
-  explicit Dressed(SkinningPath path) {
+  explicit Dressed(SkinningPath path, bool motion = true) {
     programs.roles[0] = {"vertex", "fragment", {}};
-    const SkinnerOptions options{.path = path, .instances = 2};
+    const SkinnerOptions options{.path = path, .instances = 2, .motion = motion};
     memory.resize(skinner_bytes(gl_stage().mesh, options) / sizeof(Affine) + 1);
     EXPECT_EQ(create_skinner(gl_stage().api, gl_stage().caps, gl_stage().mesh, options, programs,
                              {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(Affine)}, skinner),
@@ -139,6 +140,11 @@ std::vector<MisuseRow> rows_of_dressing() {
          const Span<const Affine> joints = m.in(stage().joints);
          m.returned(pose(dressed.skinner, m.index(1), joints, m.in(gl_stage().morphs.weights)));
        }},
+      {"reset_motion",
+       [](Misuse& m) {
+         Dressed dressed(path_of(m), m.truth(true));
+         m.returned(reset_motion(dressed.skinner, m.index(1)));
+       }},
       {"update",
        [](Misuse& m) {
          Dressed dressed(path_of(m));
@@ -154,8 +160,9 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"draw",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
-         const Program program = program_of(dressed.skinner, dressed.programs, 0);
+         Dressed dressed(path_of(m), m.round() % 2 == 0);
+         Program program = program_of(dressed.skinner, dressed.programs, 0);
+         program.motion = m.truth(program.motion);
          const ProgramSet none;
          m.returned(draw(gl_stage().api, dressed.skinner, m.either(dressed.programs, none),
                          m.either(program, Program{}), m.index(1), m.index(1)));
