@@ -29,26 +29,35 @@ constexpr double kGpuBatch_s = 0.03;
 constexpr std::size_t kGpuBatches = 9;
 
 // The first four are the table of the thesis that animation space comes from, the rest what games draw today.
-constexpr GpuCase kCases[] = {{"1000x3", 1000, 3, 1, nullptr},     {"2000x3", 2000, 3, 1, nullptr},
-                              {"4000x5", 4000, 5, 1, nullptr},     {"8000x7", 8000, 7, 1, nullptr},
-                              {"30000x60", 30000, 60, 1, nullptr}, {"1000_CesiumMan", 0, 0, 1000, "CesiumMan.glb"}};
+constexpr GpuCase kCases[] = {
+    {"1000x3", 1000, 3, 1, nullptr, false},     {"2000x3", 2000, 3, 1, nullptr, false},
+    {"4000x5", 4000, 5, 1, nullptr, false},     {"8000x7", 8000, 7, 1, nullptr, true},
+    {"30000x60", 30000, 60, 1, nullptr, false}, {"1000_CesiumMan", 0, 0, 1000, "CesiumMan.glb", true}};
 constexpr std::optional<SkinningPath> kPaths[] = {SkinningPath::ubo,     SkinningPath::texture, SkinningPath::feedback,
                                                   SkinningPath::compute, SkinningPath::cpu,     {}};
+
+// What vertices have but positions.
+struct Attributes {
+  const char* name;
+  std::uint8_t features;
+};
+constexpr Attributes kAttributes[] = {{"p", 0}, {"pn", gles3::kNormals}, {"pnm", gles3::kNormals | gles3::kMotion}};
 
 std::vector<GpuRow> gpu_rows() {
   std::vector<GpuRow> out;
   for (const GpuCase& of : kCases)
     for (const std::optional<SkinningPath> path : kPaths)
       for (const gles3::Deformer deformer : {gles3::Deformer::ssd, gles3::Deformer::as})
-        for (const bool normals : {false, true}) {
+        for (const Attributes& attributes : kAttributes) {
           if (!path && of.model == nullptr) continue;  // nothing to play
+          if ((attributes.features & gles3::kMotion) != 0 && !of.motion) continue;
           GpuRow row;
           row.name = fmt::format("gpu/{}/{}/{}/{}", path_name(path), deformer == gles3::Deformer::as ? "as" : "ssd",
-                                 normals ? "pn" : "p", of.name);
+                                 attributes.name, of.name);
           row.of = &of;
           row.path = path;
           row.deformer = deformer;
-          row.normals = normals;
+          row.features = attributes.features;
           out.push_back(std::move(row));
         }
   return out;
@@ -184,12 +193,15 @@ const char* path_name(std::optional<SkinningPath> path) {
 }
 
 std::string gpu_row_names() {
-  std::vector<const char*> cases, paths;
+  std::vector<const char*> cases, moving, paths;
   for (const GpuCase& of : kCases) cases.push_back(of.name);
+  for (const GpuCase& of : kCases)
+    if (of.motion) moving.push_back(of.name);
   for (const std::optional<SkinningPath> path : kPaths)
     if (path) paths.push_back(path_name(path));
-  return fmt::format("gpu/{}/{{ssd,as}}/{{p,pn}}/{}\ngpu/crowd/{{ssd,as}}/{{p,pn}}/1000_CesiumMan\n", choice(paths),
-                     choice(cases));
+  return fmt::format(
+      "gpu/{0}/{{ssd,as}}/{{p,pn}}/{1}\ngpu/{0}/{{ssd,as}}/pnm/{2}\ngpu/crowd/{{ssd,as}}/{{p,pn,pnm}}/1000_CesiumMan\n",
+      choice(paths), choice(cases), choice(moving));
 }
 
 }  // namespace marrow::tools

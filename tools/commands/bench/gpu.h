@@ -26,6 +26,7 @@ struct GpuCase {
   const char* name;  // "1000x3"
   std::uint32_t vertices, joints, characters;
   const char* model;  // null: generated
+  bool motion;        // is also drawn with motion vectors
 };
 
 struct GpuRow {
@@ -33,7 +34,7 @@ struct GpuRow {
   const GpuCase* of = nullptr;
   std::optional<gles3::SkinningPath> path;  // none: a crowd
   gles3::Deformer deformer = gles3::Deformer::ssd;
-  bool normals = false;
+  std::uint8_t features = 0;  // gles3::kNormals, gles3::kMotion
   double frames_per_s = 0;
   double ns_per_vertex = 0;                 // of a frame from its first call to its last pixel
   std::optional<double> gpu_ns_per_vertex;  // by the driver's own timer, where it has one

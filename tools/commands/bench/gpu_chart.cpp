@@ -47,7 +47,9 @@ std::string gpu_chart(const std::vector<GpuRow>& rows, const std::string& driver
       if (!paired) y += kGap;
       body += text(kLeft - 6, y + kBar - 1, "text-anchor=\"end\"",
                    fmt::format("{} {}{}", path_name(row.path), row.deformer == gles3::Deformer::as ? "AS" : "SSD",
-                               row.normals ? ", normals" : ""));
+                               (row.features & gles3::kMotion) != 0    ? ", normals, motion"
+                               : (row.features & gles3::kNormals) != 0 ? ", normals"
+                                                                       : ""));
       body += bar(row, y, most / (kWidth - kLeft - 60));
       y += kBar + 1;
     }

@@ -19,7 +19,7 @@ constexpr const char* kVertex = R"(
 out vec3 shade;
 void main() {
   MarrowVertex v = marrow_skin();
-  shade = v.normal;
+  shade = v.normal + v.position - v.previous_position;
   gl_Position = vec4(v.position.xy, v.position.z + 100.0, 1.0);
 }
 )";
@@ -29,10 +29,6 @@ in vec3 shade;
 out vec4 colour;
 void main() { colour = vec4(shade, 1.0); }
 )";
-
-std::uint8_t features_of(const GpuRow& row) {
-  return row.normals ? gles3::kNormals : 0;
-}
 
 [[noreturn]] void refuse(const Gl& gl, const GpuRow& row, const std::string& why) {
   throw Failure(Exit::internal, row.name, "", why, "please report this with the driver: " + gl.driver());
@@ -50,7 +46,8 @@ class SkinnerWork : public GpuWork {
     options.path = *row.path;
     options.deformer = row.deformer;
     options.instances = characters_;
-    options.features = features_of(row);
+    options.features = row.features;
+    options.motion = (row.features & gles3::kMotion) != 0;
     memory_.resize(gles3::skinner_bytes(mesh, options) / sizeof(SoaTransform) + 1);
     const Status status = gles3::create_skinner(
         gl, gl.caps(), mesh, options, programs_,
@@ -91,7 +88,7 @@ class CrowdWork : public GpuWork {
         gl_(gl),
         target_(target),
         deformer_(row.deformer),
-        features_(features_of(row)),
+        features_(row.features),
         characters_(row.of->characters) {
     const Mesh& mesh = subject.mesh;
     gles3::PrepareOptions options;
@@ -104,7 +101,7 @@ class CrowdWork : public GpuWork {
     bake(subject.skeleton, subject.clip);
     const bool made =
         gles3::create_crowd_mesh(gl, gl.caps(), mesh, options, frames_, characters_, {memory_.data(), memory_.size()},
-                                 mesh_) == Status::ok &&
+                                 mesh_, (features_ & gles3::kMotion) != 0) == Status::ok &&
         gles3::create_crowd(gl, gl.caps(), characters_, {records_.data(), records_.size()}, crowd_) == Status::ok &&
         gles3::build_crowd_programs(gl, gl.caps(), mesh_, deformer_, features_, programs_) == Status::ok;
     if (!made) refuse(gl, row, log_.data());
@@ -120,6 +117,7 @@ class CrowdWork : public GpuWork {
 
   void frame() override {
     time_s_ += 1.0 / 60;
+    gles3::begin_frame(mesh_);
     const gles3::Program& blending = gles3::blending_program_of(programs_);
     gl_.UseProgram(blending.id);
     check(gles3::blend_crowd(gl_, crowd_, mesh_, 0, characters_, time_s_, 0, blending));
