@@ -1,0 +1,262 @@
+// Made by tools/c_api from the descriptions in runtime/c: do not edit.
+// C's structs, enums and constants are C++'s.
+#include "marrow/c_gles3.h"
+
+#include <cstddef>
+#include <type_traits>
+
+#include "marrow/gles3.h"
+#include "marrow/gles3_crowd.h"
+#include "marrow/gles3_entry.h"
+#include "marrow/gles3_self_test.h"
+#include "marrow/gles3_skinned.h"
+#include "marrow/gles3_skinner.h"
+
+// clang-format off
+// NOLINTBEGIN(bugprone-sizeof-expression)
+namespace marrow {
+
+#define SAME(C, Cpp) static_assert(sizeof(C) == sizeof(Cpp) && alignof(C) == alignof(Cpp) && std::is_standard_layout_v<Cpp>)
+#define SAME_MEMBER(C, Cpp, c, cpp) static_assert(offsetof(C, c) == offsetof(Cpp, cpp) && sizeof(C::c) == sizeof(Cpp::cpp))
+#define SAME_SPAN(C, Cpp, c, count) static_assert(offsetof(C, c) == offsetof(Cpp, c) && offsetof(C, count) == offsetof(Cpp, c) + sizeof(void*))
+
+SAME(mrw_gles3_error_watch, gles3::ErrorWatch);
+SAME_MEMBER(mrw_gles3_error_watch, gles3::ErrorWatch, report, report);
+SAME_MEMBER(mrw_gles3_error_watch, gles3::ErrorWatch, user, user);
+SAME_MEMBER(mrw_gles3_error_watch, gles3::ErrorWatch, pending, pending);
+SAME_MEMBER(mrw_gles3_error_watch, gles3::ErrorWatch, get_error, get_error);
+SAME(mrw_gles3_api, gles3::Api);
+static_assert(sizeof(mrw_gles3_deformer) == sizeof(gles3::Deformer));
+static_assert(MRW_GLES3_DEFORMER_NONE == static_cast<int>(gles3::Deformer::none));
+static_assert(MRW_GLES3_DEFORMER_RIGID == static_cast<int>(gles3::Deformer::rigid));
+static_assert(MRW_GLES3_DEFORMER_SSD == static_cast<int>(gles3::Deformer::ssd));
+static_assert(MRW_GLES3_DEFORMER_AS == static_cast<int>(gles3::Deformer::as));
+static_assert(sizeof(mrw_gles3_palettes) == sizeof(gles3::Palettes));
+static_assert(MRW_GLES3_PALETTES_UNIFORM_BLOCK == static_cast<int>(gles3::Palettes::uniform_block));
+static_assert(MRW_GLES3_PALETTES_TEXTURE == static_cast<int>(gles3::Palettes::texture));
+static_assert(MRW_GLES3_PALETTES_CROWD == static_cast<int>(gles3::Palettes::crowd));
+static_assert(MRW_GLES3_NORMALS == gles3::kNormals);
+static_assert(MRW_GLES3_TANGENTS == gles3::kTangents);
+static_assert(MRW_GLES3_UVS == gles3::kUvs);
+static_assert(MRW_GLES3_COLOURS == gles3::kColours);
+static_assert(MRW_GLES3_MORPHS == gles3::kMorphs);
+static_assert(MRW_GLES3_SURFACE_NORMALS == gles3::kSurfaceNormals);
+static_assert(MRW_GLES3_POSITION_LOCATION == gles3::kPositionLocation);
+static_assert(MRW_GLES3_WEIGHTS_LOCATION == gles3::kWeightsLocation);
+static_assert(MRW_GLES3_JOINTS_LOCATION == gles3::kJointsLocation);
+static_assert(MRW_GLES3_NORMAL_LOCATION == gles3::kNormalLocation);
+static_assert(MRW_GLES3_TANGENT_LOCATION == gles3::kTangentLocation);
+static_assert(MRW_GLES3_UV_LOCATION == gles3::kUvLocation);
+static_assert(MRW_GLES3_COLOUR_LOCATION == gles3::kColourLocation);
+static_assert(MRW_GLES3_MORPH_ROW_LOCATION == gles3::kMorphRowLocation);
+static_assert(MRW_GLES3_MORPH_TARGETS == gles3::kMorphTargets);
+static_assert(MRW_GLES3_PALETTE_JOINTS == gles3::kPaletteJoints);
+static_assert(MRW_GLES3_PALETTE_BLOCK_BYTES == gles3::kPaletteBlockBytes);
+static_assert(MRW_GLES3_PALETTE_TEXTURE_WIDTH == gles3::kPaletteTextureWidth);
+SAME(mrw_gles3_caps, gles3::Caps);
+SAME_MEMBER(mrw_gles3_caps, gles3::Caps, uniform_block_bytes, uniform_block_bytes);
+SAME_MEMBER(mrw_gles3_caps, gles3::Caps, uniform_offset_alignment, uniform_offset_alignment);
+SAME_MEMBER(mrw_gles3_caps, gles3::Caps, vertex_attributes, vertex_attributes);
+SAME_MEMBER(mrw_gles3_caps, gles3::Caps, texture_size, texture_size);
+SAME_MEMBER(mrw_gles3_caps, gles3::Caps, compute, compute);
+SAME(mrw_gles3_vertex_layout, gles3::VertexLayout);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, influences, influences);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, joint_bytes, joint_bytes);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, ssd_stride, ssd_stride);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, ssd_weights, ssd_weights);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, ssd_joints, ssd_joints);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, as_stride, as_stride);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, as_tangents, as_tangents);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, as_joints, as_joints);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, surface_normals, surface_normals);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, surface_stride, surface_stride);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, normal, normal);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, tangent, tangent);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, uv, uv);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, colour, colour);
+SAME_MEMBER(mrw_gles3_vertex_layout, gles3::VertexLayout, uv_unorm, uv_unorm);
+SAME(mrw_gles3_gpu_mesh, gles3::GpuMesh);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, ssd_array, ssd_array);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, as_array, as_array);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, ssd_buffer, ssd_buffer);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, as_buffer, as_buffer);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, surface_buffer, surface_buffer);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, morph_buffer, morph_buffer);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, morph_texture, morph_texture);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, index_buffer, index_buffer);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, index_count, index_count);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, index_type, index_type);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, primitive, primitive);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, slot_count, slot_count);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, joint_count, joint_count);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, vertex_bytes, vertex_bytes);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, influences, influences);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, features, features);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, morph_per_row, morph_per_row);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, morph_shift, morph_shift);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, morph_texels, morph_texels);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, morph_unit, morph_unit);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, coordinate_scale, coordinate_scale);
+SAME_MEMBER(mrw_gles3_gpu_mesh, gles3::GpuMesh, layout, layout);
+SAME(mrw_gles3_prepare_options, gles3::PrepareOptions);
+SAME_MEMBER(mrw_gles3_prepare_options, gles3::PrepareOptions, ssd, ssd);
+SAME_MEMBER(mrw_gles3_prepare_options, gles3::PrepareOptions, as, as);
+SAME_SPAN(mrw_gles3_prepare_options, gles3::PrepareOptions, as_tangents, as_tangent_count);
+SAME(mrw_gles3_program_key, gles3::ProgramKey);
+SAME_MEMBER(mrw_gles3_program_key, gles3::ProgramKey, deformer, deformer);
+SAME_MEMBER(mrw_gles3_program_key, gles3::ProgramKey, influences, influences);
+SAME_MEMBER(mrw_gles3_program_key, gles3::ProgramKey, features, features);
+SAME_MEMBER(mrw_gles3_program_key, gles3::ProgramKey, palettes, palettes);
+SAME(mrw_gles3_program_source, gles3::ProgramSource);
+SAME_MEMBER(mrw_gles3_program_source, gles3::ProgramSource, vertex, vertex);
+SAME_MEMBER(mrw_gles3_program_source, gles3::ProgramSource, fragment, fragment);
+SAME_SPAN(mrw_gles3_program_source, gles3::ProgramSource, feedback_varyings, feedback_varying_count);
+SAME(mrw_gles3_program, gles3::Program);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, id, id);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, reads, reads);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, coordinate_scale, coordinate_scale);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, palettes, palettes);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, first_row, first_row);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, instances, instances);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, crowd, crowd);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, vertex_layout, vertex_layout);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, morph_changes, morph_changes);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, morph_targets, morph_targets);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, morph_count, morph_count);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, morph_shift, morph_shift);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, morph_per_row, morph_per_row);
+SAME(mrw_gles3_palette_ring, gles3::PaletteRing);
+SAME_MEMBER(mrw_gles3_palette_ring, gles3::PaletteRing, buffer, buffer);
+SAME_MEMBER(mrw_gles3_palette_ring, gles3::PaletteRing, alignment, alignment);
+SAME_MEMBER(mrw_gles3_palette_ring, gles3::PaletteRing, capacity, capacity);
+SAME_MEMBER(mrw_gles3_palette_ring, gles3::PaletteRing, used, used);
+SAME(mrw_gles3_palette_texture, gles3::PaletteTexture);
+SAME_MEMBER(mrw_gles3_palette_texture, gles3::PaletteTexture, textures, textures);
+SAME_MEMBER(mrw_gles3_palette_texture, gles3::PaletteTexture, current, current);
+SAME_MEMBER(mrw_gles3_palette_texture, gles3::PaletteTexture, capacity, capacity);
+SAME_MEMBER(mrw_gles3_palette_texture, gles3::PaletteTexture, count, count);
+static_assert(sizeof(mrw_gles3_preskin) == sizeof(gles3::Preskin));
+static_assert(MRW_GLES3_PRESKIN_FEEDBACK == static_cast<int>(gles3::Preskin::feedback));
+static_assert(MRW_GLES3_PRESKIN_COMPUTE == static_cast<int>(gles3::Preskin::compute));
+SAME(mrw_gles3_skinned_mesh, gles3::SkinnedMesh);
+SAME_MEMBER(mrw_gles3_skinned_mesh, gles3::SkinnedMesh, array, array);
+SAME_MEMBER(mrw_gles3_skinned_mesh, gles3::SkinnedMesh, buffer, buffer);
+SAME_MEMBER(mrw_gles3_skinned_mesh, gles3::SkinnedMesh, slot_count, slot_count);
+SAME_MEMBER(mrw_gles3_skinned_mesh, gles3::SkinnedMesh, features, features);
+static_assert(sizeof(mrw_gles3_skinning_path) == sizeof(gles3::SkinningPath));
+static_assert(MRW_GLES3_SKINNING_PATH_UBO == static_cast<int>(gles3::SkinningPath::ubo));
+static_assert(MRW_GLES3_SKINNING_PATH_TEXTURE == static_cast<int>(gles3::SkinningPath::texture));
+static_assert(MRW_GLES3_SKINNING_PATH_FEEDBACK == static_cast<int>(gles3::SkinningPath::feedback));
+static_assert(MRW_GLES3_SKINNING_PATH_COMPUTE == static_cast<int>(gles3::SkinningPath::compute));
+static_assert(MRW_GLES3_SKINNING_PATH_CPU == static_cast<int>(gles3::SkinningPath::cpu));
+static_assert(MRW_GLES3_PATH_COUNT == gles3::kPathCount);
+static_assert(MRW_GLES3_MOST_ROLES == gles3::kMostRoles);
+static_assert(MRW_GLES3_MOST_PROGRAMS == gles3::kMostPrograms);
+SAME(mrw_gles3_program_set_entry, gles3::ProgramSetEntry);
+SAME_MEMBER(mrw_gles3_program_set_entry, gles3::ProgramSetEntry, key, key);
+SAME_MEMBER(mrw_gles3_program_set_entry, gles3::ProgramSetEntry, role, role);
+SAME_MEMBER(mrw_gles3_program_set_entry, gles3::ProgramSetEntry, program, program);
+SAME(mrw_gles3_program_set, gles3::ProgramSet);
+SAME_MEMBER(mrw_gles3_program_set, gles3::ProgramSet, roles, roles);
+SAME_MEMBER(mrw_gles3_program_set, gles3::ProgramSet, role_count, role_count);
+SAME_MEMBER(mrw_gles3_program_set, gles3::ProgramSet, role_features, role_features);
+SAME_MEMBER(mrw_gles3_program_set, gles3::ProgramSet, palette_binding, palette_binding);
+SAME_SPAN(mrw_gles3_program_set, gles3::ProgramSet, log, log_bytes);
+SAME_MEMBER(mrw_gles3_program_set, gles3::ProgramSet, entries, entries);
+SAME_MEMBER(mrw_gles3_program_set, gles3::ProgramSet, count, count);
+SAME(mrw_gles3_skinner_options, gles3::SkinnerOptions);
+SAME_MEMBER(mrw_gles3_skinner_options, gles3::SkinnerOptions, path, path);
+SAME_MEMBER(mrw_gles3_skinner_options, gles3::SkinnerOptions, deformer, deformer);
+SAME_MEMBER(mrw_gles3_skinner_options, gles3::SkinnerOptions, instances, instances);
+SAME_MEMBER(mrw_gles3_skinner_options, gles3::SkinnerOptions, texture_unit, texture_unit);
+SAME_MEMBER(mrw_gles3_skinner_options, gles3::SkinnerOptions, features, features);
+SAME_SPAN(mrw_gles3_skinner_options, gles3::SkinnerOptions, as_tangents, as_tangent_count);
+SAME(mrw_gles3_skinner, gles3::Skinner);
+static_assert(MRW_GLES3_MAX_CROWD_FRAMES == gles3::kMaxCrowdFrames);
+static_assert(MRW_GLES3_NO_CROWD_CLIP == gles3::kNoCrowdClip);
+static_assert(MRW_GLES3_CROWD_INSTANCE_BYTES == gles3::kCrowdInstanceBytes);
+SAME(mrw_gles3_crowd_source, gles3::CrowdSource);
+SAME_MEMBER(mrw_gles3_crowd_source, gles3::CrowdSource, clip, clip);
+SAME_MEMBER(mrw_gles3_crowd_source, gles3::CrowdSource, loops, loops);
+SAME(mrw_gles3_crowd_clip, gles3::CrowdClip);
+SAME_MEMBER(mrw_gles3_crowd_clip, gles3::CrowdClip, duration_s, duration_s);
+SAME_MEMBER(mrw_gles3_crowd_clip, gles3::CrowdClip, first_frame, first_frame);
+SAME_MEMBER(mrw_gles3_crowd_clip, gles3::CrowdClip, steps, steps);
+SAME_MEMBER(mrw_gles3_crowd_clip, gles3::CrowdClip, loops, loops);
+SAME(mrw_gles3_crowd_frames, gles3::CrowdFrames);
+SAME_SPAN(mrw_gles3_crowd_frames, gles3::CrowdFrames, clips, clip_count);
+SAME_SPAN(mrw_gles3_crowd_frames, gles3::CrowdFrames, character_from_joint, character_from_joint_count);
+SAME_MEMBER(mrw_gles3_crowd_frames, gles3::CrowdFrames, joint_count, joint_count);
+SAME_MEMBER(mrw_gles3_crowd_frames, gles3::CrowdFrames, frame_count, frame_count);
+SAME(mrw_gles3_crowd_play, gles3::CrowdPlay);
+SAME_MEMBER(mrw_gles3_crowd_play, gles3::CrowdPlay, clip, clip);
+SAME_MEMBER(mrw_gles3_crowd_play, gles3::CrowdPlay, phase_s, phase_s);
+SAME_MEMBER(mrw_gles3_crowd_play, gles3::CrowdPlay, speed, speed);
+SAME_MEMBER(mrw_gles3_crowd_play, gles3::CrowdPlay, start_s, start_s);
+SAME(mrw_gles3_crowd_instance, gles3::CrowdInstance);
+SAME_MEMBER(mrw_gles3_crowd_instance, gles3::CrowdInstance, scene_from_character, scene_from_character);
+SAME_MEMBER(mrw_gles3_crowd_instance, gles3::CrowdInstance, a, a);
+SAME_MEMBER(mrw_gles3_crowd_instance, gles3::CrowdInstance, b, b);
+SAME_MEMBER(mrw_gles3_crowd_instance, gles3::CrowdInstance, blend_start_s, blend_start_s);
+SAME_MEMBER(mrw_gles3_crowd_instance, gles3::CrowdInstance, blend_s, blend_s);
+SAME_MEMBER(mrw_gles3_crowd_instance, gles3::CrowdInstance, colour, colour);
+SAME(mrw_gles3_crowd_mesh, gles3::CrowdMesh);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, gpu, gpu);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, frames_texture, frames_texture);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, blended_texture, blended_texture);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, framebuffer, framebuffer);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, joints, joints);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, frame_count, frame_count);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, capacity, capacity);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, lost, lost);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, mesh, mesh);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, options, options);
+SAME_MEMBER(mrw_gles3_crowd_mesh, gles3::CrowdMesh, frames, frames);
+SAME_SPAN(mrw_gles3_crowd_mesh, gles3::CrowdMesh, bind, bind_count);
+SAME_SPAN(mrw_gles3_crowd_mesh, gles3::CrowdMesh, scratch, scratch_bytes);
+SAME(mrw_gles3_crowd, gles3::Crowd);
+SAME_MEMBER(mrw_gles3_crowd, gles3::Crowd, texture, texture);
+SAME_MEMBER(mrw_gles3_crowd, gles3::Crowd, capacity, capacity);
+SAME_MEMBER(mrw_gles3_crowd, gles3::Crowd, count, count);
+SAME_MEMBER(mrw_gles3_crowd, gles3::Crowd, frame_count, frame_count);
+SAME_MEMBER(mrw_gles3_crowd, gles3::Crowd, lost, lost);
+SAME_SPAN(mrw_gles3_crowd, gles3::Crowd, records, records_bytes);
+static_assert(sizeof(mrw_gles3_verdict) == sizeof(gles3::Verdict));
+static_assert(MRW_GLES3_VERDICT_USABLE == static_cast<int>(gles3::Verdict::usable));
+static_assert(MRW_GLES3_VERDICT_NOT_TRIED == static_cast<int>(gles3::Verdict::not_tried));
+static_assert(MRW_GLES3_VERDICT_CRASHED == static_cast<int>(gles3::Verdict::crashed));
+static_assert(MRW_GLES3_VERDICT_UNSUPPORTED == static_cast<int>(gles3::Verdict::unsupported));
+static_assert(MRW_GLES3_VERDICT_REFUSED == static_cast<int>(gles3::Verdict::refused));
+static_assert(MRW_GLES3_VERDICT_GL_ERROR == static_cast<int>(gles3::Verdict::gl_error));
+static_assert(MRW_GLES3_VERDICT_WRONG == static_cast<int>(gles3::Verdict::wrong));
+static_assert(MRW_GLES3_VERDICT_SLOW == static_cast<int>(gles3::Verdict::slow));
+static_assert(MRW_GLES3_VERDICT_COUNT == gles3::kVerdictCount);
+static_assert(MRW_GLES3_MOST_POSITION_ERROR == gles3::kMostPositionError);
+static_assert(MRW_GLES3_MOST_NORMAL_ERROR == gles3::kMostNormalError);
+static_assert(MRW_GLES3_ALL_PATHS == gles3::kAllPaths);
+static_assert(MRW_GLES3_MANY_CHARACTERS == gles3::kManyCharacters);
+static_assert(MRW_GLES3_SAVED_SELF_TEST_BYTES == gles3::kSavedSelfTestBytes);
+SAME(mrw_gles3_path_result, gles3::PathResult);
+SAME_MEMBER(mrw_gles3_path_result, gles3::PathResult, verdict, verdict);
+SAME_MEMBER(mrw_gles3_path_result, gles3::PathResult, position_error, position_error);
+SAME_MEMBER(mrw_gles3_path_result, gles3::PathResult, normal_error, normal_error);
+SAME_MEMBER(mrw_gles3_path_result, gles3::PathResult, ns_per_vertex, ns_per_vertex);
+SAME(mrw_gles3_self_test, gles3::SelfTest);
+SAME_MEMBER(mrw_gles3_self_test, gles3::SelfTest, paths, paths);
+SAME_MEMBER(mrw_gles3_self_test, gles3::SelfTest, key, key);
+SAME(mrw_gles3_self_test_options, gles3::SelfTestOptions);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, paths, paths);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, crashed, crashed);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, ssd, ssd);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, as, as);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, seconds, seconds);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, slow, slow);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, about_to_try, about_to_try);
+SAME_MEMBER(mrw_gles3_self_test_options, gles3::SelfTestOptions, user, user);
+SAME(mrw_gles3_path_need, gles3::PathNeed);
+SAME_MEMBER(mrw_gles3_path_need, gles3::PathNeed, passes, passes);
+SAME_MEMBER(mrw_gles3_path_need, gles3::PathNeed, characters, characters);
+SAME_MEMBER(mrw_gles3_path_need, gles3::PathNeed, joints, joints);
+
+}  // namespace marrow
+// NOLINTEND(bugprone-sizeof-expression)
