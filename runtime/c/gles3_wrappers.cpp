@@ -485,10 +485,6 @@ const char* mrw_gles3_verdict_text(mrw_gles3_verdict verdict) {
   return marrow::gles3::to_string(static_cast<gles3::Verdict>(verdict));
 }
 
-uint32_t mrw_gles3_bit_of(mrw_gles3_skinning_path path) {
-  return marrow::gles3::bit_of(static_cast<gles3::SkinningPath>(path));
-}
-
 size_t mrw_gles3_self_test_bytes(const mrw_gles3_self_test_options* options) {
   MRW_NEEDS(leads_to<gles3::SelfTestOptions>(options), 0);
   return marrow::gles3::self_test_bytes(of<gles3::SelfTestOptions>(options));

@@ -368,11 +368,6 @@ static int call_gles3_verdict_text(const Round* r) {
   (void)mrw_gles3_verdict_text((mrw_gles3_verdict)whole(r));
   return -1;
 }
-static int call_gles3_bit_of(const Round* r) {
-  (void)r;
-  (void)mrw_gles3_bit_of((mrw_gles3_skinning_path)whole(r));
-  return -1;
-}
 static int call_gles3_self_test_bytes(const Round* r) {
   (void)r;
   (void)mrw_gles3_self_test_bytes(at(r, 0));
@@ -481,7 +476,6 @@ static const Row rows[] = {
     {"mrw_gles3_self_test_options_init", call_gles3_self_test_options_init, 0, 0},
     {"mrw_gles3_path_need_init", call_gles3_path_need_init, 0, 0},
     {"mrw_gles3_verdict_text", call_gles3_verdict_text, 0, 0},
-    {"mrw_gles3_bit_of", call_gles3_bit_of, 0, 0},
     {"mrw_gles3_self_test_bytes", call_gles3_self_test_bytes, 1, 0},
     {"mrw_gles3_run_self_test", call_gles3_run_self_test, 1, 1},
     {"mrw_gles3_choose", call_gles3_choose, 1, 0},

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0x222c50b8u
+#define MRW_GLES3_ABI 0x49f226a0u
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -929,8 +929,6 @@ void mrw_gles3_path_need_init(mrw_gles3_path_need* out);
 
 // Why a path is ruled out, in a few words; "" for usable.
 const char* mrw_gles3_verdict_text(mrw_gles3_verdict verdict);
-
-uint32_t mrw_gles3_bit_of(mrw_gles3_skinning_path path);
 
 // Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
 size_t mrw_gles3_self_test_bytes(const mrw_gles3_self_test_options* options);

@@ -3374,7 +3374,7 @@ public static unsafe class Marrow {
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0x3b879ba9;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x222c50b8;
+    public const uint Gles3AbiNumber = 0x49f226a0;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -5419,8 +5419,6 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_verdict_text", CallingConvention = CallingConvention.Cdecl)]
     public static extern byte* Gles3VerdictText(Gles3Verdict verdict);
-    [DllImport(Library, EntryPoint = "mrw_gles3_bit_of", CallingConvention = CallingConvention.Cdecl)]
-    public static extern uint Gles3BitOf(Gles3SkinningPath path);
     /// <summary>
     /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
     /// </summary>

@@ -6,7 +6,7 @@ use std::os::raw::{c_char, c_void};
 /// What abi() must give.
 pub const ABI: u32 = 0x3b879ba9;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x222c50b8;
+pub const GLES3_ABI: u32 = 0x49f226a0;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -4874,8 +4874,6 @@ extern "C" {
     /// Why a path is ruled out, in a few words; "" for usable.
     #[link_name = "mrw_gles3_verdict_text"]
     pub fn gles3_verdict_text(verdict: Gles3Verdict) -> *const c_char;
-    #[link_name = "mrw_gles3_bit_of"]
-    pub fn gles3_bit_of(path: Gles3SkinningPath) -> u32;
     /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
     #[link_name = "mrw_gles3_self_test_bytes"]
     pub fn gles3_self_test_bytes(options: *const Gles3SelfTestOptions) -> usize;

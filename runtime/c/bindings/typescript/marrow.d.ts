@@ -4474,7 +4474,6 @@ export class Marrow {
    * Why a path is ruled out, in a few words; "" for usable.
    */
   gles3_verdict_text(verdict: Gles3Verdict): string;
-  gles3_bit_of(path: Gles3SkinningPath): number;
   /**
    * Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
    */

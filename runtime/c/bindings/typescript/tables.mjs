@@ -2,7 +2,7 @@
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
 export const ABI = 0x3b879ba9;
-export const GLES3_ABI = 0x222c50b8;
+export const GLES3_ABI = 0x49f226a0;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -490,7 +490,6 @@ export const functions = {
   gles3_self_test_options_init: [['pointer'], 'void'],
   gles3_path_need_init: [['pointer'], 'void'],
   gles3_verdict_text: [["number"], "text"],
-  gles3_bit_of: [["number"], "number"],
   gles3_self_test_bytes: [["pointer"], "number"],
   gles3_run_self_test: [["pointer", "pointer", "pointer", "list", "pointer"], "number"],
   gles3_choose: [["pointer", "pointer", "pointer"], "number"],
