@@ -2,7 +2,7 @@
 // and all again after a loss of the context. Prints hashes of pictures. gles3_road.cpp does the same in C++.
 #include <marrow/c_gles3.h>
 
-#include "surfaceless.h"
+#include "picture.h"
 
 #define TRY(call)                                                                                 \
   do {                                                                                            \
@@ -79,6 +79,7 @@ static mrw_affine* joints[kCharacters];
 static void start(void) {
   const char* missing = NULL;
   open_context();
+  make_picture();
   TRY(mrw_gles3_load_api(&api, load_proc, &missing));
   TRY(mrw_gles3_query_caps(&api, &caps));
 }

@@ -32,7 +32,8 @@ def members(name, t):
         count = 1
         for n in t.dims:
             count *= n
-        return [f'fixed {base} {safe(name)}[{count}]']
+        # C# takes no fixed number of UIntPtr. Where pointers have 4 bytes there is then too much room, which harms none.
+        return [f'fixed {"ulong" if t.name == "size" else base} {safe(name)}[{count}]']
     if t.dims:
         return [f'{base} {safe(name)}{i}' for i in range(t.dims[0])]
     return [f'{base} {safe(name)}']

@@ -5,7 +5,8 @@ from layout import Layout
 from names import camel, comment, count_of
 from to_cpp import MADE
 
-KEYWORDS = {'type', 'in', 'where', 'move', 'ref', 'mod', 'use', 'loop', 'match'}
+KEYWORDS = {'as', 'box', 'const', 'fn', 'impl', 'in', 'let', 'loop', 'match', 'mod', 'move', 'mut', 'pub', 'ref', 'trait', 'type',
+            'use', 'where', 'yield'}
 NAMES = {'size': 'usize', 'byte': 'c_void', 'void': 'c_void', 'text': '*const c_char',
          'char': 'c_char', 'code': 'Option<unsafe extern "C" fn()>'}
 

@@ -2517,7 +2517,7 @@ public unsafe delegate void* Gles3LoadProc(byte* name);
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3Api {
-    public fixed UIntPtr words[222];
+    public fixed ulong words[222];
 }
 
 public enum Gles3Deformer : byte {

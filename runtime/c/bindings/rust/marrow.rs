@@ -2771,7 +2771,7 @@ pub struct Gles3PrepareOptions {
     /// also what rigid draws from
     pub ssd: bool,
     /// neither: for vertices skinned on the CPU
-    pub as: bool,
+    pub r#as: bool,
     /// From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
     /// kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
     /// vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
@@ -3393,7 +3393,7 @@ pub struct Gles3SelfTestOptions {
     pub crashed: u32,
     /// the deformers that the game uses
     pub ssd: bool,
-    pub as: bool,
+    pub r#as: bool,
     /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
     pub seconds: Gles3Clock,
     pub slow: f32,
