@@ -9,17 +9,17 @@
 
 enum { kSide = 128 };
 
-#define PICTURE_FUNCTIONS(X)                        \
-  X(PFNGLGENTEXTURESPROC, GenTextures)              \
-  X(PFNGLBINDTEXTUREPROC, BindTexture)              \
-  X(PFNGLTEXIMAGE2DPROC, TexImage2D)                \
-  X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)      \
-  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)      \
+#define PICTURE_FUNCTIONS(X)                             \
+  X(PFNGLGENTEXTURESPROC, GenTextures)                   \
+  X(PFNGLBINDTEXTUREPROC, BindTexture)                   \
+  X(PFNGLTEXIMAGE2DPROC, TexImage2D)                     \
+  X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)           \
+  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)           \
   X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D) \
-  X(PFNGLVIEWPORTPROC, Viewport)                    \
-  X(PFNGLCLEARPROC, Clear)                          \
-  X(PFNGLREADPIXELSPROC, ReadPixels)                \
-  X(PFNGLUSEPROGRAMPROC, UseProgram)                \
+  X(PFNGLVIEWPORTPROC, Viewport)                         \
+  X(PFNGLCLEARPROC, Clear)                               \
+  X(PFNGLREADPIXELSPROC, ReadPixels)                     \
+  X(PFNGLUSEPROGRAMPROC, UseProgram)                     \
   X(PFNGLGETERRORPROC, GetError)
 
 static struct {
@@ -32,9 +32,9 @@ static GLuint framebuffer = 0;
 static void make_picture(void) {
   GLuint texture = 0;
   void* function;
-#define LOAD(Type, Name)              \
-  function = load_proc("gl" #Name);   \
-  if (function == NULL) exit(1);      \
+#define LOAD(Type, Name)            \
+  function = load_proc("gl" #Name); \
+  if (function == NULL) exit(1);    \
   memcpy(&gl.Name, &function, sizeof gl.Name);
   PICTURE_FUNCTIONS(LOAD)
 #undef LOAD

@@ -108,7 +108,7 @@ def comment_above(lines, at):
     while is_comment(i):
         out.insert(0, re.sub(r'^\s*// ?', '', lines[i]).rstrip())
         i -= 1
-    return out
+    return [line for line in out if not line.startswith('clang-format')]
 
 
 def trailing_comment(line):

@@ -143,7 +143,6 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 
 // A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
 //
-// clang-format off
 //   stream     what a vertex has in it               as
 //   SSD        position                              snorm16×3
 //              weight of the second influence        snorm16
@@ -161,7 +160,6 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
 //   4 influences       16    36                    100                         4
 //   8 influences       28    72                      -                         4
-// clang-format on
 //
 // The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
 typedef struct mrw_gles3_gpu_mesh mrw_gles3_gpu_mesh;

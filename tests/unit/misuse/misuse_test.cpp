@@ -49,7 +49,8 @@ void expect_described_in(const char* description, const std::function<bool(const
 
 TEST(Misuse, TheDescriptionsOfCHaveARowOfEveryFunctionInTheHeaders) {
   expect_described_in("runtime/c/api.txt", is_of_the_runtime, 100);
-  expect_described_in("runtime/c/gles3.txt", [](const std::string& header) { return header.rfind("gles3", 0) == 0; }, 40);
+  expect_described_in(
+      "runtime/c/gles3.txt", [](const std::string& header) { return header.rfind("gles3", 0) == 0; }, 40);
 }
 
 TEST(ThreadsPage, NamesEveryFunctionInTheHeaders) {

@@ -2368,7 +2368,6 @@ export interface Gles3VertexLayout extends View {
 /**
  * A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
  *
- * clang-format off
  *   stream     what a vertex has in it               as
  *   SSD        position                              snorm16×3
  *              weight of the second influence        snorm16
@@ -2386,7 +2385,6 @@ export interface Gles3VertexLayout extends View {
  *   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
  *   4 influences       16    36                    100                         4
  *   8 influences       28    72                      -                         4
- * clang-format on
  *
  * The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
  */
