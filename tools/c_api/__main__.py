@@ -31,7 +31,8 @@ class Part:
         self.abi = abi_of(above + self.rows)
         headers.add_docs(self.rows, read_header)
         for row in self.rows:
-            may_be_null = [name for name, t in row.fields if t.optional and t.form != '[]' and row.kind == 'fn' and t.name != 'f32']
+            may_be_null = [name for name, t in row.fields
+                           if t.optional and t.form != '[]' and row.kind == 'fn' and t.name != 'f32']
             if may_be_null:
                 row.doc = row.doc + ['May be null: ' + ', '.join(may_be_null) + '.']
 

@@ -5,7 +5,8 @@ from dataclasses import dataclass, field
 SCALARS = {  # name: (bytes, C++ type)
     'f32': (4, 'float'), 'f64': (8, 'double'), 'bool': (1, 'bool'), 'byte': (1, 'std::byte'),
     'u8': (1, 'std::uint8_t'), 'u16': (2, 'std::uint16_t'), 'u32': (4, 'std::uint32_t'), 'u64': (8, 'std::uint64_t'),
-    'char': (1, 'char'), 'i8': (1, 'std::int8_t'), 'i16': (2, 'std::int16_t'), 'i32': (4, 'std::int32_t'), 'size': (None, 'std::size_t'),
+    'i8': (1, 'std::int8_t'), 'i16': (2, 'std::int16_t'), 'i32': (4, 'std::int32_t'), 'size': (None, 'std::size_t'),
+    'char': (1, 'char'),
 }
 
 
