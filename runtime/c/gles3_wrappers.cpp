@@ -237,10 +237,22 @@ mrw_status mrw_gles3_bind_texture_palette(const mrw_gles3_api* api, const mrw_gl
   return code(marrow::gles3::bind_palette(of<gles3::Api>(api), of<gles3::PaletteTexture>(texture), first, joints, texture_unit, of<gles3::Program>(program)));
 }
 
+mrw_status mrw_gles3_bind_previous_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
+    uint32_t first, uint32_t joints, bool kept, uint32_t texture_unit, const mrw_gles3_program* program) {
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteTexture>(texture) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::bind_previous_palette(of<gles3::Api>(api), of<gles3::PaletteTexture>(texture), first, joints, kept, texture_unit, of<gles3::Program>(program)));
+}
+
 mrw_status mrw_gles3_set_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
     const float* weights, size_t weight_count, uint32_t texture_unit, const mrw_gles3_program* program) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<Mesh>(mesh) && leads_to<gles3::GpuMesh>(gpu) && is_list<float>(weights, weight_count) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
   return code(marrow::gles3::set_morphs(of<gles3::Api>(api), of<Mesh>(mesh), of<gles3::GpuMesh>(gpu), span<const float>(weights, weight_count), texture_unit, of<gles3::Program>(program)));
+}
+
+mrw_status mrw_gles3_set_previous_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
+    const float* weights, size_t weight_count, const mrw_gles3_program* program) {
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<Mesh>(mesh) && leads_to<gles3::GpuMesh>(gpu) && is_list<float>(weights, weight_count) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::set_previous_morphs(of<gles3::Api>(api), of<Mesh>(mesh), of<gles3::GpuMesh>(gpu), span<const float>(weights, weight_count), of<gles3::Program>(program)));
 }
 
 mrw_status mrw_gles3_draw_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
@@ -279,6 +291,12 @@ mrw_status mrw_gles3_preskin_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_
   return code(marrow::gles3::preskin(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), static_cast<gles3::Deformer>(deformer), of<gles3::Program>(program), of<gles3::SkinnedMesh>(to)));
 }
 
+mrw_status mrw_gles3_set_previous(const mrw_gles3_api* api, const mrw_gles3_skinned_mesh* mesh,
+    const mrw_gles3_skinned_mesh* previous) {
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::SkinnedMesh>(mesh) && leads_to<gles3::SkinnedMesh>(previous), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::set_previous(of<gles3::Api>(api), of<gles3::SkinnedMesh>(mesh), of<gles3::SkinnedMesh>(previous)));
+}
+
 void mrw_gles3_draw_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
     const mrw_gles3_skinned_mesh* skinned) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::SkinnedMesh>(skinned), );
@@ -315,6 +333,11 @@ mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const m
     size_t scene_from_joint_count, const float* weights, size_t weight_count) {
   MRW_NEEDS(leads_to<gles3::Skinner>(skinner) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
   return code(marrow::gles3::pose(to<gles3::Skinner>(skinner), instance, span<const Affine>(scene_from_joint, scene_from_joint_count), span<const float>(weights, weight_count)));
+}
+
+mrw_status mrw_gles3_reset_motion(mrw_gles3_skinner* skinner, uint32_t instance) {
+  MRW_NEEDS(leads_to<gles3::Skinner>(skinner), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::reset_motion(to<gles3::Skinner>(skinner), instance));
 }
 
 mrw_status mrw_gles3_update(const mrw_gles3_api* api, mrw_gles3_skinner* skinner, const mrw_gles3_program_set* programs,
@@ -394,9 +417,9 @@ size_t mrw_gles3_crowd_mesh_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_
 
 mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_prepare_options* options, const mrw_gles3_crowd_frames* frames, uint32_t capacity, void* memory,
-    size_t memory_bytes, mrw_gles3_crowd_mesh* out) {
+    size_t memory_bytes, mrw_gles3_crowd_mesh* out, bool motion) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<Mesh>(mesh) && leads_to_if_any<gles3::PrepareOptions>(options) && leads_to<gles3::CrowdFrames>(frames) && is_list<std::byte>(memory, memory_bytes) && leads_to<gles3::CrowdMesh>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_crowd_mesh(of<gles3::Api>(api), of<gles3::Caps>(caps), of<Mesh>(mesh), or_default<gles3::PrepareOptions>(options), of<gles3::CrowdFrames>(frames), capacity, span<std::byte>(memory, memory_bytes), to<gles3::CrowdMesh>(out)));
+  return code(marrow::gles3::create_crowd_mesh(of<gles3::Api>(api), of<gles3::Caps>(caps), of<Mesh>(mesh), or_default<gles3::PrepareOptions>(options), of<gles3::CrowdFrames>(frames), capacity, span<std::byte>(memory, memory_bytes), to<gles3::CrowdMesh>(out), motion));
 }
 
 void mrw_gles3_destroy_crowd_mesh(const mrw_gles3_api* api, mrw_gles3_crowd_mesh* mesh) {
@@ -443,6 +466,18 @@ const mrw_gles3_program* mrw_gles3_crowd_program_of(const mrw_gles3_crowd_mesh* 
 const mrw_gles3_program* mrw_gles3_blending_program_of(const mrw_gles3_program_set* programs) {
   MRW_NEEDS(leads_to<gles3::ProgramSet>(programs), nullptr);
   return to_c<const mrw_gles3_program>(&marrow::gles3::blending_program_of(of<gles3::ProgramSet>(programs)));
+}
+
+void mrw_gles3_begin_crowd_frame(mrw_gles3_crowd_mesh* mesh) {
+  MRW_NEEDS(leads_to<gles3::CrowdMesh>(mesh), );
+  marrow::gles3::begin_frame(to<gles3::CrowdMesh>(mesh));
+}
+
+mrw_status mrw_gles3_blend_previous_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
+    const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, double time_s, uint32_t texture_unit,
+    const mrw_gles3_program* program) {
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Crowd>(crowd) && leads_to<gles3::CrowdMesh>(mesh) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::blend_previous_crowd(of<gles3::Api>(api), of<gles3::Crowd>(crowd), of<gles3::CrowdMesh>(mesh), first, count, time_s, texture_unit, of<gles3::Program>(program)));
 }
 
 mrw_status mrw_gles3_blend_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,

@@ -122,9 +122,17 @@ static int call_gles3_bind_texture_palette(const Round* r) {
   (void)r;
   return mrw_gles3_bind_texture_palette(ready(r, 0), at(r, 1), (uint32_t)whole(r), (uint32_t)whole(r), (uint32_t)whole(r), at(r, 5));
 }
+static int call_gles3_bind_previous_palette(const Round* r) {
+  (void)r;
+  return mrw_gles3_bind_previous_palette(ready(r, 0), at(r, 1), (uint32_t)whole(r), (uint32_t)whole(r), whole(r) != 0, (uint32_t)whole(r), at(r, 6));
+}
 static int call_gles3_set_morphs(const Round* r) {
   (void)r;
   return mrw_gles3_set_morphs(ready(r, 0), at(r, 1), at(r, 2), list(r, 3), count(r), (uint32_t)whole(r), at(r, 5));
+}
+static int call_gles3_set_previous_morphs(const Round* r) {
+  (void)r;
+  return mrw_gles3_set_previous_morphs(ready(r, 0), at(r, 1), at(r, 2), list(r, 3), count(r), at(r, 4));
 }
 static int call_gles3_draw_mesh(const Round* r) {
   (void)r;
@@ -154,6 +162,10 @@ static int call_gles3_build_preskin(const Round* r) {
 static int call_gles3_preskin_mesh(const Round* r) {
   (void)r;
   return mrw_gles3_preskin_mesh(ready(r, 0), at(r, 1), (mrw_gles3_deformer)whole(r), at(r, 3), at(r, 4));
+}
+static int call_gles3_set_previous(const Round* r) {
+  (void)r;
+  return mrw_gles3_set_previous(ready(r, 0), at(r, 1), at(r, 2));
 }
 static int call_gles3_draw_skinned(const Round* r) {
   (void)r;
@@ -195,6 +207,10 @@ static int call_gles3_destroy_skinner(const Round* r) {
 static int call_gles3_pose(const Round* r) {
   (void)r;
   return mrw_gles3_pose(at(r, 0), (uint32_t)whole(r), list(r, 2), count(r), list(r, 3), count(r));
+}
+static int call_gles3_reset_motion(const Round* r) {
+  (void)r;
+  return mrw_gles3_reset_motion(at(r, 0), (uint32_t)whole(r));
 }
 static int call_gles3_update(const Round* r) {
   (void)r;
@@ -283,7 +299,7 @@ static int call_gles3_crowd_mesh_bytes(const Round* r) {
 }
 static int call_gles3_create_crowd_mesh(const Round* r) {
   (void)r;
-  return mrw_gles3_create_crowd_mesh(ready(r, 0), at(r, 1), at(r, 2), at(r, 3), at(r, 4), (uint32_t)whole(r), list(r, 6), count(r), at(r, 7));
+  return mrw_gles3_create_crowd_mesh(ready(r, 0), at(r, 1), at(r, 2), at(r, 3), at(r, 4), (uint32_t)whole(r), list(r, 6), count(r), at(r, 7), whole(r) != 0);
 }
 static int call_gles3_destroy_crowd_mesh(const Round* r) {
   (void)r;
@@ -320,6 +336,15 @@ static int call_gles3_blending_program_of(const Round* r) {
   (void)r;
   (void)mrw_gles3_blending_program_of(at(r, 0));
   return -1;
+}
+static int call_gles3_begin_crowd_frame(const Round* r) {
+  (void)r;
+  (void)mrw_gles3_begin_crowd_frame(at(r, 0));
+  return -1;
+}
+static int call_gles3_blend_previous_crowd(const Round* r) {
+  (void)r;
+  return mrw_gles3_blend_previous_crowd(ready(r, 0), at(r, 1), at(r, 2), (uint32_t)whole(r), (uint32_t)whole(r), real(r), (uint32_t)whole(r), at(r, 7));
 }
 static int call_gles3_blend_crowd(const Round* r) {
   (void)r;
@@ -419,7 +444,9 @@ static const Row rows[] = {
     {"mrw_gles3_destroy_palette_texture", call_gles3_destroy_palette_texture, 1, 0},
     {"mrw_gles3_upload_palettes", call_gles3_upload_palettes, 1, 1},
     {"mrw_gles3_bind_texture_palette", call_gles3_bind_texture_palette, 1, 0},
+    {"mrw_gles3_bind_previous_palette", call_gles3_bind_previous_palette, 1, 0},
     {"mrw_gles3_set_morphs", call_gles3_set_morphs, 1, 1},
+    {"mrw_gles3_set_previous_morphs", call_gles3_set_previous_morphs, 1, 1},
     {"mrw_gles3_draw_mesh", call_gles3_draw_mesh, 1, 0},
     {"mrw_gles3_skinned_mesh_init", call_gles3_skinned_mesh_init, 0, 0},
     {"mrw_gles3_create_skinned", call_gles3_create_skinned, 1, 0},
@@ -427,6 +454,7 @@ static const Row rows[] = {
     {"mrw_gles3_upload_skinned", call_gles3_upload_skinned, 1, 0},
     {"mrw_gles3_build_preskin", call_gles3_build_preskin, 1, 1},
     {"mrw_gles3_preskin_mesh", call_gles3_preskin_mesh, 1, 0},
+    {"mrw_gles3_set_previous", call_gles3_set_previous, 1, 0},
     {"mrw_gles3_draw_skinned", call_gles3_draw_skinned, 1, 0},
     {"mrw_gles3_program_set_init", call_gles3_program_set_init, 0, 0},
     {"mrw_gles3_skinner_options_init", call_gles3_skinner_options_init, 0, 0},
@@ -436,6 +464,7 @@ static const Row rows[] = {
     {"mrw_gles3_create_skinner", call_gles3_create_skinner, 1, 1},
     {"mrw_gles3_destroy_skinner", call_gles3_destroy_skinner, 1, 0},
     {"mrw_gles3_pose", call_gles3_pose, 1, 1},
+    {"mrw_gles3_reset_motion", call_gles3_reset_motion, 1, 0},
     {"mrw_gles3_update", call_gles3_update, 1, 0},
     {"mrw_gles3_program_of", call_gles3_program_of, 1, 0},
     {"mrw_gles3_draw", call_gles3_draw, 1, 0},
@@ -465,6 +494,8 @@ static const Row rows[] = {
     {"mrw_gles3_build_crowd_programs", call_gles3_build_crowd_programs, 1, 0},
     {"mrw_gles3_crowd_program_of", call_gles3_crowd_program_of, 1, 0},
     {"mrw_gles3_blending_program_of", call_gles3_blending_program_of, 1, 0},
+    {"mrw_gles3_begin_crowd_frame", call_gles3_begin_crowd_frame, 1, 0},
+    {"mrw_gles3_blend_previous_crowd", call_gles3_blend_previous_crowd, 1, 0},
     {"mrw_gles3_blend_crowd", call_gles3_blend_crowd, 1, 0},
     {"mrw_gles3_bind_crowd", call_gles3_bind_crowd, 1, 0},
     {"mrw_gles3_crowd_mesh_on_context_lost", call_gles3_crowd_mesh_on_context_lost, 1, 0},

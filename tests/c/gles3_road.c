@@ -26,6 +26,9 @@ static const char kVertex[] =
     "void main() {\n"
     "  MarrowVertex v = marrow_skin();\n"
     "  tint = (0.5 + 0.5 * v.normal) * marrow_instance_colour().rgb;\n"
+    "#if MARROW_MOTION\n"
+    "  tint.b = length(v.position - v.previous_position);\n"
+    "#endif\n"
     "  gl_Position = vec4((v.position.xy - vec2(0.0, 0.7)) * 0.8, 0.4 * v.position.z, 1.0);\n"
     "}\n";
 static const char kFragment[] =
@@ -151,6 +154,14 @@ static void characters(mrw_gles3_skinner_options options, const char* what) {
   for (i = 0; i < kCharacters; ++i)
     TRY(mrw_gles3_pose(&skinner, i, joints[i], skeleton.joint_count, NULL, 0));
   hash = told(what, draw_characters(&skinner));
+  if (options.motion) {  // two step aside, and one is put there
+    for (i = 0; i < kCharacters; ++i)
+      TRY(mrw_gles3_pose(&skinner, i, joints[(i + 1) % kCharacters], skeleton.joint_count, NULL, 0));
+    TRY(mrw_gles3_reset_motion(&skinner, 2));
+    NEEDS(told("and moved", draw_characters(&skinner)) != hash);
+    for (i = 0; i < kCharacters; ++i)
+      TRY(mrw_gles3_pose(&skinner, i, joints[i], skeleton.joint_count, NULL, 0));
+  }
   EXPECT(mrw_gles3_update(&api, &skinner, &programs, kCharacters + 1), MRW_BAD_ARGUMENT);
   EXPECT(mrw_gles3_pose(&skinner, kCharacters, joints[0], skeleton.joint_count, NULL, 0), MRW_BAD_ARGUMENT);
   EXPECT(mrw_gles3_pose(&skinner, 0, joints[0], 1, NULL, 0), MRW_BAD_ARGUMENT);
@@ -182,6 +193,13 @@ static void every_path(void) {
       if (options.path != MRW_GLES3_SKINNING_PATH_COMPUTE || caps.compute) characters(options, what);
     }
   }
+  options.motion = true;
+  for (path = 0; path < MRW_GLES3_PATH_COUNT; ++path) {
+    options.path = (mrw_gles3_skinning_path)path;
+    sprintf(what, "motion, %s", mrw_gles3_skinning_path_text(options.path));
+    if (options.path != MRW_GLES3_SKINNING_PATH_COMPUTE || caps.compute) characters(options, what);
+  }
+  options.motion = false;
   // With the deformed surface's own normals.
   mrw_as_part_init(&part);
   part.mesh = &mesh;
@@ -198,12 +216,14 @@ static void every_path(void) {
   characters(options, "as, its own normals");
 }
 
-static unsigned draw_crowd(const mrw_gles3_crowd* crowd, const mrw_gles3_crowd_mesh* drawn) {
+static unsigned draw_crowd(const mrw_gles3_crowd* crowd, mrw_gles3_crowd_mesh* drawn) {
   const mrw_gles3_program* const blending = mrw_gles3_blending_program_of(&programs);
   const mrw_gles3_program* const drawing =
       mrw_gles3_crowd_program_of(drawn, MRW_GLES3_DEFORMER_SSD, 255, &programs, 0);
   NEEDS(blending != NULL && drawing != NULL);
+  mrw_gles3_begin_crowd_frame(drawn);
   gl.UseProgram(blending->id);
+  TRY(mrw_gles3_blend_previous_crowd(&api, crowd, drawn, 0, kCrowd, 1.2, 0, blending));
   TRY(mrw_gles3_blend_crowd(&api, crowd, drawn, 0, kCrowd, 1.25, 0, blending));
   begin_picture();
   gl.UseProgram(drawing->id);
@@ -240,7 +260,8 @@ static void crowds(void) {
   unsigned hash;
   uint32_t i;
   open_programs();
-  TRY(mrw_gles3_create_crowd_mesh(&api, &caps, &mesh, NULL, &frames, kCrowd, block_of(bytes), bytes, &drawn));
+  TRY(mrw_gles3_create_crowd_mesh(&api, &caps, &mesh, NULL, &frames, kCrowd, block_of(bytes), bytes, &drawn,
+                                  true));
   TRY(mrw_gles3_build_crowd_programs(&api, &caps, &drawn, MRW_GLES3_DEFORMER_SSD, 255, &programs));
   TRY(mrw_gles3_create_crowd(&api, &caps, kCrowd, block_of(kCrowd * MRW_GLES3_CROWD_INSTANCE_BYTES),
                              kCrowd * MRW_GLES3_CROWD_INSTANCE_BYTES, &crowd));

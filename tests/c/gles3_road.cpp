@@ -25,6 +25,9 @@ constexpr const char* kVertex =
     "void main() {\n"
     "  MarrowVertex v = marrow_skin();\n"
     "  tint = (0.5 + 0.5 * v.normal) * marrow_instance_colour().rgb;\n"
+    "#if MARROW_MOTION\n"
+    "  tint.b = length(v.position - v.previous_position);\n"
+    "#endif\n"
     "  gl_Position = vec4((v.position.xy - vec2(0.0, 0.7)) * 0.8, 0.4 * v.position.z, 1.0);\n"
     "}\n";
 constexpr const char* kFragment =
@@ -113,10 +116,19 @@ void characters(const Scene& scene, gl::SkinnerOptions options, const char* what
   for (std::uint32_t i = 0; i < kCharacters; ++i) TRY(pose(skinner, i, scene.joints[i]));
   TRY(update(api, skinner, programs, kCharacters));
   const gl::Program& program = program_of(skinner, programs, 0);
-  begin_picture();
-  api.UseProgram(program.id);
-  TRY(draw(api, skinner, programs, program, 0, kCharacters));
-  end_picture(what, more);
+  const auto picture = [&](const char* name, const char* rest) {
+    begin_picture();
+    api.UseProgram(program.id);
+    TRY(draw(api, skinner, programs, program, 0, kCharacters));
+    end_picture(name, rest);
+  };
+  picture(what, more);
+  if (options.motion) {
+    for (std::uint32_t i = 0; i < kCharacters; ++i) TRY(pose(skinner, i, scene.joints[(i + 1) % kCharacters]));
+    TRY(reset_motion(skinner, 2));
+    TRY(update(api, skinner, programs, kCharacters));
+    picture("and moved", "");
+  }
   destroy(api, skinner);
   destroy(api, programs);
 }
@@ -129,6 +141,11 @@ void every_path(const Scene& scene) {
         characters(scene, {.path = path, .deformer = deformer}, deformer == gl::Deformer::ssd ? "ssd, " : "as, ",
                    to_string(path));
     }
+  for (std::uint32_t i = 0; i < gl::kPathCount; ++i) {
+    const auto path = static_cast<gl::SkinningPath>(i);
+    if (path != gl::SkinningPath::compute || caps.compute)
+      characters(scene, {.path = path, .deformer = gl::Deformer::as, .motion = true}, "motion, ", to_string(path));
+  }
   const Geometry& g = scene.mesh.geometry;
   std::vector<float> coordinates(as_coordinate_count(g)), tangents(as_tangent_count(g));
   TRY(as_coordinates(g, coordinates));
@@ -151,7 +168,7 @@ void crowds(Scene& scene) {
   gl::ProgramSet programs;
   programs.roles[0] = {kVertex, kFragment, {}};
   std::vector<std::byte> memory(gl::crowd_mesh_bytes(scene.mesh)), records(kCrowd * gl::kCrowdInstanceBytes);
-  TRY(create_crowd_mesh(api, caps, scene.mesh, {}, frames, kCrowd, memory, mesh));
+  TRY(create_crowd_mesh(api, caps, scene.mesh, {}, frames, kCrowd, memory, mesh, true));
   TRY(build_crowd_programs(api, caps, mesh, gl::Deformer::ssd, 255, programs));
   TRY(create_crowd(api, caps, kCrowd, records, crowd));
   gl::CrowdInstance instances[kCrowd];
@@ -167,7 +184,9 @@ void crowds(Scene& scene) {
   TRY(set_instances(api, crowd, frames, 0, instances));
   const gl::Program& blending = blending_program_of(programs);
   const gl::Program& drawing = crowd_program_of(mesh, gl::Deformer::ssd, 255, programs, 0);
+  begin_frame(mesh);
   api.UseProgram(blending.id);
+  TRY(blend_previous_crowd(api, crowd, mesh, 0, kCrowd, 1.2, 0, blending));
   TRY(blend_crowd(api, crowd, mesh, 0, kCrowd, 1.25, 0, blending));
   begin_picture();
   api.UseProgram(drawing.id);

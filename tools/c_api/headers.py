@@ -1,5 +1,6 @@
 """Reads the C++ headers: comments, and what descriptions leave for them to say."""
 import re
+from collections import Counter
 
 from description import SCALARS, Type, Wrong
 
@@ -161,6 +162,17 @@ def expect_all_fields(row, lines, at, known):
                 raise SystemExit(f'{row.header}: {row.cpp}::{name} has no row')
 
 
+def expect_all_functions(rows, read_header):
+    """Each overload has a row, or is said not to be there in C."""
+    for header in sorted({r.header for r in rows if r.header}):
+        declared = Counter(m[1] for line in read_header(header)
+                           if (m := re.match(r'MARROW_API [\w:&*<> ]*[ *&](\w+)\(', line)))
+        described = Counter(r.cpp for r in rows if r.header == header and r.kind in ('fn', 'no') and not r.method)
+        for name, times in declared.items():
+            if described[name] < times:
+                raise SystemExit(f'{header}: {name}: is declared {times} times, and has {described[name]} rows')
+
+
 def add_docs(rows, read_header):
     seen = {}
     for row in rows:
@@ -184,7 +196,4 @@ def add_docs(rows, read_header):
             names = [name for name, _ in row.fields]
             row.docs = body_docs(lines, at, names)
             expect_all_fields(row, lines, at, names + [r.cpp for r in rows if r.is_member and r.method == row.name])
-    for (header, name, kind), described in seen.items():
-        declared = [places_of(r, read_header(header)) for r in rows if (r.header, r.cpp, r.kind) == (header, name, kind)][0]
-        if kind == 'fn' and described < len(declared):
-            raise SystemExit(f'{header}: {name}: is declared {len(declared)} times, and has {described} rows')
+    expect_all_functions(rows, read_header)

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0x49f226a0u
+#define MRW_GLES3_ABI 0x981beec4u
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -88,6 +88,9 @@ enum {
 // In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
 #define MRW_GLES3_SURFACE_NORMALS 32u
 
+// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+#define MRW_GLES3_MOTION 64u
+
 // Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 // kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
 #define MRW_GLES3_POSITION_LOCATION 0u  // animation space: 0 … 7 are the coordinates
@@ -101,6 +104,10 @@ enum {
 
 // Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 #define MRW_GLES3_MORPH_TARGETS 64u
+
+// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+#define MRW_GLES3_PREVIOUS_LOCATION 1u  // Deformer::none with kMotion: the position of the frame before
 
 // Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 #define MRW_GLES3_PALETTE_JOINTS 341u
@@ -203,7 +210,12 @@ struct mrw_gles3_prepare_options {
 void mrw_gles3_prepare_options_init(mrw_gles3_prepare_options* out);
 
 // What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
-// that have targets; set_morphs() before each.
+// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+// frame before, positions alone. Those, bound for each draw call like the others, are
+//   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+//   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+//   skinned elsewhere    set_previous(), see gles3_skinned.h
+// and with kMorphs set_previous_morphs().
 typedef struct mrw_gles3_program_key mrw_gles3_program_key;
 struct mrw_gles3_program_key {
   mrw_gles3_deformer deformer;
@@ -222,10 +234,11 @@ void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
 //   }
 //
 // What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
-// was built to read it (ProgramKey::features); MARROW_PALETTES: 2 in programs for crowds.
+// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
 // What the vertex text may use:
-//   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; } in scene space, normal and
-//                                    tangent of unit length, tangent.w the handedness; what is not read is 0
+//   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+//                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+//                                    not read is 0, but previous_position is then the position
 //   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
 //   vec4 marrow_instance_colour()    of an instance of a crowd; else white
 // Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
@@ -243,6 +256,7 @@ typedef struct mrw_gles3_program mrw_gles3_program;
 struct mrw_gles3_program {
   uint32_t id;
   mrw_gles3_palettes reads;
+  bool motion;  // built with kMotion
   int32_t coordinate_scale;  // Locations of uniforms.
   int32_t palettes;
   int32_t first_row;
@@ -254,6 +268,9 @@ struct mrw_gles3_program {
   int32_t morph_count;
   int32_t morph_shift;
   int32_t morph_per_row;
+  int32_t previous_palettes;
+  int32_t previous_targets;
+  int32_t previous_count;
 };
 void mrw_gles3_program_init(mrw_gles3_program* out);
 
@@ -276,6 +293,7 @@ struct mrw_gles3_palette_texture {
   uint32_t current;  // which was written last
   uint32_t capacity;  // matrices
   uint32_t count;  // that are there
+  uint32_t previous_count;  // that were there in the frame before
 };
 void mrw_gles3_palette_texture_init(mrw_gles3_palette_texture* out);
 
@@ -329,7 +347,8 @@ mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* cap
 // Deletes the GL objects and clears the struct.
 void mrw_gles3_destroy_mesh(const mrw_gles3_api* api, mrw_gles3_gpu_mesh* mesh);
 
-// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
+// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+// frame before to the next binding.
 // Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
 // words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
 mrw_status mrw_gles3_build_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
@@ -376,12 +395,24 @@ mrw_status mrw_gles3_upload_palettes(const mrw_gles3_api* api, mrw_gles3_palette
 mrw_status mrw_gles3_bind_texture_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
     uint32_t first, uint32_t joints, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
 
+// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+// what was uploaded then).
+mrw_status mrw_gles3_bind_previous_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
+    uint32_t first, uint32_t joints, bool kept, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
+
 // Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
 // animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
 // move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
 // targets, a program without kMorphs, too few weights, one that is not finite).
 mrw_status mrw_gles3_set_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
     const float* weights, size_t weight_count, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
+
+// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+mrw_status mrw_gles3_set_previous_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
+    const float* weights, size_t weight_count, const mrw_gles3_program* program) MRW_NODISCARD;
 
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
 // `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
@@ -447,6 +478,13 @@ mrw_status mrw_gles3_build_preskin(const mrw_gles3_api* api, const mrw_gles3_cap
 mrw_status mrw_gles3_preskin_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
     const mrw_gles3_program* program, const mrw_gles3_skinned_mesh* to) MRW_NODISCARD;
 
+// Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+// of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+// changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+// GL_ARRAY_BUFFER and the vertex array at 0.
+mrw_status mrw_gles3_set_previous(const mrw_gles3_api* api, const mrw_gles3_skinned_mesh* mesh,
+    const mrw_gles3_skinned_mesh* previous) MRW_NODISCARD;
+
 // Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
 void mrw_gles3_draw_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
     const mrw_gles3_skinned_mesh* skinned);
@@ -492,7 +530,8 @@ typedef struct mrw_gles3_program_set mrw_gles3_program_set;
 struct mrw_gles3_program_set {
   mrw_gles3_program_source roles[4];  // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
   uint32_t role_count;
-  // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes.
+  // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+  // read previous_position of skinners and crowds that keep it.
   uint8_t role_features[4];
   uint32_t palette_binding;  // uniform buffer binding of the palettes
   char* log;  // what the driver says of a text that does not compile
@@ -507,13 +546,36 @@ struct mrw_gles3_skinner_options {
   mrw_gles3_skinning_path path;
   mrw_gles3_deformer deformer;  // rigid, ssd or as
   uint32_t instances;  // characters, at most
-  uint32_t texture_unit;  // palettes in a texture; morph targets take the next one
+  // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+  uint32_t texture_unit;
   uint8_t features;  // what programs are to read of what the mesh has and their role reads
   // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
   const float* as_tangents;
   size_t as_tangent_count;
+  // For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+  // MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+  // too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+  bool motion;
 };
 void mrw_gles3_skinner_options_init(mrw_gles3_skinner_options* out);
+
+// What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+typedef struct mrw_gles3_skinner_motion mrw_gles3_skinner_motion;
+struct mrw_gles3_skinner_motion {
+  mrw_gles3_palette_ring ring;
+  uint32_t* offsets;
+  size_t offset_count;
+  mrw_gles3_skinned_mesh* skinned;
+  size_t skinned_count;
+  float* weights;
+  size_t weight_count;
+  float* sent_weights;
+  size_t sent_weight_count;
+  uint8_t* still;
+  size_t still_count;
+  uint8_t* reset;
+  size_t reset_count;
+};
 
 typedef struct mrw_gles3_skinner mrw_gles3_skinner;
 struct mrw_gles3_skinner {
@@ -534,6 +596,7 @@ struct mrw_gles3_skinner {
   size_t offset_count;
   mrw_gles3_skinned_mesh* skinned;
   size_t skinned_count;
+  mrw_gles3_skinner_motion motion;
   float* positions;
   size_t position_count;
   float* normals;
@@ -575,6 +638,11 @@ void mrw_gles3_destroy_skinner(const mrw_gles3_api* api, mrw_gles3_skinner* skin
 mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, const float* weights, size_t weight_count) MRW_NODISCARD;
 
+// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+mrw_status mrw_gles3_reset_motion(mrw_gles3_skinner* skinner, uint32_t instance) MRW_NODISCARD;
+
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
 // and nothing else; on path cpu the vertices.
 // Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
@@ -611,7 +679,8 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 //   once a mesh        create_crowd_mesh, build_crowd_programs
 //   once a crowd       create_crowd
 //   on changes         set_instances
-//   every frame        for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd, draw
+//   every frame        with motion vectors: begin_frame for each mesh
+//                      for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd, draw
 //   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
 //   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
@@ -691,9 +760,13 @@ struct mrw_gles3_crowd_mesh {
   uint32_t frames_texture;
   uint32_t blended_texture;
   uint32_t framebuffer;  // around the blended texture
+  // With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+  uint32_t previous_texture;
+  uint32_t previous_framebuffer;
   uint32_t joints;  // matrices of a palette
   uint32_t frame_count;
   uint32_t capacity;  // instances
+  bool motion;
   bool lost;
   mrw_mesh mesh;  // What it is put on the next context from.
   mrw_gles3_prepare_options options;
@@ -760,10 +833,12 @@ size_t mrw_gles3_crowd_mesh_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_
 // crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
 // what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
 // the vertices, and 48 B a matrix and frame, go up, once.
+// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+// kMotion have MarrowVertex::previous_position from them.
 // May be null: options.
 mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_prepare_options* options, const mrw_gles3_crowd_frames* frames, uint32_t capacity, void* memory,
-    size_t memory_bytes, mrw_gles3_crowd_mesh* out) MRW_NODISCARD;
+    size_t memory_bytes, mrw_gles3_crowd_mesh* out, bool motion) MRW_NODISCARD;
 
 // Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
 //
@@ -774,6 +849,8 @@ mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3
 // crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
 // what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
 // the vertices, and 48 B a matrix and frame, go up, once.
+// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+// kMotion have MarrowVertex::previous_position from them.
 void mrw_gles3_destroy_crowd_mesh(const mrw_gles3_api* api, mrw_gles3_crowd_mesh* mesh);
 
 // Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
@@ -809,6 +886,17 @@ const mrw_gles3_program* mrw_gles3_crowd_program_of(const mrw_gles3_crowd_mesh* 
     uint8_t features, const mrw_gles3_program_set* programs, uint32_t role);
 const mrw_gles3_program* mrw_gles3_blending_program_of(const mrw_gles3_program_set* programs);
 
+// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+void mrw_gles3_begin_crowd_frame(mrw_gles3_crowd_mesh* mesh);
+
+// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+mrw_status mrw_gles3_blend_previous_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
+    const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, double time_s, uint32_t texture_unit,
+    const mrw_gles3_program* program) MRW_NODISCARD;
+
 // Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
 // scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
 // build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
@@ -821,7 +909,8 @@ mrw_status mrw_gles3_blend_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd
     const mrw_gles3_program* program) MRW_NODISCARD;
 
 // The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
-// use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
+// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+// Errors: as there.
 mrw_status mrw_gles3_bind_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;

@@ -2739,7 +2739,12 @@ public unsafe struct Gles3PrepareOptions {
 
 /// <summary>
 /// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
-/// that have targets; set_morphs() before each.
+/// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+/// frame before, positions alone. Those, bound for each draw call like the others, are
+///   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+///   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+///   skinned elsewhere    set_previous(), see gles3_skinned.h
+/// and with kMorphs set_previous_morphs().
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3ProgramKey {
@@ -2764,10 +2769,11 @@ public unsafe struct Gles3ProgramKey {
 ///   }
 ///
 /// What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
-/// was built to read it (ProgramKey::features); MARROW_PALETTES: 2 in programs for crowds.
+/// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
 /// What the vertex text may use:
-///   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; } in scene space, normal and
-///                                    tangent of unit length, tangent.w the handedness; what is not read is 0
+///   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+///                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+///                                    not read is 0, but previous_position is then the position
 ///   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
 ///   vec4 marrow_instance_colour()    of an instance of a crowd; else white
 /// Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
@@ -2794,6 +2800,10 @@ public unsafe struct Gles3Program {
     public uint id;
     public Gles3Palettes reads;
     /// <summary>
+    /// built with kMotion
+    /// </summary>
+    public byte motion;
+    /// <summary>
     /// Locations of uniforms.
     /// </summary>
     public int coordinate_scale;
@@ -2810,6 +2820,9 @@ public unsafe struct Gles3Program {
     public int morph_count;
     public int morph_shift;
     public int morph_per_row;
+    public int previous_palettes;
+    public int previous_targets;
+    public int previous_count;
     public static Gles3Program New() {
         Gles3Program made;
         Marrow.Gles3ProgramInit(&made);
@@ -2856,6 +2869,10 @@ public unsafe struct Gles3PaletteTexture {
     /// that are there
     /// </summary>
     public uint count;
+    /// <summary>
+    /// that were there in the frame before
+    /// </summary>
+    public uint previous_count;
     public static Gles3PaletteTexture New() {
         Gles3PaletteTexture made;
         Marrow.Gles3PaletteTextureInit(&made);
@@ -2948,7 +2965,8 @@ public unsafe struct Gles3ProgramSet {
     public Gles3ProgramSource roles3;
     public uint role_count;
     /// <summary>
-    /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes.
+    /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+    /// read previous_position of skinners and crowds that keep it.
     /// </summary>
     public fixed byte role_features[4];
     /// <summary>
@@ -2960,7 +2978,7 @@ public unsafe struct Gles3ProgramSet {
     /// </summary>
     public byte* log;
     public UIntPtr log_bytes;
-    public fixed uint entries[2880];
+    public fixed uint entries[3456];
     public uint count;
     public static Gles3ProgramSet New() {
         Gles3ProgramSet made;
@@ -2981,7 +2999,7 @@ public unsafe struct Gles3SkinnerOptions {
     /// </summary>
     public uint instances;
     /// <summary>
-    /// palettes in a texture; morph targets take the next one
+    /// Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
     /// </summary>
     public uint texture_unit;
     /// <summary>
@@ -2993,11 +3011,37 @@ public unsafe struct Gles3SkinnerOptions {
     /// </summary>
     public float* as_tangents;
     public UIntPtr as_tangent_count;
+    /// <summary>
+    /// For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+    /// MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+    /// too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+    /// </summary>
+    public byte motion;
     public static Gles3SkinnerOptions New() {
         Gles3SkinnerOptions made;
         Marrow.Gles3SkinnerOptionsInit(&made);
         return made;
     }
+}
+
+/// <summary>
+/// What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3SkinnerMotion {
+    public Gles3PaletteRing ring;
+    public uint* offsets;
+    public UIntPtr offset_count;
+    public Gles3SkinnedMesh* skinned;
+    public UIntPtr skinned_count;
+    public float* weights;
+    public UIntPtr weight_count;
+    public float* sent_weights;
+    public UIntPtr sent_weight_count;
+    public byte* still;
+    public UIntPtr still_count;
+    public byte* reset;
+    public UIntPtr reset_count;
 }
 
 [StructLayout(LayoutKind.Sequential)]
@@ -3019,6 +3063,7 @@ public unsafe struct Gles3Skinner {
     public UIntPtr offset_count;
     public Gles3SkinnedMesh* skinned;
     public UIntPtr skinned_count;
+    public Gles3SkinnerMotion motion;
     public float* positions;
     public UIntPtr position_count;
     public float* normals;
@@ -3165,6 +3210,11 @@ public unsafe struct Gles3CrowdMesh {
     /// </summary>
     public uint framebuffer;
     /// <summary>
+    /// With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+    /// </summary>
+    public uint previous_texture;
+    public uint previous_framebuffer;
+    /// <summary>
     /// matrices of a palette
     /// </summary>
     public uint joints;
@@ -3173,6 +3223,7 @@ public unsafe struct Gles3CrowdMesh {
     /// instances
     /// </summary>
     public uint capacity;
+    public byte motion;
     public byte lost;
     /// <summary>
     /// What it is put on the next context from.
@@ -3372,7 +3423,7 @@ public static unsafe class Marrow {
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0x3b879ba9;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x49f226a0;
+    public const uint Gles3AbiNumber = 0x981beec4;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3484,6 +3535,10 @@ public static unsafe class Marrow {
     /// </summary>
     public const uint Gles3SurfaceNormals = 32;
     /// <summary>
+    /// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+    /// </summary>
+    public const uint Gles3Motion = 64;
+    /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
     /// animation space: 0 … 7 are the coordinates
@@ -3530,6 +3585,12 @@ public static unsafe class Marrow {
     /// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
     /// </summary>
     public const uint Gles3MorphTargets = 64;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// Deformer::none with kMotion: the position of the frame before
+    /// </summary>
+    public const uint Gles3PreviousLocation = 1;
     /// <summary>
     /// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
     /// </summary>
@@ -5020,7 +5081,8 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_mesh", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroyMesh(Gles3Api* api, Gles3GpuMesh* mesh);
     /// <summary>
-    /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
+    /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+    /// frame before to the next binding.
     /// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
     /// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
     /// </summary>
@@ -5086,6 +5148,15 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_bind_texture_palette", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3BindTexturePalette(Gles3Api* api, Gles3PaletteTexture* texture, uint first, uint joints, uint texture_unit, Gles3Program* program);
     /// <summary>
+    /// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+    /// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+    /// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+    /// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+    /// what was uploaded then).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bind_previous_palette", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BindPreviousPalette(Gles3Api* api, Gles3PaletteTexture* texture, uint first, uint joints, byte kept, uint texture_unit, Gles3Program* program);
+    /// <summary>
     /// Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
     /// animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
     /// move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
@@ -5093,6 +5164,11 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_set_morphs", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3SetMorphs(Gles3Api* api, Mesh* mesh, Gles3GpuMesh* gpu, float* weights, UIntPtr weight_count, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_set_previous_morphs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3SetPreviousMorphs(Gles3Api* api, Mesh* mesh, Gles3GpuMesh* gpu, float* weights, UIntPtr weight_count, Gles3Program* program);
     /// <summary>
     /// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
     /// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
@@ -5139,6 +5215,14 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_preskin_mesh", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3PreskinMesh(Gles3Api* api, Gles3GpuMesh* mesh, Gles3Deformer deformer, Gles3Program* program, Gles3SkinnedMesh* to);
+    /// <summary>
+    /// Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+    /// of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+    /// changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+    /// GL_ARRAY_BUFFER and the vertex array at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_set_previous", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3SetPrevious(Gles3Api* api, Gles3SkinnedMesh* mesh, Gles3SkinnedMesh* previous);
     /// <summary>
     /// Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
     /// </summary>
@@ -5194,6 +5278,13 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_pose", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3Pose(Gles3Skinner* skinner, uint instance, Affine* scene_from_joint, UIntPtr scene_from_joint_count, float* weights, UIntPtr weight_count);
+    /// <summary>
+    /// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+    /// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+    /// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_reset_motion", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3ResetMotion(Gles3Skinner* skinner, uint instance);
     /// <summary>
     /// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
     /// and nothing else; on path cpu the vertices.
@@ -5300,10 +5391,12 @@ public static unsafe class Marrow {
     /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
     /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
     /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
     /// May be null: options.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_create_crowd_mesh", CallingConvention = CallingConvention.Cdecl)]
-    public static extern Status Gles3CreateCrowdMesh(Gles3Api* api, Gles3Caps* caps, Mesh* mesh, Gles3PrepareOptions* options, Gles3CrowdFrames* frames, uint capacity, void* memory, UIntPtr memory_bytes, Gles3CrowdMesh* @out);
+    public static extern Status Gles3CreateCrowdMesh(Gles3Api* api, Gles3Caps* caps, Mesh* mesh, Gles3PrepareOptions* options, Gles3CrowdFrames* frames, uint capacity, void* memory, UIntPtr memory_bytes, Gles3CrowdMesh* @out, byte motion);
     /// <summary>
     /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
     ///
@@ -5314,6 +5407,8 @@ public static unsafe class Marrow {
     /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
     /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
     /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_crowd_mesh", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroyCrowdMesh(Gles3Api* api, Gles3CrowdMesh* mesh);
@@ -5364,6 +5459,19 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_blending_program_of", CallingConvention = CallingConvention.Cdecl)]
     public static extern Gles3Program* Gles3BlendingProgramOf(Gles3ProgramSet* programs);
     /// <summary>
+    /// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_begin_crowd_frame", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3BeginCrowdFrame(Gles3CrowdMesh* mesh);
+    /// <summary>
+    /// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+    /// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+    /// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+    /// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_blend_previous_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BlendPreviousCrowd(Gles3Api* api, Gles3Crowd* crowd, Gles3CrowdMesh* mesh, uint first, uint count, double time_s, uint texture_unit, Gles3Program* program);
+    /// <summary>
     /// Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
     /// scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
     /// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
@@ -5376,7 +5484,8 @@ public static unsafe class Marrow {
     public static extern Status Gles3BlendCrowd(Gles3Api* api, Gles3Crowd* crowd, Gles3CrowdMesh* mesh, uint first, uint count, double time_s, uint texture_unit, Gles3Program* program);
     /// <summary>
     /// The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
-    /// use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
+    /// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+    /// Errors: as there.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_bind_crowd", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3BindCrowd(Gles3Api* api, Gles3Crowd* crowd, Gles3CrowdMesh* mesh, uint first, uint count, uint texture_unit, Gles3Program* program);
@@ -5557,20 +5666,21 @@ public static unsafe class Marrow {
             sizeof(Gles3PrepareOptions) == 24 &&
             sizeof(Gles3ProgramKey) == 4 &&
             sizeof(Gles3ProgramSource) == 32 &&
-            sizeof(Gles3Program) == 52 &&
+            sizeof(Gles3Program) == 64 &&
             sizeof(Gles3PaletteRing) == 16 &&
-            sizeof(Gles3PaletteTexture) == 24 &&
+            sizeof(Gles3PaletteTexture) == 28 &&
             sizeof(Gles3SkinnedMesh) == 16 &&
-            sizeof(Gles3ProgramSetEntry) == 60 &&
-            sizeof(Gles3ProgramSet) == 11688 &&
-            sizeof(Gles3SkinnerOptions) == 32 &&
-            sizeof(Gles3Skinner) == 1272 &&
+            sizeof(Gles3ProgramSetEntry) == 72 &&
+            sizeof(Gles3ProgramSet) == 13992 &&
+            sizeof(Gles3SkinnerOptions) == 40 &&
+            sizeof(Gles3SkinnerMotion) == 112 &&
+            sizeof(Gles3Skinner) == 1392 &&
             sizeof(Gles3CrowdSource) == 152 &&
             sizeof(Gles3CrowdClip) == 16 &&
             sizeof(Gles3CrowdFrames) == 40 &&
             sizeof(Gles3CrowdPlay) == 24 &&
             sizeof(Gles3CrowdInstance) == 128 &&
-            sizeof(Gles3CrowdMesh) == 624 &&
+            sizeof(Gles3CrowdMesh) == 632 &&
             sizeof(Gles3Crowd) == 40 &&
             sizeof(Gles3PathResult) == 16 &&
             sizeof(Gles3SelfTest) == 88 &&

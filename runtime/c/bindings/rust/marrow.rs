@@ -6,7 +6,7 @@ use std::os::raw::{c_char, c_void};
 /// What abi() must give.
 pub const ABI: u32 = 0x3b879ba9;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x49f226a0;
+pub const GLES3_ABI: u32 = 0x981beec4;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -2582,6 +2582,9 @@ pub const GLES3_MORPHS: u32 = 16;
 /// In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
 pub const GLES3_SURFACE_NORMALS: u32 = 32;
 
+/// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+pub const GLES3_MOTION: u32 = 64;
+
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
 /// animation space: 0 … 7 are the coordinates
@@ -2619,6 +2622,11 @@ pub const GLES3_MORPH_ROW_LOCATION: u32 = 14;
 
 /// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 pub const GLES3_MORPH_TARGETS: u32 = 64;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// Deformer::none with kMotion: the position of the frame before
+pub const GLES3_PREVIOUS_LOCATION: u32 = 1;
 
 /// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 pub const GLES3_PALETTE_JOINTS: u32 = 341;
@@ -2790,7 +2798,12 @@ impl Default for Gles3PrepareOptions {
 const _: () = assert!(std::mem::size_of::<Gles3PrepareOptions>() == 24);
 
 /// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
-/// that have targets; set_morphs() before each.
+/// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+/// frame before, positions alone. Those, bound for each draw call like the others, are
+///   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+///   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+///   skinned elsewhere    set_previous(), see gles3_skinned.h
+/// and with kMorphs set_previous_morphs().
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3ProgramKey {
@@ -2820,10 +2833,11 @@ const _: () = assert!(std::mem::size_of::<Gles3ProgramKey>() == 4);
 ///   }
 ///
 /// What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
-/// was built to read it (ProgramKey::features); MARROW_PALETTES: 2 in programs for crowds.
+/// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
 /// What the vertex text may use:
-///   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; } in scene space, normal and
-///                                    tangent of unit length, tangent.w the handedness; what is not read is 0
+///   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+///                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+///                                    not read is 0, but previous_position is then the position
 ///   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
 ///   vec4 marrow_instance_colour()    of an instance of a crowd; else white
 /// Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
@@ -2854,6 +2868,8 @@ const _: () = assert!(std::mem::size_of::<Gles3ProgramSource>() == 32);
 pub struct Gles3Program {
     pub id: u32,
     pub reads: Gles3Palettes,
+    /// built with kMotion
+    pub motion: bool,
     /// Locations of uniforms.
     pub coordinate_scale: i32,
     pub palettes: i32,
@@ -2867,6 +2883,9 @@ pub struct Gles3Program {
     pub morph_count: i32,
     pub morph_shift: i32,
     pub morph_per_row: i32,
+    pub previous_palettes: i32,
+    pub previous_targets: i32,
+    pub previous_count: i32,
 }
 impl Default for Gles3Program {
     fn default() -> Self {
@@ -2878,7 +2897,7 @@ impl Default for Gles3Program {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3Program>() == 52);
+const _: () = assert!(std::mem::size_of::<Gles3Program>() == 64);
 
 /// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
 /// contents are orphaned, so the CPU never waits for the GPU.
@@ -2915,6 +2934,8 @@ pub struct Gles3PaletteTexture {
     pub capacity: u32,
     /// that are there
     pub count: u32,
+    /// that were there in the frame before
+    pub previous_count: u32,
 }
 impl Default for Gles3PaletteTexture {
     fn default() -> Self {
@@ -2926,7 +2947,7 @@ impl Default for Gles3PaletteTexture {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3PaletteTexture>() == 24);
+const _: () = assert!(std::mem::size_of::<Gles3PaletteTexture>() == 28);
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -3000,7 +3021,7 @@ impl Default for Gles3ProgramSetEntry {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 60);
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 72);
 
 /// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
 #[repr(C)]
@@ -3009,7 +3030,8 @@ pub struct Gles3ProgramSet {
     /// Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
     pub roles: [Gles3ProgramSource; 4],
     pub role_count: u32,
-    /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes.
+    /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+    /// read previous_position of skinners and crowds that keep it.
     pub role_features: [u8; 4],
     /// uniform buffer binding of the palettes
     pub palette_binding: u32,
@@ -3029,7 +3051,7 @@ impl Default for Gles3ProgramSet {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 11688);
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 13992);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -3039,13 +3061,17 @@ pub struct Gles3SkinnerOptions {
     pub deformer: Gles3Deformer,
     /// characters, at most
     pub instances: u32,
-    /// palettes in a texture; morph targets take the next one
+    /// Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
     pub texture_unit: u32,
     /// what programs are to read of what the mesh has and their role reads
     pub features: u8,
     /// From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
     pub as_tangents: *const f32,
     pub as_tangent_count: usize,
+    /// For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+    /// MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+    /// too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+    pub motion: bool,
 }
 impl Default for Gles3SkinnerOptions {
     fn default() -> Self {
@@ -3057,7 +3083,33 @@ impl Default for Gles3SkinnerOptions {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3SkinnerOptions>() == 32);
+const _: () = assert!(std::mem::size_of::<Gles3SkinnerOptions>() == 40);
+
+/// What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3SkinnerMotion {
+    pub ring: Gles3PaletteRing,
+    pub offsets: *mut u32,
+    pub offset_count: usize,
+    pub skinned: *mut Gles3SkinnedMesh,
+    pub skinned_count: usize,
+    pub weights: *mut f32,
+    pub weight_count: usize,
+    pub sent_weights: *mut f32,
+    pub sent_weight_count: usize,
+    pub still: *mut u8,
+    pub still_count: usize,
+    pub reset: *mut u8,
+    pub reset_count: usize,
+}
+impl Default for Gles3SkinnerMotion {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3SkinnerMotion>() == 112);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -3079,6 +3131,7 @@ pub struct Gles3Skinner {
     pub offset_count: usize,
     pub skinned: *mut Gles3SkinnedMesh,
     pub skinned_count: usize,
+    pub motion: Gles3SkinnerMotion,
     pub positions: *mut f32,
     pub position_count: usize,
     pub normals: *mut f32,
@@ -3097,7 +3150,7 @@ impl Default for Gles3Skinner {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3Skinner>() == 1272);
+const _: () = assert!(std::mem::size_of::<Gles3Skinner>() == 1392);
 
 /// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
 pub const GLES3_MAX_CROWD_FRAMES: u32 = 1048576;
@@ -3237,11 +3290,15 @@ pub struct Gles3CrowdMesh {
     pub blended_texture: u32,
     /// around the blended texture
     pub framebuffer: u32,
+    /// With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+    pub previous_texture: u32,
+    pub previous_framebuffer: u32,
     /// matrices of a palette
     pub joints: u32,
     pub frame_count: u32,
     /// instances
     pub capacity: u32,
+    pub motion: bool,
     pub lost: bool,
     /// What it is put on the next context from.
     pub mesh: Mesh,
@@ -3264,7 +3321,7 @@ impl Default for Gles3CrowdMesh {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 624);
+const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 632);
 
 /// Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
 #[repr(C)]
@@ -4580,7 +4637,8 @@ extern "C" {
     /// Deletes the GL objects and clears the struct.
     #[link_name = "mrw_gles3_destroy_mesh"]
     pub fn gles3_destroy_mesh(api: *const Gles3Api, mesh: *mut Gles3GpuMesh);
-    /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
+    /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+    /// frame before to the next binding.
     /// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
     /// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
     #[link_name = "mrw_gles3_build_program"]
@@ -4626,12 +4684,22 @@ extern "C" {
     /// uploaded).
     #[link_name = "mrw_gles3_bind_texture_palette"]
     pub fn gles3_bind_texture_palette(api: *const Gles3Api, texture: *const Gles3PaletteTexture, first: u32, joints: u32, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+    /// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+    /// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+    /// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+    /// what was uploaded then).
+    #[link_name = "mrw_gles3_bind_previous_palette"]
+    pub fn gles3_bind_previous_palette(api: *const Gles3Api, texture: *const Gles3PaletteTexture, first: u32, joints: u32, kept: bool, texture_unit: u32, program: *const Gles3Program) -> Status;
     /// Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
     /// animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
     /// move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
     /// targets, a program without kMorphs, too few weights, one that is not finite).
     #[link_name = "mrw_gles3_set_morphs"]
     pub fn gles3_set_morphs(api: *const Gles3Api, mesh: *const Mesh, gpu: *const Gles3GpuMesh, weights: *const f32, weight_count: usize, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+    #[link_name = "mrw_gles3_set_previous_morphs"]
+    pub fn gles3_set_previous_morphs(api: *const Gles3Api, mesh: *const Mesh, gpu: *const Gles3GpuMesh, weights: *const f32, weight_count: usize, program: *const Gles3Program) -> Status;
     /// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
     /// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
     /// say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
@@ -4666,6 +4734,12 @@ extern "C" {
     /// Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
     #[link_name = "mrw_gles3_preskin_mesh"]
     pub fn gles3_preskin_mesh(api: *const Gles3Api, mesh: *const Gles3GpuMesh, deformer: Gles3Deformer, program: *const Gles3Program, to: *const Gles3SkinnedMesh) -> Status;
+    /// Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+    /// of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+    /// changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+    /// GL_ARRAY_BUFFER and the vertex array at 0.
+    #[link_name = "mrw_gles3_set_previous"]
+    pub fn gles3_set_previous(api: *const Gles3Api, mesh: *const Gles3SkinnedMesh, previous: *const Gles3SkinnedMesh) -> Status;
     /// Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
     #[link_name = "mrw_gles3_draw_skinned"]
     pub fn gles3_draw_skinned(api: *const Gles3Api, mesh: *const Gles3GpuMesh, skinned: *const Gles3SkinnedMesh);
@@ -4707,6 +4781,11 @@ extern "C" {
     /// Errors: bad_argument (no such instance, a span too short).
     #[link_name = "mrw_gles3_pose"]
     pub fn gles3_pose(skinner: *mut Gles3Skinner, instance: u32, scene_from_joint: *const Affine, scene_from_joint_count: usize, weights: *const f32, weight_count: usize) -> Status;
+    /// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+    /// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+    /// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+    #[link_name = "mrw_gles3_reset_motion"]
+    pub fn gles3_reset_motion(skinner: *mut Gles3Skinner, instance: u32) -> Status;
     /// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
     /// and nothing else; on path cpu the vertices.
     /// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
@@ -4786,9 +4865,11 @@ extern "C" {
     /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
     /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
     /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
     /// May be null: options.
     #[link_name = "mrw_gles3_create_crowd_mesh"]
-    pub fn gles3_create_crowd_mesh(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3PrepareOptions, frames: *const Gles3CrowdFrames, capacity: u32, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3CrowdMesh) -> Status;
+    pub fn gles3_create_crowd_mesh(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3PrepareOptions, frames: *const Gles3CrowdFrames, capacity: u32, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3CrowdMesh, motion: bool) -> Status;
     /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
     ///
     /// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
@@ -4798,6 +4879,8 @@ extern "C" {
     /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
     /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
     /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
     #[link_name = "mrw_gles3_destroy_crowd_mesh"]
     pub fn gles3_destroy_crowd_mesh(api: *const Gles3Api, mesh: *mut Gles3CrowdMesh);
     /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
@@ -4832,6 +4915,15 @@ extern "C" {
     /// What was built with the same arguments, never null.
     #[link_name = "mrw_gles3_blending_program_of"]
     pub fn gles3_blending_program_of(programs: *const Gles3ProgramSet) -> *const Gles3Program;
+    /// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+    #[link_name = "mrw_gles3_begin_crowd_frame"]
+    pub fn gles3_begin_crowd_frame(mesh: *mut Gles3CrowdMesh);
+    /// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+    /// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+    /// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+    /// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+    #[link_name = "mrw_gles3_blend_previous_crowd"]
+    pub fn gles3_blend_previous_crowd(api: *const Gles3Api, crowd: *const Gles3Crowd, mesh: *const Gles3CrowdMesh, first: u32, count: u32, time_s: f64, texture_unit: u32, program: *const Gles3Program) -> Status;
     /// Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
     /// scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
     /// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
@@ -4842,7 +4934,8 @@ extern "C" {
     #[link_name = "mrw_gles3_blend_crowd"]
     pub fn gles3_blend_crowd(api: *const Gles3Api, crowd: *const Gles3Crowd, mesh: *const Gles3CrowdMesh, first: u32, count: u32, time_s: f64, texture_unit: u32, program: *const Gles3Program) -> Status;
     /// The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
-    /// use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
+    /// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+    /// Errors: as there.
     #[link_name = "mrw_gles3_bind_crowd"]
     pub fn gles3_bind_crowd(api: *const Gles3Api, crowd: *const Gles3Crowd, mesh: *const Gles3CrowdMesh, first: u32, count: u32, texture_unit: u32, program: *const Gles3Program) -> Status;
     /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until

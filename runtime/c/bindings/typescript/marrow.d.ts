@@ -32,6 +32,7 @@ export const GLES3_UVS: number;
 export const GLES3_COLOURS: number;
 export const GLES3_MORPHS: number;
 export const GLES3_SURFACE_NORMALS: number;
+export const GLES3_MOTION: number;
 export const GLES3_POSITION_LOCATION: number;
 export const GLES3_WEIGHTS_LOCATION: number;
 export const GLES3_JOINTS_LOCATION: number;
@@ -41,6 +42,7 @@ export const GLES3_UV_LOCATION: number;
 export const GLES3_COLOUR_LOCATION: number;
 export const GLES3_MORPH_ROW_LOCATION: number;
 export const GLES3_MORPH_TARGETS: number;
+export const GLES3_PREVIOUS_LOCATION: number;
 export const GLES3_PALETTE_JOINTS: number;
 export const GLES3_PALETTE_BLOCK_BYTES: number;
 export const GLES3_PALETTE_TEXTURE_WIDTH: number;
@@ -2478,7 +2480,12 @@ export interface Gles3PrepareOptions extends View {
 
 /**
  * What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
- * that have targets; set_morphs() before each.
+ * that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+ * frame before, positions alone. Those, bound for each draw call like the others, are
+ *   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+ *   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+ *   skinned elsewhere    set_previous(), see gles3_skinned.h
+ * and with kMorphs set_previous_morphs().
  */
 export interface Gles3ProgramKey extends View {
   deformer: Gles3Deformer;
@@ -2497,10 +2504,11 @@ export interface Gles3ProgramKey extends View {
  *   }
  *
  * What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
- * was built to read it (ProgramKey::features); MARROW_PALETTES: 2 in programs for crowds.
+ * was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
  * What the vertex text may use:
- *   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; } in scene space, normal and
- *                                    tangent of unit length, tangent.w the handedness; what is not read is 0
+ *   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+ *                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+ *                                    not read is 0, but previous_position is then the position
  *   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
  *   vec4 marrow_instance_colour()    of an instance of a crowd; else white
  * Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
@@ -2519,6 +2527,10 @@ export interface Gles3Program extends View {
   id: number;
   reads: Gles3Palettes;
   /**
+   * built with kMotion
+   */
+  motion: boolean;
+  /**
    * Locations of uniforms.
    */
   coordinate_scale: number;
@@ -2535,6 +2547,9 @@ export interface Gles3Program extends View {
   morph_count: number;
   morph_shift: number;
   morph_per_row: number;
+  previous_palettes: number;
+  previous_targets: number;
+  previous_count: number;
 }
 
 /**
@@ -2569,6 +2584,10 @@ export interface Gles3PaletteTexture extends View {
    * that are there
    */
   count: number;
+  /**
+   * that were there in the frame before
+   */
+  previous_count: number;
 }
 
 /**
@@ -2608,7 +2627,8 @@ export interface Gles3ProgramSet extends View {
   readonly roles: Gles3ProgramSource[];
   role_count: number;
   /**
-   * Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes.
+   * Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+   * read previous_position of skinners and crowds that keep it.
    */
   readonly role_features: TypedArray;
   /**
@@ -2634,7 +2654,7 @@ export interface Gles3SkinnerOptions extends View {
    */
   instances: number;
   /**
-   * palettes in a texture; morph targets take the next one
+   * Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
    */
   texture_unit: number;
   /**
@@ -2645,6 +2665,18 @@ export interface Gles3SkinnerOptions extends View {
    * From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
    */
   as_tangents: List<number>;
+  /**
+   * For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+   * MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+   * too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+   */
+  motion: boolean;
+}
+
+/**
+ * What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+ */
+export interface Gles3SkinnerMotion extends View {
 }
 
 export interface Gles3Skinner extends View {
@@ -2749,6 +2781,11 @@ export interface Gles3CrowdMesh extends View {
    */
   framebuffer: number;
   /**
+   * With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+   */
+  previous_texture: number;
+  previous_framebuffer: number;
+  /**
    * matrices of a palette
    */
   joints: number;
@@ -2757,6 +2794,7 @@ export interface Gles3CrowdMesh extends View {
    * instances
    */
   capacity: number;
+  motion: boolean;
   lost: boolean;
   /**
    * What it is put on the next context from.
@@ -2970,6 +3008,7 @@ export interface Structs {
   Gles3ProgramSetEntry: Gles3ProgramSetEntry;
   Gles3ProgramSet: Gles3ProgramSet;
   Gles3SkinnerOptions: Gles3SkinnerOptions;
+  Gles3SkinnerMotion: Gles3SkinnerMotion;
   Gles3Skinner: Gles3Skinner;
   Gles3CrowdSource: Gles3CrowdSource;
   Gles3CrowdClip: Gles3CrowdClip;
@@ -4157,7 +4196,8 @@ export class Marrow {
    */
   gles3_destroy_mesh(api: Gles3Api | null, mesh: Gles3GpuMesh | null): void;
   /**
-   * Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`.
+   * Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+   * frame before to the next binding.
    * Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
    * words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
    */
@@ -4212,12 +4252,24 @@ export class Marrow {
    */
   gles3_bind_texture_palette(api: Gles3Api | null, texture: Gles3PaletteTexture | null, first: number, joints: number, texture_unit: number, program: Gles3Program | null): Status;
   /**
+   * The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+   * the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+   * and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+   * text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+   * what was uploaded then).
+   */
+  gles3_bind_previous_palette(api: Gles3Api | null, texture: Gles3PaletteTexture | null, first: number, joints: number, kept: boolean, texture_unit: number, program: Gles3Program | null): Status;
+  /**
    * Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
    * animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
    * move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
    * targets, a program without kMorphs, too few weights, one that is not finite).
    */
   gles3_set_morphs(api: Gles3Api | null, mesh: Mesh | null, gpu: Gles3GpuMesh | null, weights: List<number> | null, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+   */
+  gles3_set_previous_morphs(api: Gles3Api | null, mesh: Mesh | null, gpu: Gles3GpuMesh | null, weights: List<number> | null, program: Gles3Program | null): Status;
   /**
    * Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
    * `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
@@ -4256,6 +4308,13 @@ export class Marrow {
    * Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
    */
   gles3_preskin_mesh(api: Gles3Api | null, mesh: Gles3GpuMesh | null, deformer: Gles3Deformer, program: Gles3Program | null, to: Gles3SkinnedMesh | null): Status;
+  /**
+   * Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+   * of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+   * changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+   * GL_ARRAY_BUFFER and the vertex array at 0.
+   */
+  gles3_set_previous(api: Gles3Api | null, mesh: Gles3SkinnedMesh | null, previous: Gles3SkinnedMesh | null): Status;
   /**
    * Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
    */
@@ -4300,6 +4359,12 @@ export class Marrow {
    * Errors: bad_argument (no such instance, a span too short).
    */
   gles3_pose(skinner: Gles3Skinner | null, instance: number, scene_from_joint: List<Affine> | null, weights: List<number> | null): Status;
+  /**
+   * Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+   * move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+   * anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+   */
+  gles3_reset_motion(skinner: Gles3Skinner | null, instance: number): Status;
   /**
    * Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
    * and nothing else; on path cpu the vertices.
@@ -4379,9 +4444,11 @@ export class Marrow {
    * crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
    * what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
    * the vertices, and 48 B a matrix and frame, go up, once.
+   * motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+   * kMotion have MarrowVertex::previous_position from them.
    * May be null: options.
    */
-  gles3_create_crowd_mesh(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3PrepareOptions | null, frames: Gles3CrowdFrames | null, capacity: number, memory: List<number> | null, out: Gles3CrowdMesh | null): Status;
+  gles3_create_crowd_mesh(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3PrepareOptions | null, frames: Gles3CrowdFrames | null, capacity: number, memory: List<number> | null, out: Gles3CrowdMesh | null, motion: boolean): Status;
   /**
    * Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
    *
@@ -4392,6 +4459,8 @@ export class Marrow {
    * crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
    * what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
    * the vertices, and 48 B a matrix and frame, go up, once.
+   * motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+   * kMotion have MarrowVertex::previous_position from them.
    */
   gles3_destroy_crowd_mesh(api: Gles3Api | null, mesh: Gles3CrowdMesh | null): void;
   /**
@@ -4434,6 +4503,17 @@ export class Marrow {
    */
   gles3_blending_program_of(programs: Gles3ProgramSet | null): Gles3Program | null;
   /**
+   * With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+   */
+  gles3_begin_crowd_frame(mesh: Gles3CrowdMesh | null): void;
+  /**
+   * With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+   * have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+   * before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+   * Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+   */
+  gles3_blend_previous_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null, mesh: Gles3CrowdMesh | null, first: number, count: number, time_s: number, texture_unit: number, program: Gles3Program | null): Status;
+  /**
    * Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
    * scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
    * build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
@@ -4445,7 +4525,8 @@ export class Marrow {
   gles3_blend_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null, mesh: Gles3CrowdMesh | null, first: number, count: number, time_s: number, texture_unit: number, program: Gles3Program | null): Status;
   /**
    * The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
-   * use, reads palettes of crowds. Binds two texture units as blend_crowd() does. Errors: as there.
+   * use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+   * Errors: as there.
    */
   gles3_bind_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null, mesh: Gles3CrowdMesh | null, first: number, count: number, texture_unit: number, program: Gles3Program | null): Status;
   /**

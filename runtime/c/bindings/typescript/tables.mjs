@@ -2,7 +2,7 @@
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
 export const ABI = 0x3b879ba9;
-export const GLES3_ABI = 0x49f226a0;
+export const GLES3_ABI = 0x981beec4;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -33,6 +33,7 @@ export const GLES3_UVS = 4;
 export const GLES3_COLOURS = 8;
 export const GLES3_MORPHS = 16;
 export const GLES3_SURFACE_NORMALS = 32;
+export const GLES3_MOTION = 64;
 export const GLES3_POSITION_LOCATION = 0;
 export const GLES3_WEIGHTS_LOCATION = 1;
 export const GLES3_JOINTS_LOCATION = 8;
@@ -42,6 +43,7 @@ export const GLES3_UV_LOCATION = 12;
 export const GLES3_COLOUR_LOCATION = 13;
 export const GLES3_MORPH_ROW_LOCATION = 14;
 export const GLES3_MORPH_TARGETS = 64;
+export const GLES3_PREVIOUS_LOCATION = 1;
 export const GLES3_PALETTE_JOINTS = 341;
 export const GLES3_PALETTE_BLOCK_BYTES = 16368;
 export const GLES3_PALETTE_TEXTURE_WIDTH = 2048;
@@ -183,20 +185,21 @@ export const structs = {
   Gles3PrepareOptions: { size: 12, align: 4, init: "gles3_prepare_options_init", fields: {"ssd": [0, "value", "bool"], "as": [1, "value", "bool"], "as_tangents": [4, "list", "f32"]} },
   Gles3ProgramKey: { size: 4, align: 1, init: "gles3_program_key_init", fields: {"deformer": [0, "value", "u8"], "influences": [1, "value", "u8"], "features": [2, "value", "u8"], "palettes": [3, "value", "u8"]} },
   Gles3ProgramSource: { size: 16, align: 4, init: "gles3_program_source_init", fields: {"vertex": [0, "text"], "fragment": [4, "text"], "feedback_varyings": [8, "list", "u32"]} },
-  Gles3Program: { size: 52, align: 4, init: "gles3_program_init", fields: {"id": [0, "value", "u32"], "reads": [4, "value", "u8"], "coordinate_scale": [8, "value", "i32"], "palettes": [12, "value", "i32"], "first_row": [16, "value", "i32"], "instances": [20, "value", "i32"], "crowd": [24, "value", "i32"], "vertex_layout": [28, "value", "i32"], "morph_changes": [32, "value", "i32"], "morph_targets": [36, "value", "i32"], "morph_count": [40, "value", "i32"], "morph_shift": [44, "value", "i32"], "morph_per_row": [48, "value", "i32"]} },
+  Gles3Program: { size: 64, align: 4, init: "gles3_program_init", fields: {"id": [0, "value", "u32"], "reads": [4, "value", "u8"], "motion": [5, "value", "bool"], "coordinate_scale": [8, "value", "i32"], "palettes": [12, "value", "i32"], "first_row": [16, "value", "i32"], "instances": [20, "value", "i32"], "crowd": [24, "value", "i32"], "vertex_layout": [28, "value", "i32"], "morph_changes": [32, "value", "i32"], "morph_targets": [36, "value", "i32"], "morph_count": [40, "value", "i32"], "morph_shift": [44, "value", "i32"], "morph_per_row": [48, "value", "i32"], "previous_palettes": [52, "value", "i32"], "previous_targets": [56, "value", "i32"], "previous_count": [60, "value", "i32"]} },
   Gles3PaletteRing: { size: 16, align: 4, init: "gles3_palette_ring_init", fields: {"buffer": [0, "value", "u32"], "alignment": [4, "value", "u32"], "capacity": [8, "value", "u32"], "used": [12, "value", "u32"]} },
-  Gles3PaletteTexture: { size: 24, align: 4, init: "gles3_palette_texture_init", fields: {"textures": [0, "array", "u32", 3], "current": [12, "value", "u32"], "capacity": [16, "value", "u32"], "count": [20, "value", "u32"]} },
+  Gles3PaletteTexture: { size: 28, align: 4, init: "gles3_palette_texture_init", fields: {"textures": [0, "array", "u32", 3], "current": [12, "value", "u32"], "capacity": [16, "value", "u32"], "count": [20, "value", "u32"], "previous_count": [24, "value", "u32"]} },
   Gles3SkinnedMesh: { size: 16, align: 4, init: "gles3_skinned_mesh_init", fields: {"array": [0, "value", "u32"], "buffer": [4, "value", "u32"], "slot_count": [8, "value", "u32"], "features": [12, "value", "u8"]} },
-  Gles3ProgramSetEntry: { size: 60, align: 4, init: "", fields: {"key": [0, "struct", "Gles3ProgramKey"], "role": [4, "value", "u32"], "program": [8, "struct", "Gles3Program"]} },
-  Gles3ProgramSet: { size: 11608, align: 4, init: "gles3_program_set_init", fields: {"roles": [0, "structs", "Gles3ProgramSource", 4], "role_count": [64, "value", "u32"], "role_features": [68, "array", "u8", 4], "palette_binding": [72, "value", "u32"], "log": [76, "list", "u8"], "entries": [84, "structs", "Gles3ProgramSetEntry", 192], "count": [11604, "value", "u32"]} },
-  Gles3SkinnerOptions: { size: 24, align: 4, init: "gles3_skinner_options_init", fields: {"path": [0, "value", "u8"], "deformer": [1, "value", "u8"], "instances": [4, "value", "u32"], "texture_unit": [8, "value", "u32"], "features": [12, "value", "u8"], "as_tangents": [16, "list", "f32"]} },
-  Gles3Skinner: { size: 808, align: 4, init: "", fields: {} },
+  Gles3ProgramSetEntry: { size: 72, align: 4, init: "", fields: {"key": [0, "struct", "Gles3ProgramKey"], "role": [4, "value", "u32"], "program": [8, "struct", "Gles3Program"]} },
+  Gles3ProgramSet: { size: 13912, align: 4, init: "gles3_program_set_init", fields: {"roles": [0, "structs", "Gles3ProgramSource", 4], "role_count": [64, "value", "u32"], "role_features": [68, "array", "u8", 4], "palette_binding": [72, "value", "u32"], "log": [76, "list", "u8"], "entries": [84, "structs", "Gles3ProgramSetEntry", 192], "count": [13908, "value", "u32"]} },
+  Gles3SkinnerOptions: { size: 28, align: 4, init: "gles3_skinner_options_init", fields: {"path": [0, "value", "u8"], "deformer": [1, "value", "u8"], "instances": [4, "value", "u32"], "texture_unit": [8, "value", "u32"], "features": [12, "value", "u8"], "as_tangents": [16, "list", "f32"], "motion": [24, "value", "bool"]} },
+  Gles3SkinnerMotion: { size: 64, align: 4, init: "", fields: {} },
+  Gles3Skinner: { size: 880, align: 4, init: "", fields: {} },
   Gles3CrowdSource: { size: 96, align: 4, init: "gles3_crowd_source_init", fields: {"clip": [0, "struct", "Clip"], "loops": [92, "value", "bool"]} },
   Gles3CrowdClip: { size: 16, align: 4, init: "gles3_crowd_clip_init", fields: {"duration_s": [0, "value", "f32"], "first_frame": [4, "value", "u32"], "steps": [8, "value", "u32"], "loops": [12, "value", "bool"]} },
   Gles3CrowdFrames: { size: 24, align: 4, init: "gles3_crowd_frames_init", fields: {"clips": [0, "list", "Gles3CrowdClip"], "character_from_joint": [8, "list", "Affine"], "joint_count": [16, "value", "u32"], "frame_count": [20, "value", "u32"]} },
   Gles3CrowdPlay: { size: 24, align: 8, init: "gles3_crowd_play_init", fields: {"clip": [0, "value", "u32"], "phase_s": [4, "value", "f32"], "speed": [8, "value", "f32"], "start_s": [16, "value", "f64"]} },
   Gles3CrowdInstance: { size: 128, align: 16, init: "gles3_crowd_instance_init", fields: {"scene_from_character": [0, "struct", "Affine"], "a": [48, "struct", "Gles3CrowdPlay"], "b": [72, "struct", "Gles3CrowdPlay"], "blend_start_s": [96, "value", "f64"], "blend_s": [104, "value", "f32"], "colour": [108, "array", "f32", 4]} },
-  Gles3CrowdMesh: { size: 432, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [132, "value", "u32"], "blended_texture": [136, "value", "u32"], "framebuffer": [140, "value", "u32"], "joints": [144, "value", "u32"], "frame_count": [148, "value", "u32"], "capacity": [152, "value", "u32"], "lost": [156, "value", "bool"], "mesh": [160, "struct", "Mesh"], "options": [380, "struct", "Gles3PrepareOptions"], "frames": [392, "struct", "Gles3CrowdFrames"], "bind": [416, "list", "Affine"], "scratch": [424, "list", "byte"]} },
+  Gles3CrowdMesh: { size: 440, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [132, "value", "u32"], "blended_texture": [136, "value", "u32"], "framebuffer": [140, "value", "u32"], "previous_texture": [144, "value", "u32"], "previous_framebuffer": [148, "value", "u32"], "joints": [152, "value", "u32"], "frame_count": [156, "value", "u32"], "capacity": [160, "value", "u32"], "motion": [164, "value", "bool"], "lost": [165, "value", "bool"], "mesh": [168, "struct", "Mesh"], "options": [388, "struct", "Gles3PrepareOptions"], "frames": [400, "struct", "Gles3CrowdFrames"], "bind": [424, "list", "Affine"], "scratch": [432, "list", "byte"]} },
   Gles3Crowd: { size: 28, align: 4, init: "gles3_crowd_init", fields: {"texture": [0, "value", "u32"], "capacity": [4, "value", "u32"], "count": [8, "value", "u32"], "frame_count": [12, "value", "u32"], "lost": [16, "value", "bool"], "records": [20, "list", "byte"]} },
   Gles3PathResult: { size: 16, align: 4, init: "gles3_path_result_init", fields: {"verdict": [0, "value", "u8"], "position_error": [4, "value", "f32"], "normal_error": [8, "value", "f32"], "ns_per_vertex": [12, "value", "f32"]} },
   Gles3SelfTest: { size: 88, align: 8, init: "gles3_self_test_init", fields: {"paths": [0, "structs", "Gles3PathResult", 5], "key": [80, "value", "u64"]} },
@@ -433,7 +436,9 @@ export const functions = {
   gles3_destroy_palette_texture: [["pointer", "pointer"], "void"],
   gles3_upload_palettes: [["pointer", "pointer", "list"], "number"],
   gles3_bind_texture_palette: [["pointer", "pointer", "number", "number", "number", "pointer"], "number"],
+  gles3_bind_previous_palette: [["pointer", "pointer", "number", "number", "bool", "number", "pointer"], "number"],
   gles3_set_morphs: [["pointer", "pointer", "pointer", "list", "number", "pointer"], "number"],
+  gles3_set_previous_morphs: [["pointer", "pointer", "pointer", "list", "pointer"], "number"],
   gles3_draw_mesh: [["pointer", "pointer", "number", "pointer", "number"], "number"],
   gles3_skinned_mesh_init: [['pointer'], 'void'],
   gles3_create_skinned: [["pointer", "pointer", "pointer"], "number"],
@@ -441,6 +446,7 @@ export const functions = {
   gles3_upload_skinned: [["pointer", "pointer", "pointer"], "number"],
   gles3_build_preskin: [["pointer", "pointer", "pointer", "number", "number", "pointer", "list"], "number"],
   gles3_preskin_mesh: [["pointer", "pointer", "number", "pointer", "pointer"], "number"],
+  gles3_set_previous: [["pointer", "pointer", "pointer"], "number"],
   gles3_draw_skinned: [["pointer", "pointer", "pointer"], "void"],
   gles3_program_set_init: [['pointer'], 'void'],
   gles3_skinner_options_init: [['pointer'], 'void'],
@@ -450,6 +456,7 @@ export const functions = {
   gles3_create_skinner: [["pointer", "pointer", "pointer", "pointer", "pointer", "list", "pointer"], "number"],
   gles3_destroy_skinner: [["pointer", "pointer"], "void"],
   gles3_pose: [["pointer", "number", "list", "list"], "number"],
+  gles3_reset_motion: [["pointer", "number"], "number"],
   gles3_update: [["pointer", "pointer", "pointer", "number"], "number"],
   gles3_program_of: [["pointer", "pointer", "number"], "Gles3Program"],
   gles3_draw: [["pointer", "pointer", "pointer", "pointer", "number", "number"], "number"],
@@ -470,7 +477,7 @@ export const functions = {
   gles3_crowd_pose: [["pointer", "pointer", "number", "list"], "number"],
   gles3_crowd_palettes_that_fit: [["pointer", "number"], "number"],
   gles3_crowd_mesh_bytes: [["pointer", "pointer"], "number"],
-  gles3_create_crowd_mesh: [["pointer", "pointer", "pointer", "pointer", "pointer", "number", "list", "pointer"], "number"],
+  gles3_create_crowd_mesh: [["pointer", "pointer", "pointer", "pointer", "pointer", "number", "list", "pointer", "bool"], "number"],
   gles3_destroy_crowd_mesh: [["pointer", "pointer"], "void"],
   gles3_create_crowd: [["pointer", "pointer", "number", "list", "pointer"], "number"],
   gles3_destroy_crowd: [["pointer", "pointer"], "void"],
@@ -479,6 +486,8 @@ export const functions = {
   gles3_build_crowd_programs: [["pointer", "pointer", "pointer", "number", "number", "pointer"], "number"],
   gles3_crowd_program_of: [["pointer", "number", "number", "pointer", "number"], "Gles3Program"],
   gles3_blending_program_of: [["pointer"], "Gles3Program"],
+  gles3_begin_crowd_frame: [["pointer"], "void"],
+  gles3_blend_previous_crowd: [["pointer", "pointer", "pointer", "number", "number", "number", "number", "pointer"], "number"],
   gles3_blend_crowd: [["pointer", "pointer", "pointer", "number", "number", "number", "number", "pointer"], "number"],
   gles3_bind_crowd: [["pointer", "pointer", "pointer", "number", "number", "number", "pointer"], "number"],
   gles3_crowd_mesh_on_context_lost: [["pointer"], "void"],
