@@ -38,7 +38,7 @@ static const char kFragment[] =
     "void main() { colour = vec4(tint, 1.0); }\n";
 
 // All memory, which goes back as the program ends.
-static void* taken[128];
+static void* taken[256];
 static size_t taken_count = 0;
 
 static void give_back(void) {
@@ -141,6 +141,27 @@ static unsigned draw_characters(mrw_gles3_skinner* skinner) {
   return end_picture();
 }
 
+// Nothing is made of memory that is short, off its boundary, or of more characters than it has room for.
+static void refuse_skinners(mrw_gles3_skinner_options options) {
+  const size_t bytes = mrw_gles3_skinner_bytes(&mesh, &options);
+  char* const memory = block_of(bytes + 4);
+  mrw_gles3_skinner none;
+  memset(&none, 0, sizeof none);
+  EXPECT(mrw_gles3_create_skinner(&api, &caps, &mesh, &options, &programs, memory, bytes - 1, &none), MRW_BAD_ARGUMENT);
+  EXPECT(mrw_gles3_create_skinner(&api, &caps, &mesh, &options, &programs, memory + 4, bytes, &none), MRW_BAD_ARGUMENT);
+  EXPECT(mrw_gles3_create_skinner(&api, &caps, &mesh, &options, &programs, NULL, bytes, &none), MRW_BAD_ARGUMENT);
+  options.instances = 0xFFFFFFFF;
+  EXPECT(mrw_gles3_create_skinner(&api, &caps, &mesh, &options, &programs, memory, bytes, &none), MRW_BAD_ARGUMENT);
+  options.instances = 1;
+  options.path = 77;
+  EXPECT(mrw_gles3_create_skinner(&api, &caps, &mesh, &options, &programs, memory, bytes, &none), MRW_BAD_ARGUMENT);
+  NEEDS(mrw_gles3_program_of(&none, &programs, 99)->id == 0);
+  EXPECT(mrw_gles3_pose(&none, 0, joints[0], skeleton.joint_count, NULL, 0), MRW_BAD_ARGUMENT);
+  EXPECT(mrw_gles3_update(&api, &none, &programs, 1), MRW_BAD_ARGUMENT);
+  mrw_gles3_destroy_skinner(&api, &none);
+  NEEDS(gl.GetError() == GL_NO_ERROR);
+}
+
 static void characters(mrw_gles3_skinner_options options, const char* what) {
   const mrw_gles3_program none = {0};
   mrw_gles3_skinner skinner;
@@ -150,6 +171,7 @@ static void characters(mrw_gles3_skinner_options options, const char* what) {
   options.instances = kCharacters;
   bytes = mrw_gles3_skinner_bytes(&mesh, &options);
   open_programs();
+  refuse_skinners(options);
   TRY(mrw_gles3_create_skinner(&api, &caps, &mesh, &options, &programs, block_of(bytes), bytes, &skinner));
   for (i = 0; i < kCharacters; ++i)
     TRY(mrw_gles3_pose(&skinner, i, joints[i], skeleton.joint_count, NULL, 0));
@@ -277,6 +299,7 @@ static void crowds(void) {
   instances[4].blend_s = 0.5f;
   EXPECT(mrw_gles3_set_instances(&api, &crowd, &frames, 1, instances, kCrowd), MRW_BAD_ARGUMENT);
   EXPECT(mrw_gles3_set_instances(&api, &crowd, &frames, 0, NULL, kCrowd), MRW_BAD_ARGUMENT);
+  EXPECT(mrw_gles3_set_instances(&api, &crowd, &frames, 0xFFFFFFFF, instances, 2), MRW_BAD_ARGUMENT);
   TRY(mrw_gles3_set_instances(&api, &crowd, &frames, 0, instances, kCrowd));
   hash = told("crowd", draw_crowd(&crowd, &drawn));
   TRY(mrw_gles3_crowd_joint(&frames, &instances[4], 1.25, skeleton.joint_count - 1, &joint));
