@@ -136,11 +136,16 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
   marrow_example(draw marrow::gles3 marrow::egl)
   target_include_directories(marrow_example_draw SYSTEM PRIVATE ${MARROW_GLES_INCLUDE})
   set(example_draw $<TARGET_FILE:marrow_example_draw>)
+  find_library(MARROW_GLES_LIBRARY GLESv2 REQUIRED)
+  marrow_c_program(marrow_example_draw_c examples/draw.c)
+  target_link_libraries(marrow_example_draw_c PRIVATE marrow::c_gles3 ${MARROW_EGL_LIBRARY} ${MARROW_GLES_LIBRARY})
+  target_include_directories(marrow_example_draw_c SYSTEM PRIVATE ${MARROW_EGL_INCLUDE} ${MARROW_GLES_INCLUDE})
+  set(example_draw_c $<TARGET_FILE:marrow_example_draw_c>)
 endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
   -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DJOBS=$<TARGET_FILE:marrow_example_jobs>
   -DOUTFIT=$<TARGET_FILE:marrow_example_outfit>
-  -DDRAW=${example_draw}
+  -DDRAW=${example_draw} -DDRAW_C=${example_draw_c}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")
 

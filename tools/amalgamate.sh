@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes the runtime, packed files included, as one header and one source: marrow.h and marrow.cpp; and skinning on the
-# GPU as marrow_gles3.h and marrow_gles3.cpp. What a codec or an EGL library is needed for is left out.
+# Writes the runtime, packed files included, as one header and one source: marrow.h and marrow.cpp; skinning on the GPU as
+# marrow_gles3.h and marrow_gles3.cpp; both for C as marrow_c and marrow_c_gles3. Without what needs a codec or EGL.
 # usage: tools/amalgamate.sh OUTDIR
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -84,4 +84,23 @@ grep -h '^// ---- ' "$out/marrow.h" | cut -c9- >"$seen"
       rm -f "$seen.shader"
     done
 } >"$out/marrow_gles3.cpp"
+# For C: the headers stand alone, the sources are C++.
+for_c() {  # PART WHAT
+  local name=marrow_c${1:+_$1} cpp=marrow${1:+_$1}.h
+  : >"$seen"
+  [ -z "$1" ] || echo include/marrow/c.h >"$seen"
+  {
+    title "$name.h" "the header of $2 for C99"
+    [ -z "$1" ] || printf '\n#include "marrow_c.h"\n'
+    expand "$seen" "include/marrow/c${1:+_$1}.h"
+  } >"$out/$name.h"
+  grep -h '^// ---- ' "$out/marrow.h" "$out/$cpp" "$out/marrow_c.h" "$out/$name.h" | cut -c9- >"$seen"
+  {
+    title "$name.cpp" "$2 for C"
+    printf '#include "%s"\n#include "%s"\n' "$cpp" "$name.h"
+    expand "$seen" "c/${1:+$1_}wrappers.cpp" "c/${1:+$1_}layouts.cpp"
+  } >"$out/$name.cpp"
+}
+for_c "" "the runtime"
+for_c gles3 "skinning by OpenGL ES 3.0"
 wc -l "$out"/marrow*.h "$out"/marrow*.cpp | awk '{ print $2 ": " $1 " lines" }' | grep -v total

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Takes the sample character down the same road in C, Rust, C# and JavaScript, and compares what they print: what is
-# refused, and a hash of poses and vertices. Exit 1 if they differ, 3 if a language cannot be had. Builds below
+# refused, and a hash of poses and vertices. Then all but JavaScript, which has no driver of OpenGL ES, let the self-test
+# draw. Exit 1 if they differ, 3 if a language cannot be had. Builds below
 # build/bindings.
 # usage: tools/check_bindings.sh MARROW      (the program)
 set -euo pipefail
@@ -17,8 +18,7 @@ has rustc mcs mono em++ node || "$here/tools/install.sh" "$here/tools/packages/b
 quietly() {  # COMMAND ...: what it says is shown if it fails
   "$@" >"$work/log.txt" 2>&1 || { cat "$work/log.txt" >&2; exit 1; }
 }
-runtime_alone=(-DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_GLES=OFF
-  -DMARROW_WERROR=OFF)
+runtime_alone=(-DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_WERROR=OFF)
 quietly cmake -S "$here" -B "$work/shared" -G Ninja "${runtime_alone[@]}" -DMARROW_DRACO=ON -DMARROW_MESHOPT=ON
 quietly cmake --build "$work/shared" --target marrow_c_shared
 export LD_LIBRARY_PATH="$work/shared/runtime/c"
@@ -29,6 +29,17 @@ done
 # What C says of each file; the others must say the same.
 quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "$here/tests/c/road.c" \
   -o "$work/road_c" -L"$LD_LIBRARY_PATH" -lmarrow_c
+quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "$here/tests/bindings/gles3.c" \
+  -o "$work/gles3_c" -L"$LD_LIBRARY_PATH" -lmarrow_c -lEGL
+"$work/gles3_c" >"$work/gles3.txt" || { echo "check_bindings: the self-test does not draw in C" >&2; exit 1; }
+draw() {  # LANGUAGE COMMAND ...
+  local language=$1
+  shift
+  "$@" >"$work/drawn.txt" || true
+  diff "$work/drawn.txt" "$work/gles3.txt" >&2 ||
+    { echo "check_bindings: $language: the self-test says other than in C" >&2; exit 1; }
+  echo "$language, OpenGL ES: the self-test chooses $(tail -1 "$work/drawn.txt")"
+}
 compare() {  # LANGUAGE CODEC COMMAND ...
   local language=$1 codec=$2 wanted got
   shift 2
@@ -45,6 +56,9 @@ if has rustc; then
   quietly rustc --edition 2021 -O -D warnings -o "$work/road_rust" "$here/tests/bindings/road.rs" -L "$LD_LIBRARY_PATH" \
     -l marrow_c
   for codec in none draco; do compare Rust $codec "$work/road_rust"; done
+  quietly rustc --edition 2021 -O -D warnings -o "$work/gles3_rust" "$here/tests/bindings/gles3.rs" \
+    -L "$LD_LIBRARY_PATH" -l marrow_c
+  draw Rust "$work/gles3_rust"
 else
   skip "Rust: there is no rustc"
 fi
@@ -52,6 +66,9 @@ if has mcs mono; then
   quietly mcs -unsafe -warnaserror -out:"$work/Road.exe" "$here/tests/bindings/Road.cs" \
     "$here/runtime/c/bindings/csharp/Marrow.cs"
   for codec in none draco; do compare 'C#' $codec mono "$work/Road.exe"; done
+  quietly mcs -unsafe -warnaserror -out:"$work/Gles3.exe" "$here/tests/bindings/Gles3.cs" \
+    "$here/runtime/c/bindings/csharp/Marrow.cs"
+  draw 'C#' mono "$work/Gles3.exe"
 else
   skip "C#: there is no mcs or mono"
 fi
@@ -60,6 +77,7 @@ if has em++ node; then
   quietly emcmake cmake -S "$here" -B "$work/wasm" -G Ninja "${runtime_alone[@]}"
   quietly cmake --build "$work/wasm" --target marrow_wasm
   compare JavaScript none node "$here/tests/bindings/road.mjs" "$work/wasm/runtime/c/marrow.wasm"
+  node "$here/tests/bindings/gles3.mjs" "$work/wasm/runtime/c/marrow.wasm" "$work/newt_none.mrw"
   # A library of another release is refused, and says so.
   cp "$here"/runtime/c/bindings/typescript/*.mjs "$work"
   sed -i 's/^export const ABI = .*/export const ABI = 1;/' "$work/tables.mjs"

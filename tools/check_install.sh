@@ -87,10 +87,11 @@ cmake_minimum_required(VERSION 3.24)
 project(game LANGUAGES CXX)
 find_package(marrow REQUIRED)
 add_executable(game game.cpp)
-target_link_libraries(game PRIVATE marrow::draco marrow::meshopt marrow::gles3 marrow::egl marrow::c)
+target_link_libraries(game PRIVATE marrow::draco marrow::meshopt marrow::gles3 marrow::egl marrow::c marrow::c_gles3)
 EOF
   cat >game.cpp <<'EOF'
 #include <marrow/c.h>
+#include <marrow/c_gles3.h>
 #include <marrow/draco.h>
 #include <marrow/egl.h>
 #include <marrow/gles3.h>
@@ -99,7 +100,8 @@ EOF
 int main() {
   marrow::gles3::Api api;
   return marrow::draco_decoder().decode != nullptr && marrow::meshopt_decoder().decode != nullptr &&
-                 load_api(api, marrow::egl::load_proc) != marrow::Status::bad_argument && mrw_abi() == MRW_ABI
+                 load_api(api, marrow::egl::load_proc) != marrow::Status::bad_argument && mrw_abi() == MRW_ABI &&
+                 mrw_gles3_abi() == MRW_GLES3_ABI
              ? 0
              : 1;
 }
@@ -147,10 +149,61 @@ one_source() {
   folder one_source
   commands "One source file"
   same "one source file"
-  for source in marrow marrow_gles3; do
+  for source in marrow marrow_gles3 marrow_c marrow_c_gles3; do
     g++ -std=c++20 -fsyntax-only -Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion \
       -Wold-style-cast -Wundef -Wcast-align -Wdouble-promotion "marrow/$source.cpp" || fail "$source.cpp: warnings"
   done
+  for_c_program | sed 's|<marrow/c_gles3.h>|"marrow/marrow_c_gles3.h"|' >c.c
+  for source in marrow_gles3 marrow_c marrow_c_gles3; do
+    g++ -std=c++20 -O1 -ffp-contract=off -fno-exceptions -fno-rtti -c "marrow/$source.cpp" -o "build/$source.o"
+  done
+  gcc "${c99[@]}" c.c build/marrow*.o -lm -o build/c
+  build/c || fail "one source file: the C program fails"
+}
+
+# A program in C that links marrow::c_gles3 alone.
+c99=(-std=c99 -pedantic -Wall -Wextra -Werror)
+for_c_program() {
+  cat <<'EOF'
+#include <marrow/c_gles3.h>
+static void* no_driver(const char* name) {
+  return (void)name, (void*)0;
+}
+static void on_call_error(const char* function, const char* condition) {
+  (void)function, (void)condition;
+}
+int main(void) {
+  static mrw_gles3_api api;
+  const char* missing = "";
+  mrw_gles3_caps caps;
+  mrw_gles3_caps_init(&caps);
+  mrw_set_call_error_handler(on_call_error);
+  return mrw_abi() == MRW_ABI && mrw_gles3_abi() == MRW_GLES3_ABI && caps.vertex_attributes == 16 &&
+                 mrw_gles3_load_api(&api, no_driver, &missing) == MRW_UNSUPPORTED && missing[0] == 'g' &&
+                 mrw_gles3_query_caps(&api, &caps) == MRW_BAD_ARGUMENT
+             ? 0
+             : 1;
+}
+EOF
+}
+
+a_c_program() {  # static or shared
+  mkdir -p "$work/c_$1" && cd "$work/c_$1"
+  for_c_program >game.c
+  cat >CMakeLists.txt <<'EOF'
+cmake_minimum_required(VERSION 3.24)
+project(game LANGUAGES C CXX)
+find_package(marrow REQUIRED COMPONENTS c_gles3)
+add_executable(game game.c)
+target_link_libraries(game PRIVATE marrow::c_gles3)
+EOF
+  PREFIX=$work/$1 commands find_package
+  build/game || fail "a C program, $1"
+  PKG_CONFIG_PATH=$work/$1/lib/pkgconfig
+  export PKG_CONFIG_PATH
+  gcc "${c99[@]}" game.c $(pkg-config --cflags --libs marrow-c_gles3) -o game
+  LD_LIBRARY_PATH=$work/$1/lib ./game || fail "a C program by pkg-config, $1"
+  echo "a C program, $1: by find_package and by pkg-config"
 }
 
 a_packed_file() {
@@ -170,6 +223,7 @@ fetch_content
 install_static
 find_package static
 every_component static
+a_c_program static
 other_version
 pkg_config static
 in_a_shared_library
@@ -177,5 +231,6 @@ a_packed_file
 install_shared
 find_package shared
 every_component shared
+a_c_program shared
 pkg_config shared
 one_source

@@ -1,4 +1,4 @@
-// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // C's structs, enums and constants are C++'s.
 #include "marrow/c.h"
 

@@ -1,4 +1,4 @@
-// Made by tools/c_api from runtime/c/api.txt: one line of C++ a function. Do not edit.
+// Made by tools/c_api from the descriptions in runtime/c: one line of C++ a function. Do not edit.
 #include "c/twin.h"
 
 #include "marrow/blend.h"

@@ -59,6 +59,7 @@ void begin_frame(const Api& api, PaletteRing& ring) {
 Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset) {
   MARROW_MARK;
   MARROW_REQUIRE(holds(palette, 1) && palette.size <= kPaletteJoints);
+  MARROW_REQUIRE(ring.alignment > 0 && "a ring from create_palette_ring()");
   const std::uint32_t bytes = 48 * static_cast<std::uint32_t>(palette.size);
   const std::uint32_t start = round_up(ring.used, ring.alignment);
   if (start > ring.capacity || bytes > ring.capacity - start) return Status::unsupported;

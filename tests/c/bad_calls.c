@@ -1,13 +1,22 @@
-// Every function of marrow/c.h with pointers that are null, off their boundary or lead to zeros, null with a count, and
-// numbers that are none: a call that cannot be done says so, and nothing crashes. The calls are made by tools/c_api.
+// Every function of marrow/c.h, or of marrow/c_gles3.h, with pointers that are null, off their boundary or lead to zeros,
+// null with a count, and numbers that are none: a call that cannot be done says so, and nothing crashes. The calls are
+// made by tools/c_api.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "marrow/c.h"
+#ifdef MARROW_TEST_GLES3
+#include "marrow/c_gles3.h"
+#define ABI_IS_RIGHT (mrw_gles3_abi() == MRW_GLES3_ABI)
+#define CALLS "gles3_bad_calls.h"
+#else
+#define ABI_IS_RIGHT (mrw_abi() == MRW_ABI)
+#define CALLS "bad_calls.h"
+#endif
 
-enum { kObjects = 12, kObjectBytes = 8192 };
+enum { kObjects = 12, kObjectBytes = 16384 };
 
 // What the arguments of a call are.
 typedef struct Round {
@@ -20,6 +29,7 @@ typedef struct Round {
   float real;
   uint32_t whole;
   const char* text;
+  int has_driver;  // of paper, which does nothing
 } Round;
 
 typedef struct Row {
@@ -43,11 +53,25 @@ static float real(const Round* r) {
 static uint32_t whole(const Round* r) {
   return r->whole;
 }
+
+#ifdef MARROW_TEST_GLES3
+void* paper_proc_of_c(const char* name);
+
+static mrw_gles3_api driver;
+
+static const mrw_gles3_api* ready(const Round* r, int i) {
+  return r->has_driver ? &driver : at(r, i);
+}
+static mrw_gles3_load_proc gles3_load_proc(const Round* r) {
+  return r->has_driver ? paper_proc_of_c : NULL;
+}
+#else
 static const char* text(const Round* r) {
   return r->text;
 }
+#endif
 
-#include "bad_calls.h"
+#include CALLS
 
 static int told, failures;
 static const char* told_name = "";
@@ -84,21 +108,26 @@ int main(void) {
   size_t i, k;
   if (memory == NULL || mrw_block_in(memory, (size_t)kObjects * kObjectBytes + MRW_BLOCK_BOUNDARY, &objects) != MRW_OK)
     return 1;
-  if (mrw_abi() != MRW_ABI) return 1;
+  if (!ABI_IS_RIGHT) return 1;
+#ifdef MARROW_TEST_GLES3
+  if (sizeof(mrw_gles3_program_set) > kObjectBytes) return 1;
+  if (mrw_gles3_load_api(&driver, paper_proc_of_c, NULL) != MRW_OK) return 1;
+#endif
   mrw_set_call_error_handler(on_call_error);
   for (i = 0; i < row_count; ++i) {
     const Row* const row = &rows[i];
-    const Round null = {"null", NULL, 0, 0, 0, 0, 0, 0, NULL};
-    const Round off = {"off its boundary", objects.data, 1, 0, 0, 0, 0, 0, ""};
-    const Round nothing = {"a list of three at null", objects.data, 0, 0, 0, 3, 0, 0, ""};
+    const Round null = {"null", NULL, 0, 0, 0, 0, 0, 0, NULL, 0};
+    const Round off = {"off its boundary", objects.data, 1, 0, 0, 0, 0, 0, "", 0};
+    const Round nothing = {"a list of three at null", objects.data, 0, 0, 0, 3, 0, 0, "", 1};
     const Round others[] = {
-        {"zeros", objects.data, 0, 0, 0, 0, 0, 0, ""},
-        {"zeros and lists", objects.data, 0, 1, 0, 1, 0, 0, "no such"},
-        {"zeros and lists of three", objects.data, 0, 1, 0, 3, 1, 1, NULL},
-        {"lists off their boundary", objects.data, 0, 1, 2, 2, 0, 1, ""},
-        {"no numbers", objects.data, 0, 1, 0, 1, NAN, 0xFFFFFFFF, ""},
-        {"huge numbers", objects.data, 0, 1, 0, 2, 1e38f, 0x7FFFFFFF, "no such"},
-        {"infinity", objects.data, 0, 0, 0, 0, INFINITY, 0xFFFF, NULL},
+        {"zeros and no driver", objects.data, 0, 1, 0, 1, 1, 1, "", 0},
+        {"zeros", objects.data, 0, 0, 0, 0, 0, 0, "", 1},
+        {"zeros and lists", objects.data, 0, 1, 0, 1, 0, 0, "no such", 1},
+        {"zeros and lists of three", objects.data, 0, 1, 0, 3, 1, 1, NULL, 1},
+        {"lists off their boundary", objects.data, 0, 1, 2, 2, 0, 1, "", 1},
+        {"no numbers", objects.data, 0, 1, 0, 1, NAN, 0xFFFFFFFF, "", 1},
+        {"huge numbers", objects.data, 0, 1, 0, 2, 1e38f, 0x7FFFFFFF, "no such", 1},
+        {"infinity", objects.data, 0, 0, 0, 0, INFINITY, 0xFFFF, NULL, 1},
     };
     int status = called(row, &null);
     if (row->takes_struct && status >= 0) expect(status == MRW_BAD_ARGUMENT, row, &null, "is not refused");

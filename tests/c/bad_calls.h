@@ -1,4 +1,4 @@
-// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // Of every function a call; what it is given, bad_calls.c says.
 // clang-format off
 static int call_data_error_init(const Round* r) {

@@ -20,6 +20,7 @@ endfunction()
 
 expect_shown(README.md play.cpp)
 expect_shown(docs/c.md play.c)
+expect_shown(docs/c.md draw.c)
 expect_shown(docs/programs.md crowd.cpp)
 expect_shown(docs/programs.md draw.cpp)
 expect_shown(docs/threads.md jobs.cpp)
@@ -43,4 +44,5 @@ expect_printed(${OUTFIT} "${sample}_plain.mrw;${sample}_skin.mrw"
   "^[1-9] meshes of the body, [1-9] of the outfit, [0-9]+ vertices in 60 frames\n$")
 if(DRAW)  # as large before the context is lost as after
   expect_printed(${DRAW} ${sample}_plain.mrw "^frame 0: 2[0-9]+ pixels\nframe 29: 2[0-9]+ pixels\nframe 58: 2[0-9]+ pixels\n$")
+  expect_printed(${DRAW_C} ${sample}_plain.mrw "^[1-9] meshes, 2[0-9]+ pixels\n$")
 endif()

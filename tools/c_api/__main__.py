@@ -1,13 +1,13 @@
-"""Makes what C, Rust, C# and JavaScript call from runtime/c/api.txt.
+"""Makes what C, Rust, C# and JavaScript call from runtime/c/api.txt and gles3.txt.
 
 usage: python3 tools/c_api [--check]      --check: writes nothing; exit code 1 if a file is not what it would write
 """
 import pathlib
-import re
 import sys
 import zlib
 
 import description
+import headers
 import to_c
 import to_cpp
 import to_csharp
@@ -19,10 +19,28 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = ROOT / 'runtime/include/marrow'
 
 
-def abi_of(text):
-    """A checksum of all that programs are compiled against: of rows, not of remarks."""
-    rows = [re.sub(r'\s+', ' ', line) for line in text.splitlines() if line.strip() and not line.startswith(('#', 'no '))]
-    return zlib.crc32('\n'.join(rows).encode())
+class Part:
+    """A library for C with its description: files and functions begin with its prefix."""
+
+    def __init__(self, name, file, prefix, above, read_header):
+        self.prefix = prefix
+        self.header = f'{name}.h'
+        self.wrappers = f'{prefix}wrappers.cpp'
+        self.rows = description.read_rows(ROOT / file, above, self.wrappers, read_header)
+        headers.complete(self.rows, above, read_header)
+        self.abi = abi_of(above + self.rows)
+        headers.add_docs(self.rows, read_header)
+        for row in self.rows:
+            may_be_null = [name for name, t in row.fields
+                           if t.optional and t.form != '[]' and row.kind == 'fn' and t.name != 'f32']
+            if may_be_null:
+                row.doc = row.doc + ['May be null: ' + ', '.join(may_be_null) + '.']
+
+
+def abi_of(rows):
+    """A checksum of all that programs are compiled against."""
+    told = [(r.kind, r.name, r.type, r.value, r.values, r.fields, r.flags) for r in rows if r.kind != 'no']
+    return zlib.crc32(repr(told).encode())
 
 
 def heading(lines):
@@ -36,34 +54,32 @@ def heading(lines):
 
 def made():
     """Every file, by its path."""
-    text = (ROOT / 'runtime/c/api.txt').read_text()
-    rows = description.read_rows(text)
     lines = {}
     def read_header(name):
         if name not in lines:
             lines[name] = (INCLUDE / name).read_text().splitlines()
         return lines[name]
-    description.add_docs(rows, read_header)
-    for row in rows:
-        may_be_null = [name for name, t in row.fields if t.optional and t.form != '[]' and row.kind == 'fn' and t.name != 'f32']
-        if may_be_null:
-            row.doc = row.doc + ['May be null: ' + ', '.join(may_be_null) + '.']
+    c = Part('c', 'runtime/c/api.txt', '', [], read_header)
+    gles3 = Part('c_gles3', 'runtime/c/gles3.txt', 'gles3_', c.rows, read_header)
+    parts, rows = [c, gles3], c.rows + gles3.rows
+    structs = {r.name for r in rows if r.kind == 'struct'}
     headings = {name: heading(read_header(name)) for name in {r.header for r in rows}}
-    abi = abi_of(text)
-    writer = to_cpp.Writer(rows)
-    return {
-        'runtime/include/marrow/c.h': to_c.header(rows, abi, headings),
-        'runtime/c/wrappers.cpp': writer.source('wrappers.cpp'),
-        'runtime/c/c_draco.cpp': writer.source('c_draco.cpp'),
-        'runtime/c/c_meshopt.cpp': writer.source('c_meshopt.cpp'),
-        'runtime/c/layouts.cpp': writer.layouts(),
-        'runtime/c/exports.txt': to_script.exports(rows),
-        'runtime/c/bindings/rust/marrow.rs': to_rust.made(rows, abi),
-        'runtime/c/bindings/csharp/Marrow.cs': to_csharp.made(rows, abi),
-        'runtime/c/bindings/typescript/tables.mjs': to_script.tables(rows, abi),
-        'runtime/c/bindings/typescript/marrow.d.ts': to_script.types(rows),
-        'tests/c/bad_calls.h': to_tests.rows_of_calls(rows, lambda r: r.source == 'wrappers.cpp'),
+    out = {
+        'runtime/c/c_draco.cpp': to_cpp.Writer(c, rows).source('c_draco.cpp'),
+        'runtime/c/c_meshopt.cpp': to_cpp.Writer(c, rows).source('c_meshopt.cpp'),
+        'runtime/c/bindings/rust/marrow.rs': to_rust.made(rows, parts),
+        'runtime/c/bindings/csharp/Marrow.cs': to_csharp.made(rows, parts),
+        'runtime/c/bindings/typescript/tables.mjs': to_script.tables(rows, parts),
+        'runtime/c/bindings/typescript/marrow.d.ts': to_script.types(rows, parts),
     }
+    for part in parts:
+        writer = to_cpp.Writer(part, rows)
+        out[f'runtime/include/marrow/{part.header}'] = to_c.header(part, structs, headings)
+        out[f'runtime/c/{part.wrappers}'] = writer.source(part.wrappers)
+        out[f'runtime/c/{part.prefix}layouts.cpp'] = writer.layouts()
+        out[f'runtime/c/{part.prefix}exports.txt'] = to_script.exports(part)
+        out[f'tests/c/{part.prefix}bad_calls.h'] = to_tests.rows_of_calls(part, rows)
+    return out
 
 
 def main():

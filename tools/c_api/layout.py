@@ -11,7 +11,7 @@ class Layout:
 
     def of_type(self, t):
         """Size and alignment of a member without its count."""
-        if t.form in ('*', '[]') or t.name in ('text', 'code'):
+        if t.form in ('*', '[]') or t.name in ('text', 'code') or t.is_callback:
             return self.pointer, self.pointer
         if t.name in SCALARS:
             size = SCALARS[t.name][0] or self.pointer

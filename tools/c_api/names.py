@@ -7,7 +7,7 @@ COUNTS = {'meshes': 'mesh', 'properties': 'property', 'feet': 'foot', 'bytes': '
 
 def count_of(name, type):
     """The name of the count beside a pointer."""
-    if type.name == 'byte' and name != 'bytes':
+    if type.name in ('byte', 'char') and name != 'bytes':
         return name + '_bytes'
     if name in COUNTS:
         return COUNTS[name] + '_count'

@@ -2,7 +2,7 @@
 from names import camel, comment, constant, count_of, enumerator, wrapped
 
 C_NAMES = {'f32': 'float', 'f64': 'double', 'size': 'size_t', 'bool': 'bool', 'byte': 'void', 'void': 'void',
-           'text': 'const char*', 'code': 'void (*', 'call_error_handler': 'mrw_call_error_handler'}
+           'char': 'char', 'text': 'const char*'}
 
 
 def c_name(name):
@@ -13,31 +13,32 @@ def c_name(name):
     return 'mrw_' + name
 
 
+def pointed(t):
+    """What a pointer leads to."""
+    base = c_name(t.name)
+    return base if t.mut else f'{base} const' if base.endswith('*') else f'const {base}'
+
+
 def member(name, t):
     """A member of a struct, or two."""
-    base = c_name(t.name)
     if t.name == 'code':
         return [f'void (*{name})(void)']
     if t.form in ('*', '[]'):
-        pointer = f'{"" if t.mut else "const "}{base}* {name}'
-        return [pointer] + ([f'size_t {count_of(name, t)}'] if t.form == '[]' else [])
-    return [f'{base} {name}' + ''.join(f'[{n}]' for n in t.dims)]
+        return [f'{pointed(t)}* {name}'] + ([f'size_t {count_of(name, t)}'] if t.form == '[]' else [])
+    return [f'{c_name(t.name)} {name}' + ''.join(f'[{n}]' for n in t.dims)]
 
 
 def parameters(row, structs):
     out = []
     for name, t in row.fields:
-        base, const = c_name(t.name), '' if t.mut else 'const '
         if t.form == '[]':
-            out += [f'{const}{base}* {name}', f'size_t {count_of(name, t)}']
-        elif t.form == '*':
-            out.append(f'{const}{base}* {name}')
+            out += [f'{pointed(t)}* {name}', f'size_t {count_of(name, t)}']
         elif t.form == 'array':
-            out.append(f'{const}{base} {name}[{t.dims[0]}]')
-        elif t.name in structs or t.mut:
-            out.append(f'{const}{base}* {name}')
+            out.append(f'{pointed(t)} {name}[{t.dims[0]}]')
+        elif t.form == '*' or t.name in structs or t.mut:
+            out.append(f'{pointed(t)}* {name}')
         else:
-            out.append(f'{base} {name}')
+            out.append(f'{c_name(t.name)} {name}')
     if row.type and not row.type.form and row.type.name in structs:
         out.append(f'{c_name(row.type.name)}* out')
     return out
@@ -48,7 +49,7 @@ def returned(row, structs):
     if t is None:
         return 'void'
     if t.form == '*':
-        return f'{"" if t.mut else "const "}{c_name(t.name)}*'
+        return f'{pointed(t)}*'
     return 'mrw_status' if t.name in structs else c_name(t.name)
 
 
@@ -74,7 +75,6 @@ OPENING = '''// The whole runtime for C99, and for all languages that call C: se
 #include <stddef.h>
 #include <stdint.h>
 
-// clang-format off
 #if defined(__GNUC__)
 #define MRW_ALIGN(bytes) __attribute__((aligned(bytes)))
 #define MRW_NODISCARD __attribute__((warn_unused_result))
@@ -83,14 +83,29 @@ OPENING = '''// The whole runtime for C99, and for all languages that call C: se
 #define MRW_NODISCARD
 #endif
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+'''
 
+OPENING_OF_GLES3 = '''// Skinning by OpenGL ES 3.0 for C99, and for all languages that call C: see docs/c.md. Library marrow::c_gles3.
+//
+// Made by tools/c_api from runtime/c/gles3.txt and the C++ headers, whose words these are: do not edit. Where they name
+// a C++ function or type, here it is mrw_gles3_ and that name in small letters. All else is as marrow/c.h says: a Span
+// is a pointer and a count, what is "empty by default" or "may be null" may be null, a struct that is filled in begins
+// with its mrw_gles3_…_init().
+//
+// A pointer that is null or off the boundary of its type is refused, and so is an mrw_gles3_api full of zeros, which
+// mrw_gles3_load_api() has not filled yet.
+#ifndef MARROW_C_GLES3_H
+#define MARROW_C_GLES3_H
+
+#include "marrow/c.h"
+
+'''
+
+ABI = '''
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x%08xu
-// That of the library. A program compares it with its own MRW_ABI before it calls anything else.
-uint32_t mrw_abi(void);
+#define MRW_%(NAME)sABI 0x%(abi)08xu
+// That of the library. A program compares it with its own MRW_%(NAME)sABI before it calls anything else.
+uint32_t mrw_%(name)sabi(void);
 '''
 
 
@@ -124,7 +139,8 @@ def enum_text(row):
 def constant_text(row):
     value = row.value if '.' in row.value or 'e' in row.value else row.value + ('' if row.type.name == 'i32' else 'u')
     value = f'({value})' if ' ' in value else value
-    return [f'#define {constant(row.name)} {value}']
+    beside = '  // ' + row.beside[0] if row.beside else ''
+    return [f'#define {constant(row.name)} {value}{beside}']
 
 
 def row_text(row, structs):
@@ -132,6 +148,9 @@ def row_text(row, structs):
         return constant_text(row)
     if row.kind == 'enum':
         return enum_text(row)
+    if row.kind == 'callback':
+        return wrapped(f'typedef {returned(row, structs)} (*mrw_{row.name})(', parameters(row, structs) or ['void'],
+                       ');').split('\n')
     if row.kind == 'opaque':
         return [f'typedef struct mrw_{row.name} mrw_{row.name};']
     if row.kind == 'struct':
@@ -140,10 +159,11 @@ def row_text(row, structs):
     return prototype(row, structs, mark + ';').split('\n')
 
 
-def header(rows, abi, headings):
-    structs = {r.name for r in rows if r.kind == 'struct'}
-    out, last, last_doc = [OPENING % abi], '', []
-    for row in rows:
+def header(part, structs, headings):
+    opening = OPENING_OF_GLES3 if part.prefix else OPENING
+    out, last, last_doc = [opening + '// clang-format off\n#ifdef __cplusplus\nextern "C" {\n#endif\n' + ABI % {
+        'name': part.prefix, 'NAME': part.prefix.upper(), 'abi': part.abi}], '', []
+    for row in part.rows:
         if row.kind == 'no':
             continue
         if row.header != last:
@@ -153,9 +173,6 @@ def header(rows, abi, headings):
             out += [''] + comment(row.doc)
         last_doc = row.doc
         out += row_text(row, structs)
-        if row.cpp == 'set_call_error_handler':
-            out.insert(-2 - len(comment(row.doc)),
-                       '\ntypedef void (*mrw_call_error_handler)(const char* function, const char* condition);')
         if 'init' in row.flags:
             out.append(f'void mrw_{row.name}_init(mrw_{row.name}* out);')
     out += ['', '#ifdef __cplusplus', '}', '#endif', '#endif']

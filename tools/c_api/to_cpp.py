@@ -3,14 +3,16 @@ from description import SCALARS
 from names import constant, count_of, enumerator
 from to_c import c_name, prototype, returned
 
-MADE = '// Made by tools/c_api from runtime/c/api.txt: do not edit.\n'
+MADE = '// Made by tools/c_api from the descriptions in runtime/c: do not edit.\n'
 
 
 class Writer:
-    def __init__(self, rows):
-        self.rows = rows
-        self.cpp = {r.name: (r.cpp if r.cpp.startswith('Span') else r.cpp) for r in rows if r.kind in ('struct', 'enum', 'opaque')}
+    def __init__(self, part, rows):
+        self.part = part
+        self.cpp = {r.name: r.qualified() for r in rows if r.kind in ('struct', 'enum', 'opaque')}
+        self.cpp['text'] = 'const char*'
         self.structs = {r.name for r in rows if r.kind == 'struct'}
+        self.ready = {r.name for r in rows if 'ready' in r.flags}
         self.enums = {r.name for r in rows if r.kind == 'enum'}
 
     def type(self, name):
@@ -27,6 +29,8 @@ class Writer:
         if t.name in self.structs:
             return f'or_default<{cpp}>({name})' if t.optional else f'{"to" if t.mut else "of"}<{cpp}>({name})'
         if t.name in self.enums:
+            if t.mut:
+                return f'to<{cpp}>({name})'
             return f'static_cast<{cpp}>({name})'
         return '*' + name if t.mut else name
 
@@ -38,6 +42,8 @@ class Writer:
             if t.form == '[]' or (t.form == '' and t.name not in self.structs and not t.mut) or t.name == 'void':
                 continue
             out.append(f'{"leads_to_if_any" if t.optional else "leads_to"}<{self.type(t.name)}>({name})')
+            if t.name in self.ready and not t.mut:
+                out.append(f'is_ready(of<{self.type(t.name)}>({name}))')
         if self.gives_struct(row):
             out.append(f'leads_to<{self.type(row.type.name)}>(out)')
         return out
@@ -51,14 +57,14 @@ class Writer:
         if row.method:
             name = f'of<{self.type(row.method)}>({row.method}).{row.cpp}'
         else:
-            name = f'marrow::{row.cpp}'
+            name = f'marrow::{row.qualified()}'
         call = name if row.is_member else f'{name}({arguments})'
         if row.type is None:
             return call
         if self.gives_struct(row):
             return f'give<{self.type(row.type.name)}>(out, {call})'
         if row.type.name in self.structs:
-            return f'return to_c<{"" if row.type.mut else "const "}{c_name(row.type.name)}>({call})'
+            return f'return to_c<{"" if row.type.mut else "const "}{c_name(row.type.name)}>({"&" * row.type.is_reference}{call})'
         if row.type.name == 'status':
             return f'return code({call})'
         return f'return {call}'
@@ -82,22 +88,23 @@ class Writer:
                 f'  MRW_NEEDS(leads_to<{cpp}>(out), );\n  to<{cpp}>(out) = {cpp}{{}};\n}}\n')
 
     def source(self, name):
-        rows = [r for r in self.rows if r.kind == 'fn' and r.source == name]
+        rows = [r for r in self.part.rows if r.kind == 'fn' and r.source == name]
         headers = sorted({r.header for r in rows})
-        out = [MADE.replace('do not', 'one line of C++ a function. Do not') + '#include "c/twin.h"\n']
+        out = [MADE.replace('do not', 'one line of C++ a function. Do not') + f'#include "c/{self.part.prefix}twin.h"\n']
         out += [f'#include "marrow/{h}"' for h in headers] + ['', '// clang-format off',
                                                               'using namespace marrow;', 'using namespace marrow::c;', '',
                                                               'extern "C" {', '']
-        if name == 'wrappers.cpp':
-            out.append('uint32_t mrw_abi(void) {\n  return MRW_ABI;\n}\n')
-            out += [self.init(r) for r in self.rows if 'init' in r.flags]
+        if name == self.part.wrappers:
+            prefix = self.part.prefix
+            out.append(f'uint32_t mrw_{prefix}abi(void) {{\n  return MRW_{prefix.upper()}ABI;\n}}\n')
+            out += [self.init(r) for r in self.part.rows if 'init' in r.flags]
         out += [self.wrapper(r) for r in rows]
         return '\n'.join(out) + '\n}  // extern "C"\n'
 
     def layouts(self):
-        out = [MADE + '// C\'s structs, enums and constants are C++\'s.', '#include "marrow/c.h"', '',
+        out = [MADE + '// C\'s structs, enums and constants are C++\'s.', f'#include "marrow/{self.part.header}"', '',
                '#include <cstddef>', '#include <type_traits>', '']
-        out += [f'#include "marrow/{h}"' for h in sorted({r.header for r in self.rows if r.kind in ('struct', 'enum', 'const')})]
+        out += [f'#include "marrow/{h}"' for h in sorted({r.header for r in self.part.rows if r.kind in ('struct', 'enum', 'const')})]
         out += ['', '// clang-format off', '// NOLINTBEGIN(bugprone-sizeof-expression)', 'namespace marrow {', '',
                 '#define SAME(C, Cpp) static_assert(sizeof(C) == sizeof(Cpp) && alignof(C) == alignof(Cpp) && '
                 'std::is_standard_layout_v<Cpp>)',
@@ -105,17 +112,18 @@ class Writer:
                 'sizeof(C::c) == sizeof(Cpp::cpp))',
                 '#define SAME_SPAN(C, Cpp, c, count) static_assert(offsetof(C, c) == offsetof(Cpp, c) && '
                 'offsetof(C, count) == offsetof(Cpp, c) + sizeof(void*))', '']
-        for r in self.rows:
+        for r in self.part.rows:
+            cpp = r.qualified()
             if r.kind == 'const':
-                out.append(f'static_assert({constant(r.name)} == {r.cpp});')
+                out.append(f'static_assert({constant(r.name)} == {cpp});')
             if r.kind == 'enum':
-                out.append(f'static_assert(sizeof(mrw_{r.name}) == sizeof({r.cpp}));')
-                out += [f'static_assert({enumerator(r, v)} == static_cast<int>({r.cpp}::{v}));' for v in r.values]
+                out.append(f'static_assert(sizeof(mrw_{r.name}) == sizeof({cpp}));')
+                out += [f'static_assert({enumerator(r, v)} == static_cast<int>({cpp}::{v}));' for v in r.values]
             if r.kind == 'struct':
-                out.append(f'SAME(mrw_{r.name}, {r.cpp});')
+                out.append(f'SAME(mrw_{r.name}, {cpp});')
                 for name, t in r.fields if 'private' not in r.flags else []:
                     if t.form == '[]':
-                        out.append(f'SAME_SPAN(mrw_{r.name}, {r.cpp}, {name}, {count_of(name, t)});')
+                        out.append(f'SAME_SPAN(mrw_{r.name}, {cpp}, {name}, {count_of(name, t)});')
                     else:
-                        out.append(f'SAME_MEMBER(mrw_{r.name}, {r.cpp}, {name}, {name});')
+                        out.append(f'SAME_MEMBER(mrw_{r.name}, {cpp}, {name}, {name});')
         return '\n'.join(out + ['', '}  // namespace marrow', '// NOLINTEND(bugprone-sizeof-expression)', ''])

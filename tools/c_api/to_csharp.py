@@ -8,7 +8,7 @@ from to_cpp import MADE
 
 NAMES = {'f32': 'float', 'f64': 'double', 'u8': 'byte', 'u16': 'ushort', 'u32': 'uint', 'u64': 'ulong', 'i8': 'sbyte',
          'i16': 'short', 'i32': 'int', 'size': 'UIntPtr', 'byte': 'void', 'void': 'void', 'bool': 'byte',
-         'text': 'byte*', 'code': 'IntPtr', 'call_error_handler': 'IntPtr'}
+         'char': 'byte', 'text': 'byte*', 'code': 'IntPtr'}
 KEYWORDS = {'in', 'out', 'params', 'ref', 'fixed', 'object', 'base', 'lock', 'is', 'as', 'event', 'checked'}
 
 
@@ -20,15 +20,20 @@ def type_name(name):
     return NAMES.get(name) or camel(name)
 
 
+def type_of(t):
+    return 'IntPtr' if t.is_callback else type_name(t.name)
+
+
 def members(name, t):
-    base = type_name(t.name)
+    base = type_of(t)
     if t.form in ('*', '[]'):
         return [f'{base}* {safe(name)}'] + ([f'UIntPtr {count_of(name, t)}'] if t.form == '[]' else [])
     if t.dims and t.name in NAMES:
         count = 1
         for n in t.dims:
             count *= n
-        return [f'fixed {base} {safe(name)}[{count}]']
+        # C# takes no fixed number of UIntPtr. Where pointers have 4 bytes there is then too much room, which harms none.
+        return [f'fixed {"ulong" if t.name == "size" else base} {safe(name)}[{count}]']
     if t.dims:
         return [f'{base} {safe(name)}{i}' for i in range(t.dims[0])]
     return [f'{base} {safe(name)}']
@@ -42,7 +47,7 @@ def parameters(row, structs):
         elif t.form == 'array' or t.name in structs or t.mut:
             out.append(f'{type_name(t.name)}* {safe(name)}')
         else:
-            out.append(f'{type_name(t.name)} {safe(name)}')
+            out.append(f'{type_of(t)} {safe(name)}')
     if row.type and not row.type.form and row.type.name in structs:
         out.append(f'{type_name(row.type.name)}* @out')
     return out
@@ -54,7 +59,7 @@ def returned(row, structs):
         return 'void'
     if t.form == '*':
         return type_name(t.name) + '*'
-    return 'Status' if t.name in structs else type_name(t.name)
+    return 'Status' if t.name in structs else type_of(t)
 
 
 def docs(lines, indent):
@@ -76,6 +81,20 @@ def end_of(row, index, layout):
     return layout.of(row.name)[2][index] + size + (layout.pointer if row.fields[index][1].form == '[]' else 0)
 
 
+def many(name, t, layout):
+    """More structs than anyone wants to name one by one: their words."""
+    if not t.dims or t.dims[0] <= 16 or t.name not in layout.structs:
+        return []
+    size, align = layout.of_type(t)
+    return [f'fixed {"uint" if align == 4 else "ulong"} {safe(name)}[{size // align}]']
+
+
+def callback_text(row, structs):
+    return docs(row.doc, '') + ['[UnmanagedFunctionPointer(CallingConvention.Cdecl)]',
+                                f'public unsafe delegate {returned(row, structs)} {camel(row.name)}('
+                                f'{", ".join(parameters(row, structs))});', '']
+
+
 def struct_text(row, layout, narrow):
     size = layout.of(row.name)[0]
     # Padding inside is the same with pointers of 4 bytes; behind the last member there may then be some too much.
@@ -91,7 +110,7 @@ def struct_text(row, layout, narrow):
             if gap:
                 out.append(f'    fixed byte padding{i}[{gap}];')
         out += docs(row.docs.get(field, []), '    ')
-        out += [f'    public {m};' for m in members(field, t)]
+        out += [f'    public {m};' for m in many(field, t, layout) or members(field, t)]
     if layout.of(row.name)[1] == 16 and has_pointers(row, layout):
         out.append(f'    fixed byte padding[{size - end_of(row, len(row.fields) - 1, layout)}];')
     if 'init' in row.flags:
@@ -126,16 +145,16 @@ def import_text(name, result, params):
             f'    public static extern {result} {camel(name)}({", ".join(params)});']
 
 
-def made(rows, abi):
+def made(rows, parts):
     structs = {r.name for r in rows if r.kind == 'struct'}
     wide, narrow = Layout(rows, 8), Layout(rows, 4)
     out = [MADE + '// The runtime for C#, as C has it: see docs/c.md. bool is a byte here, so that all structs are blittable. '
            'New() makes a\n// struct as C++ has it by default. Structs that C++ puts on 16 bytes go into memory of '
            'Marrow.Block().',
-           'using System;', 'using System.Runtime.InteropServices;', '', 'namespace MarrowRuntime {', '',
-           '[UnmanagedFunctionPointer(CallingConvention.Cdecl)]',
-           'public unsafe delegate void CallErrorHandler(byte* function, byte* condition);', '']
+           'using System;', 'using System.Runtime.InteropServices;', '', 'namespace MarrowRuntime {', '']
     for row in rows:
+        if row.kind == 'callback':
+            out += callback_text(row, structs)
         if row.kind == 'enum':
             out += enum_text(row)
         if row.kind == 'struct':
@@ -143,9 +162,12 @@ def made(rows, abi):
         if row.kind == 'opaque':
             out += [f'public struct {camel(row.name)} {{}}', '']
     out += ['public static unsafe class Marrow {', '    const string Library = "marrow_c";', '',
-            '    /// <summary>What Abi() must give.</summary>', f'    public const uint AbiNumber = 0x{abi:08x};', '']
-    out += [line for r in rows if r.kind == 'const' for line in docs(r.doc, '    ') + [constant(r)]]
-    out += import_text('abi', 'uint', [])
+            *[line for p in parts for line in (
+                f'    /// <summary>What {camel(p.prefix + "abi")}() must give.</summary>',
+                f'    public const uint {camel(p.prefix + "abi")}Number = 0x{p.abi:08x};')], '']
+    out += [line for r in rows if r.kind == 'const' for line in docs(r.doc + r.beside, '    ') + [constant(r)]]
+    for part in parts:
+        out += import_text(part.prefix + 'abi', 'uint', [])
     for row in rows:
         if row.kind == 'struct' and 'init' in row.flags:
             out += import_text(row.name + '_init', 'void', [f'{camel(row.name)}* @out'])

@@ -5,9 +5,10 @@ from layout import Layout
 from names import camel, comment, count_of
 from to_cpp import MADE
 
-KEYWORDS = {'type', 'in', 'where', 'move', 'ref', 'mod', 'use', 'loop', 'match'}
+KEYWORDS = {'as', 'box', 'const', 'fn', 'impl', 'in', 'let', 'loop', 'match', 'mod', 'move', 'mut', 'pub', 'ref', 'trait', 'type',
+            'use', 'where', 'yield'}
 NAMES = {'size': 'usize', 'byte': 'c_void', 'void': 'c_void', 'text': '*const c_char',
-         'code': 'Option<unsafe extern "C" fn()>', 'call_error_handler': 'CallErrorHandler'}
+         'char': 'c_char', 'code': 'Option<unsafe extern "C" fn()>'}
 
 
 def safe(name):
@@ -90,16 +91,18 @@ def constant_text(row):
     value = re.sub(r'(?<=\d)f\b', '', row.value)
     if row.type.name == 'f32':
         value = re.sub(r'\b60\b', '60.0', value)
-    return docs(row.doc) + [f'pub const {row.name.upper()}: {type_name(row.type.name)} = {value};']
+    return docs(row.doc + row.beside) + [f'pub const {row.name.upper()}: {type_name(row.type.name)} = {value};']
 
 
-def made(rows, abi):
+def made(rows, parts):
     structs, layout = {r.name for r in rows if r.kind == 'struct'}, Layout(rows, 8)
     out = [MADE + '// The runtime for Rust, as C has it: see docs/c.md. Link marrow_c, marrow_unpack and marrow_runtime.',
            '#![allow(dead_code, clippy::all)]', 'use std::os::raw::{c_char, c_void};', '',
-           f'/// What abi() must give.\npub const ABI: u32 = 0x{abi:08x};', '',
-           'pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;', '']
+           *[f'/// What {p.prefix}abi() must give.\npub const {p.prefix.upper()}ABI: u32 = 0x{p.abi:08x};' for p in parts], '']
     for row in rows:
+        if row.kind == 'callback':
+            out += docs(row.doc) + [f'pub type {camel(row.name)} = Option<unsafe extern "C" fn('
+                                    f'{", ".join(parameters(row, structs))}){returned(row, structs)}>;', '']
         if row.kind == 'const':
             out += constant_text(row) + ['']
         if row.kind == 'enum':
@@ -108,7 +111,9 @@ def made(rows, abi):
             out += struct_text(row, layout) + ['']
         if row.kind == 'opaque':
             out += ['#[repr(C)]', f'pub struct {camel(row.name)} {{', '    _private: [u8; 0],', '}', '']
-    out += ['extern "C" {', '    #[link_name = "mrw_abi"]', '    pub fn abi() -> u32;']
+    out.append('extern "C" {')
+    for part in parts:
+        out += [f'    #[link_name = "mrw_{part.prefix}abi"]', f'    pub fn {part.prefix}abi() -> u32;']
     for row in rows:
         if row.kind == 'struct' and 'init' in row.flags:
             out += [f'    #[link_name = "mrw_{row.name}_init"]',

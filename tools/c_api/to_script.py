@@ -12,10 +12,12 @@ def value_of(row):
 
 
 def field_entry(name, t, place, enums, structs):
-    kind = enums[t.name].type.name if t.name in enums else 'u32' if t.name == 'size' else t.name
+    kind = enums[t.name].type.name if t.name in enums else {'size': 'u32', 'char': 'u8'}.get(t.name, t.name)
+    if t.form == '[]' and t.name == 'text':
+        return [place, 'list', 'u32']
     if t.form == '[]':
         return [place, 'list', camel(kind) if t.name in structs else kind]
-    if t.form == '*' or t.name == 'code':
+    if t.form == '*' or t.name == 'code' or t.is_callback:
         return [place, 'pointer', camel(kind) if t.name in structs else kind]
     if t.name == 'text':
         return [place, 'text']
@@ -30,7 +32,7 @@ def field_entry(name, t, place, enums, structs):
 def argument(t, structs):
     if t.form == '[]':
         return 'list'
-    if t.form or t.name in structs or t.mut or t.name == 'call_error_handler':
+    if t.form or t.name in structs or t.mut or t.is_callback:
         return 'pointer'
     return {'text': 'text', 'bool': 'bool'}.get(t.name, 'number')
 
@@ -53,12 +55,12 @@ def arguments(row, structs):
     return out
 
 
-def tables(rows, abi):
+def tables(rows, parts):
     structs = {r.name: r for r in rows if r.kind == 'struct'}
     enums = {r.name: r for r in rows if r.kind == 'enum'}
     layout = Layout(rows, 4)
     out = [MADE + '// What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.', '',
-           f'export const ABI = 0x{abi:08x};', '']
+           *[f'export const {p.prefix.upper()}ABI = 0x{p.abi:08x};' for p in parts], '']
     out += [f'export const {r.name.upper()} = {value_of(r)};' for r in rows if r.kind == 'const'] + ['']
     for r in enums.values():
         pairs = ', '.join(f'{v.upper()}: {i}' for i, v in enumerate(r.values))
@@ -72,7 +74,7 @@ def tables(rows, abi):
         out.append(f'  {camel(r.name)}: {{ size: {size}, align: {align}, init: '
                    f'{json.dumps(r.name + "_init" if "init" in r.flags else "")}, fields: {json.dumps(fields)} }},')
     out += ['};', '', '// What each function takes, and what it gives.', 'export const functions = {',
-            "  abi: [[], 'number'],"]
+            *[f"  {p.prefix}abi: [[], 'number']," for p in parts]]
     for r in rows:
         if r.kind == 'struct' and 'init' in r.flags:
             out.append(f"  {r.name}_init: [['pointer'], 'void'],")
@@ -88,7 +90,7 @@ def script_type(t, structs, enums):
     name = camel(t.name) if t.name in structs or t.name in enums else SCRIPT.get(t.name, 'number')
     if t.form == '[]':
         return f'List<{name}>' if t.name in structs else 'List<number>'
-    if t.form == '*' or t.name == 'code':
+    if t.form == '*' or t.name == 'code' or t.is_callback:
         return 'number'
     if t.dims:
         return f'{name}[]' if t.name in structs else 'TypedArray'
@@ -100,11 +102,11 @@ def docs(lines, indent):
         if lines else []
 
 
-def types(rows):
+def types(rows, parts):
     structs = {r.name: r for r in rows if r.kind == 'struct'}
     enums = {r.name: r for r in rows if r.kind == 'enum'}
     out = [MADE + '// The runtime for JavaScript and TypeScript, as C has it: see docs/c.md.', '',
-           'export const ABI: number;']
+           *[f'export const {p.prefix.upper()}ABI: number;' for p in parts]]
     out += [f'export const {r.name.upper()}: number;' for r in rows if r.kind == 'const']
     for r in enums.values():
         out += [''] + docs(r.doc, '') + [f'export const {camel(r.name)}: {{']
@@ -138,9 +140,9 @@ def types(rows):
             '  /** Throws an Error with the text of the status, unless it is ok. */', '  must(status: Status): void;',
             '  /** Is told of bad calls; null: nobody. */',
             '  onCallError(handler: ((name: string, condition: string) => void) | null): void;', '',
-            '  abi(): number;']
+            *[f'  {p.prefix}abi(): number;' for p in parts]]
     for r in rows:
-        if r.kind != 'fn' or r.cpp == 'set_call_error_handler' or r.source != 'wrappers.cpp':
+        if r.kind != 'fn' or r.cpp == 'set_call_error_handler' or r.source not in [p.wrappers for p in parts]:
             continue
         params = []
         for n, a, t in arguments(r, structs):
@@ -160,11 +162,11 @@ def types(rows):
     return '\n'.join(out + ['}', ''])
 
 
-def exports(rows):
-    names = ['mrw_abi']
-    for r in rows:
+def exports(part):
+    names = [f'mrw_{part.prefix}abi']
+    for r in part.rows:
         if r.kind == 'struct' and 'init' in r.flags:
             names.append(f'mrw_{r.name}_init')
-        if r.kind == 'fn' and r.source == 'wrappers.cpp':
+        if r.kind == 'fn' and r.source == part.wrappers:
             names.append(f'mrw_{r.name}')
     return '\n'.join(sorted(names)) + '\n'

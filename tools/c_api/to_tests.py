@@ -4,11 +4,15 @@ from to_c import returned
 from to_cpp import MADE
 
 
-def arguments(row, structs, enums):
+def arguments(row, structs, enums, ready):
     out = []
     for i, (name, t) in enumerate(row.fields):
         if t.form == '[]':
             out += [f'list(r, {i})', 'count(r)']
+        elif t.name in ready and not t.mut:
+            out.append(f'ready(r, {i})')
+        elif t.is_callback:
+            out.append(f'{t.name}(r)')
         elif t.form or t.name in structs or t.mut:
             out.append(f'at(r, {i})')
         elif t.name == 'text':
@@ -24,20 +28,21 @@ def arguments(row, structs, enums):
     return ', '.join(out)
 
 
-def rows_of_calls(rows, in_library):
+def rows_of_calls(part, rows):
     structs = {r.name for r in rows if r.kind == 'struct'}
     enums = {r.name for r in rows if r.kind == 'enum'}
+    ready = {r.name for r in rows if 'ready' in r.flags}
     calls, table = [], []
-    for r in rows:
+    for r in part.rows:
         if r.kind == 'struct' and 'init' in r.flags:
             calls.append(f'static int call_{r.name}_init(const Round* r) {{\n  mrw_{r.name}_init(at(r, 0));\n  return -1;\n}}')
             table.append(f'    {{"mrw_{r.name}_init", call_{r.name}_init, 0, 0}},')
-        if r.kind != 'fn' or r.cpp == 'set_call_error_handler' or not in_library(r):
+        if r.kind != 'fn' or r.cpp == 'set_call_error_handler' or r.source != part.wrappers:
             continue
         is_status = returned(r, structs) == 'mrw_status'
         takes_struct = any(t.name in structs and t.form in ('', 'array') and not t.optional for _, t in r.fields)
         takes_list = any(t.form == '[]' for _, t in r.fields)
-        call = f'mrw_{r.name}({arguments(r, structs, enums)})'
+        call = f'mrw_{r.name}({arguments(r, structs, enums, ready)})'
         body = f'  return {call};' if is_status else f'  (void){call};\n  return -1;'
         calls.append(f'static int call_{r.name}(const Round* r) {{\n  (void)r;\n{body}\n}}')
         table.append(f'    {{"mrw_{r.name}", call_{r.name}, {int(takes_struct)}, {int(takes_list)}}},')

@@ -15,7 +15,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// clang-format off
 #if defined(__GNUC__)
 #define MRW_ALIGN(bytes) __attribute__((aligned(bytes)))
 #define MRW_NODISCARD __attribute__((warn_unused_result))
@@ -24,12 +23,13 @@
 #define MRW_NODISCARD
 #endif
 
+// clang-format off
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x80d753f1u
+#define MRW_ABI 0x3b879ba9u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -419,8 +419,7 @@ struct mrw_joint_limit {
 };
 void mrw_joint_limit_init(mrw_joint_limit* out);
 
-// as many as SpringChain::colliders has bits
-#define MRW_MAX_SPRING_COLLIDERS 64u
+#define MRW_MAX_SPRING_COLLIDERS 64u  // as many as SpringChain::colliders has bits
 
 // A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
 typedef struct mrw_spring_joint mrw_spring_joint;
@@ -1849,14 +1848,11 @@ mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, co
 // Chains and colliders are SpringChain and SpringCollider in file.h: a game's own, or those that an asset came with,
 // File::spring() and File::spring_colliders().
 
-// frames are cut into equal steps no longer than this …
-#define MRW_MAX_SPRING_STEP_S (1.0f / 60)
+#define MRW_MAX_SPRING_STEP_S (1.0f / 60)  // frames are cut into equal steps no longer than this …
 
-// … and time beyond so many is left out
-#define MRW_MAX_SPRING_STEPS 8
+#define MRW_MAX_SPRING_STEPS 8  // … and time beyond so many is left out
 
-// shorter frames are saved up
-#define MRW_MIN_SPRING_FRAME_S 0.001f
+#define MRW_MIN_SPRING_FRAME_S 0.001f  // shorter frames are saved up
 
 // Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in pose/spring_state.h.
 typedef struct mrw_spring_group mrw_spring_group;

@@ -1,13 +1,10 @@
-// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // The runtime for C#, as C has it: see docs/c.md. bool is a byte here, so that all structs are blittable. New() makes a
 // struct as C++ has it by default. Structs that C++ puts on 16 bytes go into memory of Marrow.Block().
 using System;
 using System.Runtime.InteropServices;
 
 namespace MarrowRuntime {
-
-[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-public unsafe delegate void CallErrorHandler(byte* function, byte* condition);
 
 public enum Status : byte {
     Ok = 0,
@@ -70,6 +67,9 @@ public unsafe struct DataError {
         return made;
     }
 }
+
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void CallErrorHandler(byte* function, byte* condition);
 
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Block {
@@ -2480,11 +2480,950 @@ public unsafe struct Outfit {
     public UIntPtr skeleton_count;
 }
 
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void Gles3ErrorReport(void* user, byte* call, uint error);
+
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate uint Gles3GetError();
+
+/// <summary>
+/// Told of every GL error by the call that caused it: for debugging, as each call is then between two of glGetError.
+/// One an Api and thread.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3ErrorWatch {
+    /// <summary>
+    /// call: "glBindBuffer", a static string. May be null.
+    /// </summary>
+    public IntPtr report;
+    public void* user;
+    /// <summary>
+    /// what the Api's GetError has yet to tell, as it would without a watch
+    /// </summary>
+    public uint pending;
+    public IntPtr get_error;
+    public static Gles3ErrorWatch New() {
+        Gles3ErrorWatch made;
+        Marrow.Gles3ErrorWatchInit(&made);
+        return made;
+    }
+}
+
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void* Gles3LoadProc(byte* name);
+
+/// <summary>
+/// The driver's entry points.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3Api {
+    public fixed ulong words[222];
+}
+
+public enum Gles3Deformer : byte {
+    /// <summary>
+    /// vertices skinned elsewhere, in float: position, normal, tangent
+    /// </summary>
+    None = 0,
+    /// <summary>
+    /// the joint with the largest weight
+    /// </summary>
+    Rigid = 1,
+    Ssd = 2,
+    As = 3,
+}
+
+/// <summary>
+/// Where a program finds its palettes.
+/// </summary>
+public enum Gles3Palettes : byte {
+    /// <summary>
+    /// PaletteRing: one palette a draw call
+    /// </summary>
+    UniformBlock = 0,
+    /// <summary>
+    /// PaletteTexture: of any size; one draw call may draw many characters
+    /// </summary>
+    Texture = 1,
+    /// <summary>
+    /// CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+    /// </summary>
+    Crowd = 2,
+}
+
+/// <summary>
+/// What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3Caps {
+    public uint uniform_block_bytes;
+    /// <summary>
+    /// power of two
+    /// </summary>
+    public uint uniform_offset_alignment;
+    public uint vertex_attributes;
+    public uint texture_size;
+    /// <summary>
+    /// OpenGL ES 3.1 or newer, and its functions
+    /// </summary>
+    public byte compute;
+    public static Gles3Caps New() {
+        Gles3Caps made;
+        Marrow.Gles3CapsInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3VertexLayout {
+    /// <summary>
+    /// 4 or 8
+    /// </summary>
+    public uint influences;
+    /// <summary>
+    /// 1 or 2
+    /// </summary>
+    public uint joint_bytes;
+    public uint ssd_stride;
+    public uint ssd_weights;
+    public uint ssd_joints;
+    public uint as_stride;
+    public uint as_tangents;
+    public uint as_joints;
+    /// <summary>
+    /// there are tangents, and room for them
+    /// </summary>
+    public byte surface_normals;
+    public uint surface_stride;
+    public uint normal;
+    public uint tangent;
+    public uint uv;
+    public uint colour;
+    /// <summary>
+    /// unorm16×2, otherwise f32×2
+    /// </summary>
+    public byte uv_unorm;
+    public static Gles3VertexLayout New() {
+        Gles3VertexLayout made;
+        Marrow.Gles3VertexLayoutInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
+///
+///   stream     what a vertex has in it               as
+///   SSD        position                              snorm16×3
+///              weight of the second influence        snorm16
+///              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+///              joints                                u8×4, or ×8; u16 above 256 entries
+///   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
+///              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
+///              joints                                as SSD's
+///   surface    normal                                octahedral snorm16×2
+///              tangent                               octahedral snorm16×2, the sign in y
+///              texture coordinates                   unorm16×2, or f32×2
+///              colour                                unorm8×4
+///   morphs     row of the morph texture              u32; of vertices that no target moves 0
+///
+///   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
+///   4 influences       16    36                    100                         4
+///   8 influences       28    72                      -                         4
+///
+/// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3GpuMesh {
+    /// <summary>
+    /// vertex array objects; 0 where not asked for. Rigid uses this one too.
+    /// </summary>
+    public uint ssd_array;
+    public uint as_array;
+    public uint ssd_buffer;
+    public uint as_buffer;
+    /// <summary>
+    /// 0 for a mesh of bare positions
+    /// </summary>
+    public uint surface_buffer;
+    /// <summary>
+    /// 0 for a mesh without morph targets
+    /// </summary>
+    public uint morph_buffer;
+    /// <summary>
+    /// likewise
+    /// </summary>
+    public uint morph_texture;
+    public uint index_buffer;
+    public uint index_count;
+    /// <summary>
+    /// GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+    /// </summary>
+    public uint index_type;
+    /// <summary>
+    /// what the indices draw: GL_TRIANGLES
+    /// </summary>
+    public uint primitive;
+    public uint slot_count;
+    /// <summary>
+    /// matrices in its palette
+    /// </summary>
+    public uint joint_count;
+    /// <summary>
+    /// all vertex buffers together
+    /// </summary>
+    public uint vertex_bytes;
+    /// <summary>
+    /// 4 or 8
+    /// </summary>
+    public byte influences;
+    /// <summary>
+    /// kNormals | …
+    /// </summary>
+    public byte features;
+    /// <summary>
+    /// texels a vertex: positions, normals, tangents
+    /// </summary>
+    public byte morph_per_row;
+    /// <summary>
+    /// the texture's width is 1 &lt;&lt; morph_shift
+    /// </summary>
+    public byte morph_shift;
+    /// <summary>
+    /// of a target
+    /// </summary>
+    public uint morph_texels;
+    /// <summary>
+    /// 1 / half-extent, see prepare()
+    /// </summary>
+    public float morph_unit;
+    /// <summary>
+    /// Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
+    /// </summary>
+    public float coordinate_scale;
+    public Gles3VertexLayout layout;
+    public static Gles3GpuMesh New() {
+        Gles3GpuMesh made;
+        Marrow.Gles3GpuMeshInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3PrepareOptions {
+    /// <summary>
+    /// also what rigid draws from
+    /// </summary>
+    public byte ssd;
+    /// <summary>
+    /// neither: for vertices skinned on the CPU
+    /// </summary>
+    public byte @as;
+    /// <summary>
+    /// From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
+    /// kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
+    /// vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
+    /// normals cannot.
+    /// </summary>
+    public float* as_tangents;
+    public UIntPtr as_tangent_count;
+    public static Gles3PrepareOptions New() {
+        Gles3PrepareOptions made;
+        Marrow.Gles3PrepareOptionsInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
+/// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+/// frame before, positions alone. Those, bound for each draw call like the others, are
+///   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+///   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+///   skinned elsewhere    set_previous(), see gles3_skinned.h
+/// and with kMorphs set_previous_morphs().
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3ProgramKey {
+    public Gles3Deformer deformer;
+    public byte influences;
+    public byte features;
+    public Gles3Palettes palettes;
+    public static Gles3ProgramKey New() {
+        Gles3ProgramKey made;
+        Marrow.Gles3ProgramKeyInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
+/// (shaders/skin.glsl), which ends where main() is to begin; the fragment text after the same #version and defines.
+///
+///   void main() {
+///     MarrowVertex v = marrow_skin();
+///     gl_Position = clip_from_scene * vec4(v.position, 1.0);
+///   }
+///
+/// What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
+/// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
+/// What the vertex text may use:
+///   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+///                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+///                                    not read is 0, but previous_position is then the position
+///   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
+///   vec4 marrow_instance_colour()    of an instance of a crowd; else white
+/// Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
+/// after UseProgram(program.id), by Api or by any other loader.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3ProgramSource {
+    public byte* vertex;
+    public byte* fragment;
+    /// <summary>
+    /// for transform feedback, interleaved; empty otherwise
+    /// </summary>
+    public byte** feedback_varyings;
+    public UIntPtr feedback_varying_count;
+    public static Gles3ProgramSource New() {
+        Gles3ProgramSource made;
+        Marrow.Gles3ProgramSourceInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3Program {
+    public uint id;
+    public Gles3Palettes reads;
+    /// <summary>
+    /// built with kMotion
+    /// </summary>
+    public byte motion;
+    /// <summary>
+    /// Locations of uniforms.
+    /// </summary>
+    public int coordinate_scale;
+    public int palettes;
+    public int first_row;
+    public int instances;
+    public int crowd;
+    /// <summary>
+    /// of pre-skinning by compute shaders
+    /// </summary>
+    public int vertex_layout;
+    public int morph_changes;
+    public int morph_targets;
+    public int morph_count;
+    public int morph_shift;
+    public int morph_per_row;
+    public int previous_palettes;
+    public int previous_targets;
+    public int previous_count;
+    public static Gles3Program New() {
+        Gles3Program made;
+        Marrow.Gles3ProgramInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
+/// contents are orphaned, so the CPU never waits for the GPU.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3PaletteRing {
+    public uint buffer;
+    public uint alignment;
+    /// <summary>
+    /// bytes that palettes may use
+    /// </summary>
+    public uint capacity;
+    public uint used;
+    public static Gles3PaletteRing New() {
+        Gles3PaletteRing made;
+        Marrow.Gles3PaletteRingInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Of three, each is written every third
+/// frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3PaletteTexture {
+    public fixed uint textures[3];
+    /// <summary>
+    /// which was written last
+    /// </summary>
+    public uint current;
+    /// <summary>
+    /// matrices
+    /// </summary>
+    public uint capacity;
+    /// <summary>
+    /// that are there
+    /// </summary>
+    public uint count;
+    /// <summary>
+    /// that were there in the frame before
+    /// </summary>
+    public uint previous_count;
+    public static Gles3PaletteTexture New() {
+        Gles3PaletteTexture made;
+        Marrow.Gles3PaletteTextureInit(&made);
+        return made;
+    }
+}
+
+public enum Gles3Preskin : byte {
+    /// <summary>
+    /// transform feedback, OpenGL ES 3.0
+    /// </summary>
+    Feedback = 0,
+    /// <summary>
+    /// compute shader, 3.1
+    /// </summary>
+    Compute = 1,
+}
+
+/// <summary>
+/// Scene-space vertices in float, in one buffer, block after block so that passes of depth alone read positions alone:
+/// positions 12 B a slot, then normals 12 B, then tangents 16 B where the mesh has them. Texture coordinates, colours
+/// and indices are the mesh's, which must be there as long.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3SkinnedMesh {
+    public uint array;
+    public uint buffer;
+    public uint slot_count;
+    /// <summary>
+    /// kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
+    /// </summary>
+    public byte features;
+    public static Gles3SkinnedMesh New() {
+        Gles3SkinnedMesh made;
+        Marrow.Gles3SkinnedMeshInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Where vertices are skinned.
+/// </summary>
+public enum Gles3SkinningPath : byte {
+    /// <summary>
+    /// vertex shader, every pass; palettes in a uniform block, a draw call a character
+    /// </summary>
+    Ubo = 0,
+    /// <summary>
+    /// vertex shader, every pass; palettes in a texture, one draw call for all characters
+    /// </summary>
+    Texture = 1,
+    /// <summary>
+    /// once a frame, by transform feedback
+    /// </summary>
+    Feedback = 2,
+    /// <summary>
+    /// once a frame, by compute shader; OpenGL ES 3.1
+    /// </summary>
+    Compute = 3,
+    /// <summary>
+    /// once a frame, by the CPU
+    /// </summary>
+    Cpu = 4,
+}
+
+/// <summary>
+/// One of a set, filled in by Marrow.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3ProgramSetEntry {
+    public Gles3ProgramKey key;
+    /// <summary>
+    /// kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
+    /// </summary>
+    public uint role;
+    public Gles3Program program;
+}
+
+/// <summary>
+/// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3ProgramSet {
+    /// <summary>
+    /// Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
+    /// </summary>
+    public Gles3ProgramSource roles0;
+    public Gles3ProgramSource roles1;
+    public Gles3ProgramSource roles2;
+    public Gles3ProgramSource roles3;
+    public uint role_count;
+    /// <summary>
+    /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+    /// read previous_position of skinners and crowds that keep it.
+    /// </summary>
+    public fixed byte role_features[4];
+    /// <summary>
+    /// uniform buffer binding of the palettes
+    /// </summary>
+    public uint palette_binding;
+    /// <summary>
+    /// what the driver says of a text that does not compile
+    /// </summary>
+    public byte* log;
+    public UIntPtr log_bytes;
+    public fixed uint entries[3456];
+    public uint count;
+    public static Gles3ProgramSet New() {
+        Gles3ProgramSet made;
+        Marrow.Gles3ProgramSetInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3SkinnerOptions {
+    public Gles3SkinningPath path;
+    /// <summary>
+    /// rigid, ssd or as
+    /// </summary>
+    public Gles3Deformer deformer;
+    /// <summary>
+    /// characters, at most
+    /// </summary>
+    public uint instances;
+    /// <summary>
+    /// Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+    /// </summary>
+    public uint texture_unit;
+    /// <summary>
+    /// what programs are to read of what the mesh has and their role reads
+    /// </summary>
+    public byte features;
+    /// <summary>
+    /// From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
+    /// </summary>
+    public float* as_tangents;
+    public UIntPtr as_tangent_count;
+    /// <summary>
+    /// For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+    /// MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+    /// too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+    /// </summary>
+    public byte motion;
+    public static Gles3SkinnerOptions New() {
+        Gles3SkinnerOptions made;
+        Marrow.Gles3SkinnerOptionsInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3SkinnerMotion {
+    public Gles3PaletteRing ring;
+    public uint* offsets;
+    public UIntPtr offset_count;
+    public Gles3SkinnedMesh* skinned;
+    public UIntPtr skinned_count;
+    public float* weights;
+    public UIntPtr weight_count;
+    public float* sent_weights;
+    public UIntPtr sent_weight_count;
+    public byte* still;
+    public UIntPtr still_count;
+    public byte* reset;
+    public UIntPtr reset_count;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3Skinner {
+    public Mesh mesh;
+    public Gles3SkinnerOptions options;
+    public Gles3GpuMesh gpu;
+    public Gles3PaletteRing ring;
+    public Gles3PaletteTexture texture;
+    public uint updated;
+    public byte lost;
+    public Affine* bind;
+    public UIntPtr bind_count;
+    public Affine* palettes;
+    public UIntPtr palette_count;
+    public float* weights;
+    public UIntPtr weight_count;
+    public uint* offsets;
+    public UIntPtr offset_count;
+    public Gles3SkinnedMesh* skinned;
+    public UIntPtr skinned_count;
+    public Gles3SkinnerMotion motion;
+    public float* positions;
+    public UIntPtr position_count;
+    public float* normals;
+    public UIntPtr normal_count;
+    public float* tangents;
+    public UIntPtr tangent_count;
+    public float* coordinates;
+    public UIntPtr coordinate_count;
+    public MorphedGeometry morphed;
+    public void* scratch;
+    public UIntPtr scratch_bytes;
+}
+
+/// <summary>
+/// What is baked, and how it ends.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3CrowdSource {
+    public Clip clip;
+    /// <summary>
+    /// its last pose is followed by its first; otherwise it stays in the last
+    /// </summary>
+    public byte loops;
+    public static Gles3CrowdSource New() {
+        Gles3CrowdSource made;
+        Marrow.Gles3CrowdSourceInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3CrowdClip {
+    public float duration_s;
+    public uint first_frame;
+    /// <summary>
+    /// 1 … 65535
+    /// </summary>
+    public uint steps;
+    public byte loops;
+    public static Gles3CrowdClip New() {
+        Gles3CrowdClip made;
+        Marrow.Gles3CrowdClipInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3CrowdFrames {
+    public Gles3CrowdClip* clips;
+    public UIntPtr clip_count;
+    /// <summary>
+    /// frame after frame
+    /// </summary>
+    public Affine* character_from_joint;
+    public UIntPtr character_from_joint_count;
+    public uint joint_count;
+    public uint frame_count;
+    public static Gles3CrowdFrames New() {
+        Gles3CrowdFrames made;
+        Marrow.Gles3CrowdFramesInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3CrowdPlay {
+    public uint clip;
+    /// <summary>
+    /// of a clip that does not loop within 0 … duration_s, else the nearer end
+    /// </summary>
+    public float phase_s;
+    /// <summary>
+    /// seconds of the clip a second; may be negative
+    /// </summary>
+    public float speed;
+    /// <summary>
+    /// seconds
+    /// </summary>
+    public double start_s;
+    public static Gles3CrowdPlay New() {
+        Gles3CrowdPlay made;
+        Marrow.Gles3CrowdPlayInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 128)]
+public unsafe struct Gles3CrowdInstance {
+    public Affine scene_from_character;
+    /// <summary>
+    /// must have a clip
+    /// </summary>
+    public Gles3CrowdPlay a;
+    /// <summary>
+    /// kNoCrowdClip: a alone
+    /// </summary>
+    public Gles3CrowdPlay b;
+    /// <summary>
+    /// until then a alone
+    /// </summary>
+    public double blend_start_s;
+    /// <summary>
+    /// and b alone so much later
+    /// </summary>
+    public float blend_s;
+    /// <summary>
+    /// marrow_instance_colour() in the vertex shader
+    /// </summary>
+    public fixed float colour[4];
+    public static Gles3CrowdInstance New() {
+        byte* room = stackalloc byte[144];
+        Gles3CrowdInstance* made = (Gles3CrowdInstance*)(((ulong)room + 15) / 16 * 16);
+        Marrow.Gles3CrowdInstanceInit(made);
+        return *made;
+    }
+}
+
+/// <summary>
+/// A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
+/// (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3CrowdMesh {
+    /// <summary>
+    /// what draw() takes
+    /// </summary>
+    public Gles3GpuMesh gpu;
+    public uint frames_texture;
+    public uint blended_texture;
+    /// <summary>
+    /// around the blended texture
+    /// </summary>
+    public uint framebuffer;
+    /// <summary>
+    /// With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+    /// </summary>
+    public uint previous_texture;
+    public uint previous_framebuffer;
+    /// <summary>
+    /// matrices of a palette
+    /// </summary>
+    public uint joints;
+    public uint frame_count;
+    /// <summary>
+    /// instances
+    /// </summary>
+    public uint capacity;
+    public byte motion;
+    public byte lost;
+    /// <summary>
+    /// What it is put on the next context from.
+    /// </summary>
+    public Mesh mesh;
+    public Gles3PrepareOptions options;
+    public Gles3CrowdFrames frames;
+    /// <summary>
+    /// what palettes are built with
+    /// </summary>
+    public Affine* bind;
+    public UIntPtr bind_count;
+    /// <summary>
+    /// of prepare(), and of palettes on their way up
+    /// </summary>
+    public void* scratch;
+    public UIntPtr scratch_bytes;
+    public static Gles3CrowdMesh New() {
+        Gles3CrowdMesh made;
+        Marrow.Gles3CrowdMeshInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3Crowd {
+    public uint texture;
+    public uint capacity;
+    /// <summary>
+    /// that have been set
+    /// </summary>
+    public uint count;
+    /// <summary>
+    /// of the frames that they play
+    /// </summary>
+    public uint frame_count;
+    public byte lost;
+    /// <summary>
+    /// as the texture has them
+    /// </summary>
+    public void* records;
+    public UIntPtr records_bytes;
+    public static Gles3Crowd New() {
+        Gles3Crowd made;
+        Marrow.Gles3CrowdInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What the self-test says of a path.
+/// </summary>
+public enum Gles3Verdict : byte {
+    Usable = 0,
+    /// <summary>
+    /// not among SelfTestOptions::paths
+    /// </summary>
+    NotTried = 1,
+    /// <summary>
+    /// among SelfTestOptions::crashed
+    /// </summary>
+    Crashed = 2,
+    /// <summary>
+    /// the caps rule it out
+    /// </summary>
+    Unsupported = 3,
+    /// <summary>
+    /// the driver refuses its programs or its buffers
+    /// </summary>
+    Refused = 4,
+    /// <summary>
+    /// GL reports an error while it skins
+    /// </summary>
+    GlError = 5,
+    /// <summary>
+    /// its vertices differ from the CPU's
+    /// </summary>
+    Wrong = 6,
+    /// <summary>
+    /// right, but SelfTestOptions::slow times slower than the fastest that skins on the GPU
+    /// </summary>
+    Slow = 7,
+}
+
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate double Gles3Clock(void* user);
+
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void Gles3AboutToTry(void* user, Gles3SkinningPath path);
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3PathResult {
+    public Gles3Verdict verdict;
+    /// <summary>
+    /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+    /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+    /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+    /// </summary>
+    public float position_error;
+    public float normal_error;
+    /// <summary>
+    /// to skin and draw once; 0: not timed
+    /// </summary>
+    public float ns_per_vertex;
+    public static Gles3PathResult New() {
+        Gles3PathResult made;
+        Marrow.Gles3PathResultInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3SelfTest {
+    /// <summary>
+    /// by SkinningPath
+    /// </summary>
+    public Gles3PathResult paths0;
+    public Gles3PathResult paths1;
+    public Gles3PathResult paths2;
+    public Gles3PathResult paths3;
+    public Gles3PathResult paths4;
+    /// <summary>
+    /// of driver, caps, options and this library's shader texts
+    /// </summary>
+    public ulong key;
+    public static Gles3SelfTest New() {
+        Gles3SelfTest made;
+        Marrow.Gles3SelfTestInit(&made);
+        return made;
+    }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3SelfTestOptions {
+    /// <summary>
+    /// bit_of() of those to try
+    /// </summary>
+    public uint paths;
+    /// <summary>
+    /// Paths during which the process came to its end: they are not tried again. See about_to_try.
+    /// </summary>
+    public uint crashed;
+    /// <summary>
+    /// the deformers that the game uses
+    /// </summary>
+    public byte ssd;
+    public byte @as;
+    /// <summary>
+    /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+    /// </summary>
+    public IntPtr seconds;
+    public float slow;
+    /// <summary>
+    /// Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
+    /// forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
+    /// with what has been there before.
+    /// </summary>
+    public IntPtr about_to_try;
+    public void* user;
+    public static Gles3SelfTestOptions New() {
+        Gles3SelfTestOptions made;
+        Marrow.Gles3SelfTestOptionsInit(&made);
+        return made;
+    }
+}
+
+/// <summary>
+/// What a mesh is to be drawn for.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Gles3PathNeed {
+    /// <summary>
+    /// that draw it in a frame: colour, depth, shadows
+    /// </summary>
+    public uint passes;
+    /// <summary>
+    /// in one Skinner
+    /// </summary>
+    public uint characters;
+    /// <summary>
+    /// Mesh::palette_size()
+    /// </summary>
+    public uint joints;
+    public static Gles3PathNeed New() {
+        Gles3PathNeed made;
+        Marrow.Gles3PathNeedInit(&made);
+        return made;
+    }
+}
+
 public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x80d753f1;
+    public const uint AbiNumber = 0x3b879ba9;
+    /// <summary>What Gles3Abi() must give.</summary>
+    public const uint Gles3AbiNumber = 0x981beec4;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -2571,8 +3510,137 @@ public static unsafe class Marrow {
     public const float MinSpringFrameS = 0.001f;
     public const uint NoChannel = 0xFFFFFFFF;
     public const uint NoClip = 0xFFFFFFFF;
+    /// <summary>
+    /// Which attributes a mesh has and a program reads.
+    /// </summary>
+    public const uint Gles3Normals = 1;
+    /// <summary>
+    /// Which attributes a mesh has and a program reads.
+    /// </summary>
+    public const uint Gles3Tangents = 2;
+    /// <summary>
+    /// Which attributes a mesh has and a program reads.
+    /// </summary>
+    public const uint Gles3Uvs = 4;
+    /// <summary>
+    /// Which attributes a mesh has and a program reads.
+    /// </summary>
+    public const uint Gles3Colours = 8;
+    /// <summary>
+    /// Which attributes a mesh has and a program reads.
+    /// </summary>
+    public const uint Gles3Morphs = 16;
+    /// <summary>
+    /// In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
+    /// </summary>
+    public const uint Gles3SurfaceNormals = 32;
+    /// <summary>
+    /// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+    /// </summary>
+    public const uint Gles3Motion = 64;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// animation space: 0 … 7 are the coordinates
+    /// </summary>
+    public const uint Gles3PositionLocation = 0;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// and 2
+    /// </summary>
+    public const uint Gles3WeightsLocation = 1;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// and 9
+    /// </summary>
+    public const uint Gles3JointsLocation = 8;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// </summary>
+    public const uint Gles3NormalLocation = 10;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// </summary>
+    public const uint Gles3TangentLocation = 11;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// </summary>
+    public const uint Gles3UvLocation = 12;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// </summary>
+    public const uint Gles3ColourLocation = 13;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// </summary>
+    public const uint Gles3MorphRowLocation = 14;
+    /// <summary>
+    /// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
+    /// </summary>
+    public const uint Gles3MorphTargets = 64;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// Deformer::none with kMotion: the position of the frame before
+    /// </summary>
+    public const uint Gles3PreviousLocation = 1;
+    /// <summary>
+    /// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
+    /// </summary>
+    public const uint Gles3PaletteJoints = 341;
+    /// <summary>
+    /// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
+    /// </summary>
+    public const uint Gles3PaletteBlockBytes = 16368;
+    /// <summary>
+    /// Texels a row of the texture: what GLES 3.0 promises.
+    /// </summary>
+    public const uint Gles3PaletteTextureWidth = 2048;
+    public const uint Gles3PathCount = 5;
+    public const uint Gles3MostRoles = 4;
+    public const uint Gles3MostPrograms = 192;
+    /// <summary>
+    /// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
+    /// </summary>
+    public const uint Gles3MaxCrowdFrames = 1048576;
+    /// <summary>
+    /// Nothing to play.
+    /// </summary>
+    public const uint Gles3NoCrowdClip = 4294967295;
+    /// <summary>
+    /// Bytes of memory an instance for create_crowd().
+    /// </summary>
+    public const int Gles3CrowdInstanceBytes = 128;
+    public const uint Gles3VerdictCount = 8;
+    /// <summary>
+    /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+    /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+    /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+    /// </summary>
+    public const float Gles3MostPositionError = 0.001f;
+    /// <summary>
+    /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+    /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+    /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+    /// </summary>
+    public const float Gles3MostNormalError = 0.005f;
+    public const uint Gles3AllPaths = 31;
+    public const uint Gles3ManyCharacters = 8;
+    /// <summary>
+    /// A result as bytes that a game stores. Errors: bad_argument (too short).
+    /// </summary>
+    public const int Gles3SavedSelfTestBytes = 104;
     [DllImport(Library, EntryPoint = "mrw_abi", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint Abi();
+    [DllImport(Library, EntryPoint = "mrw_gles3_abi", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint Gles3Abi();
     [DllImport(Library, EntryPoint = "mrw_data_error_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void DataErrorInit(DataError* @out);
     /// <summary>
@@ -3930,6 +4998,576 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_character_follow_body", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status CharacterFollowBody(Outfit* outfit, Character* body, Character* worn);
+    [DllImport(Library, EntryPoint = "mrw_gles3_error_watch_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3ErrorWatchInit(Gles3ErrorWatch* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_caps_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CapsInit(Gles3Caps* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_vertex_layout_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3VertexLayoutInit(Gles3VertexLayout* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_gpu_mesh_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3GpuMeshInit(Gles3GpuMesh* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_prepare_options_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3PrepareOptionsInit(Gles3PrepareOptions* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_program_key_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3ProgramKeyInit(Gles3ProgramKey* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_program_source_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3ProgramSourceInit(Gles3ProgramSource* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_program_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3ProgramInit(Gles3Program* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_palette_ring_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3PaletteRingInit(Gles3PaletteRing* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_palette_texture_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3PaletteTextureInit(Gles3PaletteTexture* @out);
+    /// <summary>
+    /// Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
+    /// Errors: bad_argument without a loader; unsupported if it returns null for a function of OpenGL ES 3.0, whose name is
+    /// put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
+    ///
+    /// ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
+    /// and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
+    /// GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
+    /// May be null: missing.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_load_api", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3LoadApi(Gles3Api* api, IntPtr load_proc, byte** missing);
+    /// <summary>
+    /// Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
+    /// Then call on_context_lost() for each object that has it, destroy the context, make another, and call
+    /// on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
+    /// a reset (EGL_LOSE_CONTEXT_ON_RESET, as marrow::egl::HeadlessContext asks for); other contexts never tell, and
+    /// platforms have ways of their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_context_was_reset", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte Gles3ContextWasReset(Gles3Api* api);
+    /// <summary>
+    /// Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
+    /// lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For
+    /// debugging: without a watch a call costs a comparison more, with one two calls of glGetError.
+    /// May be null: watch.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_watch_errors", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3WatchErrors(Gles3Api* api, Gles3ErrorWatch* watch);
+    /// <summary>
+    /// Errors: unsupported below OpenGL ES 3.0; gl_error.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_query_caps", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3QueryCaps(Gles3Api* api, Gles3Caps* caps);
+    /// <summary>
+    /// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_prepare_scratch_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr Gles3PrepareScratchBytes(Mesh* mesh, Gles3PrepareOptions* options);
+    /// <summary>
+    /// Uploads a mesh, and writes the bind matrices to build its palettes with:
+    ///   bind[i] = inverse_bind[i] · [h·I | c]
+    /// c is the middle of the bind box, h one half-extent for all axes: attributes hold (v - c) / h in [-1, 1]³ and the
+    /// shader need not undo it. The same palette serves rigid, SSD and AS. In animation space the stored coordinate of an
+    /// influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
+    ///
+    /// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
+    /// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
+    /// targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
+    /// are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
+    /// unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
+    /// mesh.
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_prepare", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3Prepare(Gles3Api* api, Gles3Caps* caps, Mesh* mesh, Gles3PrepareOptions* options, void* scratch, UIntPtr scratch_bytes, Affine* bind, UIntPtr bind_count, Gles3GpuMesh* @out);
+    /// <summary>
+    /// Deletes the GL objects and clears the struct.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_mesh", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroyMesh(Gles3Api* api, Gles3GpuMesh* mesh);
+    /// <summary>
+    /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+    /// frame before to the next binding.
+    /// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+    /// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_build_program", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BuildProgram(Gles3Api* api, Gles3ProgramKey* key, Gles3ProgramSource* source, uint palette_binding, Gles3Program* @out, byte* log, UIntPtr log_bytes);
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_program", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroyProgram(Gles3Api* api, Gles3Program* program);
+    /// <summary>
+    /// Room for palettes of `joints` matrices altogether in `palettes` pieces.
+    /// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_create_palette_ring", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CreatePaletteRing(Gles3Api* api, Gles3Caps* caps, uint joints, uint palettes, Gles3PaletteRing* @out);
+    /// <summary>
+    /// Room for palettes of `joints` matrices altogether in `palettes` pieces.
+    /// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_palette_ring", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroyPaletteRing(Gles3Api* api, Gles3PaletteRing* ring);
+    /// <summary>
+    /// Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_begin_frame", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3BeginFrame(Gles3Api* api, Gles3PaletteRing* ring);
+    /// <summary>
+    /// Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the
+    /// ring. Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_push_palette", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3PushPalette(Gles3Api* api, Gles3PaletteRing* ring, Affine* palette, UIntPtr palette_count, uint* offset);
+    /// <summary>
+    /// Ties the palette at `offset` to uniform buffer binding `binding`.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bind_palette", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3BindPalette(Gles3Api* api, Gles3PaletteRing* ring, uint offset, uint binding);
+    /// <summary>
+    /// Room for `joints` matrices: 48 B each, three times.
+    /// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
+    /// gl_error. Leaves the active unit's 2D texture at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_create_palette_texture", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CreatePaletteTexture(Gles3Api* api, Gles3Caps* caps, uint joints, Gles3PaletteTexture* @out);
+    /// <summary>
+    /// Room for `joints` matrices: 48 B each, three times.
+    /// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
+    /// gl_error. Leaves the active unit's 2D texture at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_palette_texture", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroyPaletteTexture(Gles3Api* api, Gles3PaletteTexture* texture);
+    /// <summary>
+    /// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
+    /// may write right there. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty); unsupported (more
+    /// than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_upload_palettes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3UploadPalettes(Gles3Api* api, Gles3PaletteTexture* texture, Affine* palettes, UIntPtr palette_count);
+    /// <summary>
+    /// `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
+    /// `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
+    /// the texture bound to it. Errors: bad_argument (a program of another kind, a palette that reaches beyond what was
+    /// uploaded).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bind_texture_palette", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BindTexturePalette(Gles3Api* api, Gles3PaletteTexture* texture, uint first, uint joints, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+    /// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+    /// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+    /// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+    /// what was uploaded then).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bind_previous_palette", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BindPreviousPalette(Gles3Api* api, Gles3PaletteTexture* texture, uint first, uint joints, byte kept, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
+    /// animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
+    /// move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
+    /// targets, a program without kMorphs, too few weights, one that is not finite).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_set_morphs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3SetMorphs(Gles3Api* api, Mesh* mesh, Gles3GpuMesh* gpu, float* weights, UIntPtr weight_count, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_set_previous_morphs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3SetPreviousMorphs(Gles3Api* api, Mesh* mesh, Gles3GpuMesh* gpu, float* weights, UIntPtr weight_count, Gles3Program* program);
+    /// <summary>
+    /// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
+    /// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
+    /// say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
+    /// turns_inside_out() of the palette, see palette.h. So characters that mirror take a draw call of their own.
+    /// Errors: bad_argument if the mesh was not prepared for this deformer.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_draw_mesh", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3DrawMesh(Gles3Api* api, Gles3GpuMesh* mesh, Gles3Deformer deformer, Gles3Program* program, uint instances);
+    [DllImport(Library, EntryPoint = "mrw_gles3_skinned_mesh_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3SkinnedMeshInit(Gles3SkinnedMesh* @out);
+    /// <summary>
+    /// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
+    /// array at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_create_skinned", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CreateSkinned(Gles3Api* api, Gles3GpuMesh* mesh, Gles3SkinnedMesh* @out);
+    /// <summary>
+    /// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
+    /// array at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_skinned", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroySkinned(Gles3Api* api, Gles3SkinnedMesh* mesh);
+    /// <summary>
+    /// What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
+    /// Errors: bad_argument (a span of another size than the mesh has; normals or tangents may be empty, then they are
+    /// undefined). Leaves GL_ARRAY_BUFFER at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_upload_skinned", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3UploadSkinned(Gles3Api* api, Gles3SkinnedMesh* mesh, SkinOutput* vertices);
+    /// <summary>
+    /// A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
+    /// kSurfaceNormals. Those must be the mesh's.
+    /// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
+    /// without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_build_preskin", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BuildPreskin(Gles3Api* api, Gles3Caps* caps, Gles3ProgramKey* key, Gles3Preskin method, uint palette_binding, Gles3Program* @out, byte* log, UIntPtr log_bytes);
+    /// <summary>
+    /// Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it
+    /// leaves the vertex array, the default transform feedback object's bindings 0 … 2 and GL_TRANSFORM_FEEDBACK_BUFFER at
+    /// 0, and GL_RASTERIZER_DISCARD off; by compute shader GL_SHADER_STORAGE_BUFFER and its bindings 0 … 3 at 0.
+    /// Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_preskin_mesh", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3PreskinMesh(Gles3Api* api, Gles3GpuMesh* mesh, Gles3Deformer deformer, Gles3Program* program, Gles3SkinnedMesh* to);
+    /// <summary>
+    /// Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+    /// of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+    /// changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+    /// GL_ARRAY_BUFFER and the vertex array at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_set_previous", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3SetPrevious(Gles3Api* api, Gles3SkinnedMesh* mesh, Gles3SkinnedMesh* previous);
+    /// <summary>
+    /// Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_draw_skinned", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DrawSkinned(Gles3Api* api, Gles3GpuMesh* mesh, Gles3SkinnedMesh* skinned);
+    [DllImport(Library, EntryPoint = "mrw_gles3_program_set_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3ProgramSetInit(Gles3ProgramSet* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_skinner_options_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3SkinnerOptionsInit(Gles3SkinnerOptions* @out);
+    /// <summary>
+    /// "ubo", …
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_skinning_path_text", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte* Gles3SkinningPathText(Gles3SkinningPath path);
+    /// <summary>
+    /// Deletes all programs. Skinners that use the set must go first.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_programs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroyPrograms(Gles3Api* api, Gles3ProgramSet* programs);
+    /// <summary>
+    /// Bytes of memory that create_skinner() wants.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_skinner_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr Gles3SkinnerBytes(Mesh* mesh, Gles3SkinnerOptions* options);
+    /// <summary>
+    /// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
+    /// before the first update(). Compiles what `programs` lacks for it.
+    ///
+    /// mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
+    /// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
+    /// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
+    /// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
+    /// written only on success.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_create_skinner", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CreateSkinner(Gles3Api* api, Gles3Caps* caps, Mesh* mesh, Gles3SkinnerOptions* options, Gles3ProgramSet* programs, void* memory, UIntPtr memory_bytes, Gles3Skinner* @out);
+    /// <summary>
+    /// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
+    /// before the first update(). Compiles what `programs` lacks for it.
+    ///
+    /// mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
+    /// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
+    /// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
+    /// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
+    /// written only on success.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_skinner", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroySkinner(Gles3Api* api, Gles3Skinner* skinner);
+    /// <summary>
+    /// Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
+    /// another thread than the context's, different instances on different threads.
+    /// Errors: bad_argument (no such instance, a span too short).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_pose", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3Pose(Gles3Skinner* skinner, uint instance, Affine* scene_from_joint, UIntPtr scene_from_joint_count, float* weights, UIntPtr weight_count);
+    /// <summary>
+    /// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+    /// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+    /// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_reset_motion", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3ResetMotion(Gles3Skinner* skinner, uint instance);
+    /// <summary>
+    /// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
+    /// and nothing else; on path cpu the vertices.
+    /// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_update", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3Update(Gles3Api* api, Gles3Skinner* skinner, Gles3ProgramSet* programs, uint count);
+    /// <summary>
+    /// The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_program_of", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Gles3Program* Gles3ProgramOf(Gles3Skinner* skinner, Gles3ProgramSet* programs, uint role);
+    /// <summary>
+    /// Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
+    /// Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_draw", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3Draw(Gles3Api* api, Gles3Skinner* skinner, Gles3ProgramSet* programs, Gles3Program* program, uint first, uint count);
+    /// <summary>
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_programs_on_context_lost", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3ProgramsOnContextLost(Gles3ProgramSet* programs);
+    /// <summary>
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_skinner_on_context_lost", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3SkinnerOnContextLost(Gles3Skinner* skinner);
+    /// <summary>
+    /// Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
+    /// create_skinner(); then it may be tried again.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_programs_on_context_restored", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3ProgramsOnContextRestored(Gles3Api* api, Gles3Caps* caps, Gles3ProgramSet* programs);
+    /// <summary>
+    /// Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
+    /// create_skinner(); then it may be tried again.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_skinner_on_context_restored", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3SkinnerOnContextRestored(Gles3Api* api, Gles3Caps* caps, Gles3Skinner* skinner);
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_source_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdSourceInit(Gles3CrowdSource* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_clip_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdClipInit(Gles3CrowdClip* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_frames_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdFramesInit(Gles3CrowdFrames* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_play_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdPlayInit(Gles3CrowdPlay* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_instance_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdInstanceInit(Gles3CrowdInstance* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_mesh_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdMeshInit(Gles3CrowdMesh* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdInit(Gles3Crowd* @out);
+    /// <summary>
+    /// How many frames it takes to bake clips at `rate_hz` or a little more, a whole number of steps each; 30 a second are
+    /// enough for most motion. out: at least as many as sources.
+    /// Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
+    /// unsupported (more than 65535 steps of a clip, or kMaxCrowdFrames). Written only on success.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_plan_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3PlanCrowd(Gles3CrowdSource* sources, UIntPtr source_count, float rate_hz, Gles3CrowdClip* @out, UIntPtr out_count, uint* frame_count);
+    /// <summary>
+    /// Samples them. scratch: at least skeleton.soa_size(); matrices: at least frame_count × joint_count, the caller's to
+    /// keep, as are the clips, which must be those that plan_crowd() wrote for these sources; 48 B a joint and frame.
+    /// Errors: bad_argument (a span too short, a clip of another skeleton, clips that are not a plan).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bake_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BakeCrowd(Skeleton* skeleton, Gles3CrowdSource* sources, UIntPtr source_count, Gles3CrowdClip* clips, UIntPtr clip_count, SoaTransform* scratch, UIntPtr scratch_count, Affine* matrices, UIntPtr matrice_count, Gles3CrowdFrames* @out);
+    /// <summary>
+    /// Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
+    /// are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+    /// is linear in the drawing too.
+    /// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
+    /// scene_from_character beyond 1e12).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_joint", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CrowdJoint(Gles3CrowdFrames* frames, Gles3CrowdInstance* instance, double time_s, uint joint, Affine* scene_from_joint);
+    /// <summary>
+    /// The same of all joints; out: at least frames.joint_count.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_pose", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CrowdPose(Gles3CrowdFrames* frames, Gles3CrowdInstance* instance, double time_s, Affine* scene_from_joint, UIntPtr scene_from_joint_count);
+    /// <summary>
+    /// What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_palettes_that_fit", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint Gles3CrowdPalettesThatFit(Gles3Caps* caps, uint joints);
+    /// <summary>
+    /// Bytes of memory that create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and prepare_scratch_bytes().
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_mesh_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr Gles3CrowdMeshBytes(Mesh* mesh, Gles3PrepareOptions* options);
+    /// <summary>
+    /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+    ///
+    /// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
+    /// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
+    /// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
+    /// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+    /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
+    /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+    /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
+    /// May be null: options.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_create_crowd_mesh", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CreateCrowdMesh(Gles3Api* api, Gles3Caps* caps, Mesh* mesh, Gles3PrepareOptions* options, Gles3CrowdFrames* frames, uint capacity, void* memory, UIntPtr memory_bytes, Gles3CrowdMesh* @out, byte motion);
+    /// <summary>
+    /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+    ///
+    /// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
+    /// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
+    /// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
+    /// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+    /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
+    /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+    /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_crowd_mesh", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroyCrowdMesh(Gles3Api* api, Gles3CrowdMesh* mesh);
+    /// <summary>
+    /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
+    /// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
+    /// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_create_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CreateCrowd(Gles3Api* api, Gles3Caps* caps, uint capacity, void* memory, UIntPtr memory_bytes, Gles3Crowd* @out);
+    /// <summary>
+    /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
+    /// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
+    /// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_destroy_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3DestroyCrowd(Gles3Api* api, Gles3Crowd* crowd);
+    /// <summary>
+    /// Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
+    /// they are kept, and there once it is restored. Errors: bad_argument (a gap before `first`, frames other than those of
+    /// the instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is
+    /// changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an
+    /// instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_set_instances", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3SetInstances(Gles3Api* api, Gles3Crowd* crowd, Gles3CrowdFrames* frames, uint first, Gles3CrowdInstance* instances, UIntPtr instance_count);
+    /// <summary>
+    /// The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_build_crowd_program", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BuildCrowdProgram(Gles3Api* api, Gles3Program* @out, byte* log, UIntPtr log_bytes);
+    /// <summary>
+    /// The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
+    /// compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
+    /// features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
+    /// unsupported (a full set); gl_error, with the driver's words in programs.log.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_build_crowd_programs", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BuildCrowdPrograms(Gles3Api* api, Gles3Caps* caps, Gles3CrowdMesh* mesh, Gles3Deformer deformer, byte features, Gles3ProgramSet* programs);
+    /// <summary>
+    /// What was built with the same arguments, never null.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_program_of", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Gles3Program* Gles3CrowdProgramOf(Gles3CrowdMesh* mesh, Gles3Deformer deformer, byte features, Gles3ProgramSet* programs, uint role);
+    /// <summary>
+    /// What was built with the same arguments, never null.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_blending_program_of", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Gles3Program* Gles3BlendingProgramOf(Gles3ProgramSet* programs);
+    /// <summary>
+    /// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_begin_crowd_frame", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3BeginCrowdFrame(Gles3CrowdMesh* mesh);
+    /// <summary>
+    /// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+    /// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+    /// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+    /// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_blend_previous_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BlendPreviousCrowd(Gles3Api* api, Gles3Crowd* crowd, Gles3CrowdMesh* mesh, uint first, uint count, double time_s, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
+    /// scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
+    /// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
+    /// colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
+    /// and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
+    /// are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
+    /// has capacity for); gl_error (the context is lost).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_blend_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BlendCrowd(Gles3Api* api, Gles3Crowd* crowd, Gles3CrowdMesh* mesh, uint first, uint count, double time_s, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
+    /// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+    /// Errors: as there.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bind_crowd", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BindCrowd(Gles3Api* api, Gles3Crowd* crowd, Gles3CrowdMesh* mesh, uint first, uint count, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_mesh_on_context_lost", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdMeshOnContextLost(Gles3CrowdMesh* mesh);
+    /// <summary>
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_on_context_lost", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3CrowdOnContextLost(Gles3Crowd* crowd);
+    /// <summary>
+    /// Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
+    /// creation does. Errors: as creation, but for its arguments; then it may be tried again.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_mesh_on_context_restored", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CrowdMeshOnContextRestored(Gles3Api* api, Gles3Caps* caps, Gles3CrowdMesh* mesh);
+    /// <summary>
+    /// Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
+    /// creation does. Errors: as creation, but for its arguments; then it may be tried again.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_crowd_on_context_restored", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3CrowdOnContextRestored(Gles3Api* api, Gles3Caps* caps, Gles3Crowd* crowd);
+    [DllImport(Library, EntryPoint = "mrw_gles3_path_result_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3PathResultInit(Gles3PathResult* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_self_test_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3SelfTestInit(Gles3SelfTest* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_self_test_options_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3SelfTestOptionsInit(Gles3SelfTestOptions* @out);
+    [DllImport(Library, EntryPoint = "mrw_gles3_path_need_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void Gles3PathNeedInit(Gles3PathNeed* @out);
+    /// <summary>
+    /// Why a path is ruled out, in a few words; "" for usable.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_verdict_text", CallingConvention = CallingConvention.Cdecl)]
+    public static extern byte* Gles3VerdictText(Gles3Verdict verdict);
+    /// <summary>
+    /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_self_test_bytes", CallingConvention = CallingConvention.Cdecl)]
+    public static extern UIntPtr Gles3SelfTestBytes(Gles3SelfTestOptions* options);
+    /// <summary>
+    /// Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
+    /// afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
+    /// can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+    ///
+    /// Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
+    /// framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
+    /// GL_UNIFORM_BUFFER, the pixel buffers, colour mask, scissor test and rasterizer discard. Leaves at 0 uniform buffer
+    /// binding 0 and what preskin() says.
+    /// Cost: some twenty programs compiled, and a wait for each frame; only where nothing is stored.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_run_self_test", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3RunSelfTest(Gles3Api* api, Gles3Caps* caps, Gles3SelfTestOptions* options, void* memory, UIntPtr memory_bytes, Gles3SelfTest* @out);
+    /// <summary>
+    /// The first usable path in this order:
+    ///
+    ///                                one pass                           several passes
+    ///   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
+    ///   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+    ///
+    /// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
+    /// Errors: unsupported (none is usable). `out` is written only on success.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_choose", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3Choose(Gles3SelfTest* test, Gles3PathNeed* need, Gles3SkinningPath* @out);
+    /// <summary>
+    /// A result as bytes that a game stores. Errors: bad_argument (too short).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_save", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3Save(Gles3SelfTest* test, void* @out, UIntPtr out_bytes);
+    /// <summary>
+    /// The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,
+    /// bad_checksum, bad_data; mismatch (another driver, version of it, library, or other caps or options): then test anew,
+    /// and with another driver without what had crashed. `out` is written only on success.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_restore", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3Restore(Gles3Api* api, Gles3Caps* caps, Gles3SelfTestOptions* options, void* saved, UIntPtr saved_bytes, Gles3SelfTest* @out);
 
     /// <summary>Whether structs are laid out as those of a library of 64 bits.</summary>
     public static bool IsLaidOut() {
@@ -4019,7 +5657,35 @@ public static unsafe class Marrow {
             sizeof(Character) == 224 &&
             sizeof(AnimationLayer) == 16 &&
             sizeof(OutfitSkeleton) == 24 &&
-            sizeof(Outfit) == 16;
+            sizeof(Outfit) == 16 &&
+            sizeof(Gles3ErrorWatch) == 32 &&
+            sizeof(Gles3Api) == 1776 &&
+            sizeof(Gles3Caps) == 20 &&
+            sizeof(Gles3VertexLayout) == 60 &&
+            sizeof(Gles3GpuMesh) == 132 &&
+            sizeof(Gles3PrepareOptions) == 24 &&
+            sizeof(Gles3ProgramKey) == 4 &&
+            sizeof(Gles3ProgramSource) == 32 &&
+            sizeof(Gles3Program) == 64 &&
+            sizeof(Gles3PaletteRing) == 16 &&
+            sizeof(Gles3PaletteTexture) == 28 &&
+            sizeof(Gles3SkinnedMesh) == 16 &&
+            sizeof(Gles3ProgramSetEntry) == 72 &&
+            sizeof(Gles3ProgramSet) == 13992 &&
+            sizeof(Gles3SkinnerOptions) == 40 &&
+            sizeof(Gles3SkinnerMotion) == 112 &&
+            sizeof(Gles3Skinner) == 1392 &&
+            sizeof(Gles3CrowdSource) == 152 &&
+            sizeof(Gles3CrowdClip) == 16 &&
+            sizeof(Gles3CrowdFrames) == 40 &&
+            sizeof(Gles3CrowdPlay) == 24 &&
+            sizeof(Gles3CrowdInstance) == 128 &&
+            sizeof(Gles3CrowdMesh) == 632 &&
+            sizeof(Gles3Crowd) == 40 &&
+            sizeof(Gles3PathResult) == 16 &&
+            sizeof(Gles3SelfTest) == 88 &&
+            sizeof(Gles3SelfTestOptions) == 48 &&
+            sizeof(Gles3PathNeed) == 12;
     }
 
     /// <summary>Bytes on a boundary of 16, which are to be freed by FreeBlock().</summary>

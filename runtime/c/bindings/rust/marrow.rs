@@ -1,12 +1,12 @@
-// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // The runtime for Rust, as C has it: see docs/c.md. Link marrow_c, marrow_unpack and marrow_runtime.
 #![allow(dead_code, clippy::all)]
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0x80d753f1;
-
-pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
+pub const ABI: u32 = 0x3b879ba9;
+/// What gles3_abi() must give.
+pub const GLES3_ABI: u32 = 0x981beec4;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,6 +56,8 @@ impl Default for DataError {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<DataError>() == 16);
+
+pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
 pub const BLOCK_BOUNDARY: usize = 16;
 
@@ -2493,9 +2495,1009 @@ impl Default for Outfit {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Outfit>() == 16);
 
+pub type Gles3ErrorReport = Option<unsafe extern "C" fn(user: *mut c_void, call: *const c_char, error: u32)>;
+
+pub type Gles3GetError = Option<unsafe extern "C" fn() -> u32>;
+
+/// Told of every GL error by the call that caused it: for debugging, as each call is then between two of glGetError.
+/// One an Api and thread.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3ErrorWatch {
+    /// call: "glBindBuffer", a static string. May be null.
+    pub report: Gles3ErrorReport,
+    pub user: *mut c_void,
+    /// what the Api's GetError has yet to tell, as it would without a watch
+    pub pending: u32,
+    pub get_error: Gles3GetError,
+}
+impl Default for Gles3ErrorWatch {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_error_watch_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3ErrorWatch>() == 32);
+
+pub type Gles3LoadProc = Option<unsafe extern "C" fn(name: *const c_char) -> *mut c_void>;
+
+/// The driver's entry points.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3Api {
+    pub words: [usize; 222],
+}
+impl Default for Gles3Api {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3Api>() == 1776);
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gles3Deformer(pub u8);
+impl Gles3Deformer {
+    /// vertices skinned elsewhere, in float: position, normal, tangent
+    pub const NONE: Self = Self(0);
+    /// the joint with the largest weight
+    pub const RIGID: Self = Self(1);
+    pub const SSD: Self = Self(2);
+    pub const AS: Self = Self(3);
+}
+
+/// Where a program finds its palettes.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gles3Palettes(pub u8);
+impl Gles3Palettes {
+    /// PaletteRing: one palette a draw call
+    pub const UNIFORM_BLOCK: Self = Self(0);
+    /// PaletteTexture: of any size; one draw call may draw many characters
+    pub const TEXTURE: Self = Self(1);
+    /// CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+    pub const CROWD: Self = Self(2);
+}
+
+/// Which attributes a mesh has and a program reads.
+pub const GLES3_NORMALS: u32 = 1;
+
+/// Which attributes a mesh has and a program reads.
+pub const GLES3_TANGENTS: u32 = 2;
+
+/// Which attributes a mesh has and a program reads.
+pub const GLES3_UVS: u32 = 4;
+
+/// Which attributes a mesh has and a program reads.
+pub const GLES3_COLOURS: u32 = 8;
+
+/// Which attributes a mesh has and a program reads.
+pub const GLES3_MORPHS: u32 = 16;
+
+/// In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
+pub const GLES3_SURFACE_NORMALS: u32 = 32;
+
+/// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+pub const GLES3_MOTION: u32 = 64;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// animation space: 0 … 7 are the coordinates
+pub const GLES3_POSITION_LOCATION: u32 = 0;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// and 2
+pub const GLES3_WEIGHTS_LOCATION: u32 = 1;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// and 9
+pub const GLES3_JOINTS_LOCATION: u32 = 8;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+pub const GLES3_NORMAL_LOCATION: u32 = 10;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+pub const GLES3_TANGENT_LOCATION: u32 = 11;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+pub const GLES3_UV_LOCATION: u32 = 12;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+pub const GLES3_COLOUR_LOCATION: u32 = 13;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+pub const GLES3_MORPH_ROW_LOCATION: u32 = 14;
+
+/// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
+pub const GLES3_MORPH_TARGETS: u32 = 64;
+
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// Deformer::none with kMotion: the position of the frame before
+pub const GLES3_PREVIOUS_LOCATION: u32 = 1;
+
+/// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
+pub const GLES3_PALETTE_JOINTS: u32 = 341;
+
+/// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
+pub const GLES3_PALETTE_BLOCK_BYTES: u32 = 16368;
+
+/// Texels a row of the texture: what GLES 3.0 promises.
+pub const GLES3_PALETTE_TEXTURE_WIDTH: u32 = 2048;
+
+/// What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3Caps {
+    pub uniform_block_bytes: u32,
+    /// power of two
+    pub uniform_offset_alignment: u32,
+    pub vertex_attributes: u32,
+    pub texture_size: u32,
+    /// OpenGL ES 3.1 or newer, and its functions
+    pub compute: bool,
+}
+impl Default for Gles3Caps {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_caps_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3Caps>() == 20);
+
+/// Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3VertexLayout {
+    /// 4 or 8
+    pub influences: u32,
+    /// 1 or 2
+    pub joint_bytes: u32,
+    pub ssd_stride: u32,
+    pub ssd_weights: u32,
+    pub ssd_joints: u32,
+    pub as_stride: u32,
+    pub as_tangents: u32,
+    pub as_joints: u32,
+    /// there are tangents, and room for them
+    pub surface_normals: bool,
+    pub surface_stride: u32,
+    pub normal: u32,
+    pub tangent: u32,
+    pub uv: u32,
+    pub colour: u32,
+    /// unorm16×2, otherwise f32×2
+    pub uv_unorm: bool,
+}
+impl Default for Gles3VertexLayout {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_vertex_layout_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 60);
+
+/// A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
+///
+///   stream     what a vertex has in it               as
+///   SSD        position                              snorm16×3
+///              weight of the second influence        snorm16
+///              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+///              joints                                u8×4, or ×8; u16 above 256 entries
+///   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
+///              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
+///              joints                                as SSD's
+///   surface    normal                                octahedral snorm16×2
+///              tangent                               octahedral snorm16×2, the sign in y
+///              texture coordinates                   unorm16×2, or f32×2
+///              colour                                unorm8×4
+///   morphs     row of the morph texture              u32; of vertices that no target moves 0
+///
+///   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
+///   4 influences       16    36                    100                         4
+///   8 influences       28    72                      -                         4
+///
+/// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3GpuMesh {
+    /// vertex array objects; 0 where not asked for. Rigid uses this one too.
+    pub ssd_array: u32,
+    pub as_array: u32,
+    pub ssd_buffer: u32,
+    pub as_buffer: u32,
+    /// 0 for a mesh of bare positions
+    pub surface_buffer: u32,
+    /// 0 for a mesh without morph targets
+    pub morph_buffer: u32,
+    /// likewise
+    pub morph_texture: u32,
+    pub index_buffer: u32,
+    pub index_count: u32,
+    /// GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+    pub index_type: u32,
+    /// what the indices draw: GL_TRIANGLES
+    pub primitive: u32,
+    pub slot_count: u32,
+    /// matrices in its palette
+    pub joint_count: u32,
+    /// all vertex buffers together
+    pub vertex_bytes: u32,
+    /// 4 or 8
+    pub influences: u8,
+    /// kNormals | …
+    pub features: u8,
+    /// texels a vertex: positions, normals, tangents
+    pub morph_per_row: u8,
+    /// the texture's width is 1 << morph_shift
+    pub morph_shift: u8,
+    /// of a target
+    pub morph_texels: u32,
+    /// 1 / half-extent, see prepare()
+    pub morph_unit: f32,
+    /// Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
+    pub coordinate_scale: f32,
+    pub layout: Gles3VertexLayout,
+}
+impl Default for Gles3GpuMesh {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_gpu_mesh_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3GpuMesh>() == 132);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3PrepareOptions {
+    /// also what rigid draws from
+    pub ssd: bool,
+    /// neither: for vertices skinned on the CPU
+    pub r#as: bool,
+    /// From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
+    /// kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
+    /// vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
+    /// normals cannot.
+    pub as_tangents: *const f32,
+    pub as_tangent_count: usize,
+}
+impl Default for Gles3PrepareOptions {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_prepare_options_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3PrepareOptions>() == 24);
+
+/// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
+/// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+/// frame before, positions alone. Those, bound for each draw call like the others, are
+///   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+///   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+///   skinned elsewhere    set_previous(), see gles3_skinned.h
+/// and with kMorphs set_previous_morphs().
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3ProgramKey {
+    pub deformer: Gles3Deformer,
+    pub influences: u8,
+    pub features: u8,
+    pub palettes: Gles3Palettes,
+}
+impl Default for Gles3ProgramKey {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_program_key_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3ProgramKey>() == 4);
+
+/// The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
+/// (shaders/skin.glsl), which ends where main() is to begin; the fragment text after the same #version and defines.
+///
+///   void main() {
+///     MarrowVertex v = marrow_skin();
+///     gl_Position = clip_from_scene * vec4(v.position, 1.0);
+///   }
+///
+/// What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
+/// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
+/// What the vertex text may use:
+///   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+///                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+///                                    not read is 0, but previous_position is then the position
+///   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
+///   vec4 marrow_instance_colour()    of an instance of a crowd; else white
+/// Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
+/// after UseProgram(program.id), by Api or by any other loader.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3ProgramSource {
+    pub vertex: *const c_char,
+    pub fragment: *const c_char,
+    /// for transform feedback, interleaved; empty otherwise
+    pub feedback_varyings: *const *const c_char,
+    pub feedback_varying_count: usize,
+}
+impl Default for Gles3ProgramSource {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_program_source_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSource>() == 32);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3Program {
+    pub id: u32,
+    pub reads: Gles3Palettes,
+    /// built with kMotion
+    pub motion: bool,
+    /// Locations of uniforms.
+    pub coordinate_scale: i32,
+    pub palettes: i32,
+    pub first_row: i32,
+    pub instances: i32,
+    pub crowd: i32,
+    /// of pre-skinning by compute shaders
+    pub vertex_layout: i32,
+    pub morph_changes: i32,
+    pub morph_targets: i32,
+    pub morph_count: i32,
+    pub morph_shift: i32,
+    pub morph_per_row: i32,
+    pub previous_palettes: i32,
+    pub previous_targets: i32,
+    pub previous_count: i32,
+}
+impl Default for Gles3Program {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_program_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3Program>() == 64);
+
+/// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
+/// contents are orphaned, so the CPU never waits for the GPU.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3PaletteRing {
+    pub buffer: u32,
+    pub alignment: u32,
+    /// bytes that palettes may use
+    pub capacity: u32,
+    pub used: u32,
+}
+impl Default for Gles3PaletteRing {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_palette_ring_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3PaletteRing>() == 16);
+
+/// All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Of three, each is written every third
+/// frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3PaletteTexture {
+    pub textures: [u32; 3],
+    /// which was written last
+    pub current: u32,
+    /// matrices
+    pub capacity: u32,
+    /// that are there
+    pub count: u32,
+    /// that were there in the frame before
+    pub previous_count: u32,
+}
+impl Default for Gles3PaletteTexture {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_palette_texture_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3PaletteTexture>() == 28);
+
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gles3Preskin(pub u8);
+impl Gles3Preskin {
+    /// transform feedback, OpenGL ES 3.0
+    pub const FEEDBACK: Self = Self(0);
+    /// compute shader, 3.1
+    pub const COMPUTE: Self = Self(1);
+}
+
+/// Scene-space vertices in float, in one buffer, block after block so that passes of depth alone read positions alone:
+/// positions 12 B a slot, then normals 12 B, then tangents 16 B where the mesh has them. Texture coordinates, colours
+/// and indices are the mesh's, which must be there as long.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3SkinnedMesh {
+    pub array: u32,
+    pub buffer: u32,
+    pub slot_count: u32,
+    /// kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
+    pub features: u8,
+}
+impl Default for Gles3SkinnedMesh {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_skinned_mesh_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3SkinnedMesh>() == 16);
+
+/// Where vertices are skinned.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gles3SkinningPath(pub u8);
+impl Gles3SkinningPath {
+    /// vertex shader, every pass; palettes in a uniform block, a draw call a character
+    pub const UBO: Self = Self(0);
+    /// vertex shader, every pass; palettes in a texture, one draw call for all characters
+    pub const TEXTURE: Self = Self(1);
+    /// once a frame, by transform feedback
+    pub const FEEDBACK: Self = Self(2);
+    /// once a frame, by compute shader; OpenGL ES 3.1
+    pub const COMPUTE: Self = Self(3);
+    /// once a frame, by the CPU
+    pub const CPU: Self = Self(4);
+}
+
+pub const GLES3_PATH_COUNT: u32 = 5;
+
+pub const GLES3_MOST_ROLES: u32 = 4;
+
+pub const GLES3_MOST_PROGRAMS: u32 = 192;
+
+/// One of a set, filled in by Marrow.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3ProgramSetEntry {
+    pub key: Gles3ProgramKey,
+    /// kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
+    pub role: u32,
+    pub program: Gles3Program,
+}
+impl Default for Gles3ProgramSetEntry {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 72);
+
+/// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3ProgramSet {
+    /// Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
+    pub roles: [Gles3ProgramSource; 4],
+    pub role_count: u32,
+    /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+    /// read previous_position of skinners and crowds that keep it.
+    pub role_features: [u8; 4],
+    /// uniform buffer binding of the palettes
+    pub palette_binding: u32,
+    /// what the driver says of a text that does not compile
+    pub log: *mut c_char,
+    pub log_bytes: usize,
+    pub entries: [Gles3ProgramSetEntry; 192],
+    pub count: u32,
+}
+impl Default for Gles3ProgramSet {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_program_set_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 13992);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3SkinnerOptions {
+    pub path: Gles3SkinningPath,
+    /// rigid, ssd or as
+    pub deformer: Gles3Deformer,
+    /// characters, at most
+    pub instances: u32,
+    /// Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+    pub texture_unit: u32,
+    /// what programs are to read of what the mesh has and their role reads
+    pub features: u8,
+    /// From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
+    pub as_tangents: *const f32,
+    pub as_tangent_count: usize,
+    /// For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+    /// MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+    /// too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+    pub motion: bool,
+}
+impl Default for Gles3SkinnerOptions {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_skinner_options_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3SkinnerOptions>() == 40);
+
+/// What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3SkinnerMotion {
+    pub ring: Gles3PaletteRing,
+    pub offsets: *mut u32,
+    pub offset_count: usize,
+    pub skinned: *mut Gles3SkinnedMesh,
+    pub skinned_count: usize,
+    pub weights: *mut f32,
+    pub weight_count: usize,
+    pub sent_weights: *mut f32,
+    pub sent_weight_count: usize,
+    pub still: *mut u8,
+    pub still_count: usize,
+    pub reset: *mut u8,
+    pub reset_count: usize,
+}
+impl Default for Gles3SkinnerMotion {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3SkinnerMotion>() == 112);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3Skinner {
+    pub mesh: Mesh,
+    pub options: Gles3SkinnerOptions,
+    pub gpu: Gles3GpuMesh,
+    pub ring: Gles3PaletteRing,
+    pub texture: Gles3PaletteTexture,
+    pub updated: u32,
+    pub lost: bool,
+    pub bind: *mut Affine,
+    pub bind_count: usize,
+    pub palettes: *mut Affine,
+    pub palette_count: usize,
+    pub weights: *mut f32,
+    pub weight_count: usize,
+    pub offsets: *mut u32,
+    pub offset_count: usize,
+    pub skinned: *mut Gles3SkinnedMesh,
+    pub skinned_count: usize,
+    pub motion: Gles3SkinnerMotion,
+    pub positions: *mut f32,
+    pub position_count: usize,
+    pub normals: *mut f32,
+    pub normal_count: usize,
+    pub tangents: *mut f32,
+    pub tangent_count: usize,
+    pub coordinates: *mut f32,
+    pub coordinate_count: usize,
+    pub morphed: MorphedGeometry,
+    pub scratch: *mut c_void,
+    pub scratch_bytes: usize,
+}
+impl Default for Gles3Skinner {
+    fn default() -> Self {
+        unsafe { std::mem::zeroed() }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3Skinner>() == 1392);
+
+/// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
+pub const GLES3_MAX_CROWD_FRAMES: u32 = 1048576;
+
+/// Nothing to play.
+pub const GLES3_NO_CROWD_CLIP: u32 = 4294967295;
+
+/// Bytes of memory an instance for create_crowd().
+pub const GLES3_CROWD_INSTANCE_BYTES: usize = 128;
+
+/// What is baked, and how it ends.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3CrowdSource {
+    pub clip: Clip,
+    /// its last pose is followed by its first; otherwise it stays in the last
+    pub loops: bool,
+}
+impl Default for Gles3CrowdSource {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_crowd_source_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3CrowdSource>() == 152);
+
+/// Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3CrowdClip {
+    pub duration_s: f32,
+    pub first_frame: u32,
+    /// 1 … 65535
+    pub steps: u32,
+    pub loops: bool,
+}
+impl Default for Gles3CrowdClip {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_crowd_clip_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3CrowdClip>() == 16);
+
+/// Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3CrowdFrames {
+    pub clips: *const Gles3CrowdClip,
+    pub clip_count: usize,
+    /// frame after frame
+    pub character_from_joint: *const Affine,
+    pub character_from_joint_count: usize,
+    pub joint_count: u32,
+    pub frame_count: u32,
+}
+impl Default for Gles3CrowdFrames {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_crowd_frames_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3CrowdFrames>() == 40);
+
+/// At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3CrowdPlay {
+    pub clip: u32,
+    /// of a clip that does not loop within 0 … duration_s, else the nearer end
+    pub phase_s: f32,
+    /// seconds of the clip a second; may be negative
+    pub speed: f32,
+    /// seconds
+    pub start_s: f64,
+}
+impl Default for Gles3CrowdPlay {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_crowd_play_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3CrowdPlay>() == 24);
+
+/// One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3CrowdInstance {
+    pub scene_from_character: Affine,
+    /// must have a clip
+    pub a: Gles3CrowdPlay,
+    /// kNoCrowdClip: a alone
+    pub b: Gles3CrowdPlay,
+    /// until then a alone
+    pub blend_start_s: f64,
+    /// and b alone so much later
+    pub blend_s: f32,
+    /// marrow_instance_colour() in the vertex shader
+    pub colour: [f32; 4],
+}
+impl Default for Gles3CrowdInstance {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_crowd_instance_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3CrowdInstance>() == 128);
+
+/// A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
+/// (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3CrowdMesh {
+    /// what draw() takes
+    pub gpu: Gles3GpuMesh,
+    pub frames_texture: u32,
+    pub blended_texture: u32,
+    /// around the blended texture
+    pub framebuffer: u32,
+    /// With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+    pub previous_texture: u32,
+    pub previous_framebuffer: u32,
+    /// matrices of a palette
+    pub joints: u32,
+    pub frame_count: u32,
+    /// instances
+    pub capacity: u32,
+    pub motion: bool,
+    pub lost: bool,
+    /// What it is put on the next context from.
+    pub mesh: Mesh,
+    pub options: Gles3PrepareOptions,
+    pub frames: Gles3CrowdFrames,
+    /// what palettes are built with
+    pub bind: *mut Affine,
+    pub bind_count: usize,
+    /// of prepare(), and of palettes on their way up
+    pub scratch: *mut c_void,
+    pub scratch_bytes: usize,
+}
+impl Default for Gles3CrowdMesh {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_crowd_mesh_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 632);
+
+/// Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3Crowd {
+    pub texture: u32,
+    pub capacity: u32,
+    /// that have been set
+    pub count: u32,
+    /// of the frames that they play
+    pub frame_count: u32,
+    pub lost: bool,
+    /// as the texture has them
+    pub records: *mut c_void,
+    pub records_bytes: usize,
+}
+impl Default for Gles3Crowd {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_crowd_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3Crowd>() == 40);
+
+/// What the self-test says of a path.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gles3Verdict(pub u8);
+impl Gles3Verdict {
+    pub const USABLE: Self = Self(0);
+    /// not among SelfTestOptions::paths
+    pub const NOT_TRIED: Self = Self(1);
+    /// among SelfTestOptions::crashed
+    pub const CRASHED: Self = Self(2);
+    /// the caps rule it out
+    pub const UNSUPPORTED: Self = Self(3);
+    /// the driver refuses its programs or its buffers
+    pub const REFUSED: Self = Self(4);
+    /// GL reports an error while it skins
+    pub const GL_ERROR: Self = Self(5);
+    /// its vertices differ from the CPU's
+    pub const WRONG: Self = Self(6);
+    /// right, but SelfTestOptions::slow times slower than the fastest that skins on the GPU
+    pub const SLOW: Self = Self(7);
+}
+
+pub const GLES3_VERDICT_COUNT: u32 = 8;
+
+/// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+/// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+/// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+pub const GLES3_MOST_POSITION_ERROR: f32 = 0.001;
+
+/// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+/// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+/// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+pub const GLES3_MOST_NORMAL_ERROR: f32 = 0.005;
+
+pub const GLES3_ALL_PATHS: u32 = 31;
+
+pub const GLES3_MANY_CHARACTERS: u32 = 8;
+
+/// A result as bytes that a game stores. Errors: bad_argument (too short).
+pub const GLES3_SAVED_SELF_TEST_BYTES: usize = 104;
+
+pub type Gles3Clock = Option<unsafe extern "C" fn(user: *mut c_void) -> f64>;
+
+pub type Gles3AboutToTry = Option<unsafe extern "C" fn(user: *mut c_void, path: Gles3SkinningPath)>;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3PathResult {
+    pub verdict: Gles3Verdict,
+    /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+    /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+    /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+    pub position_error: f32,
+    pub normal_error: f32,
+    /// to skin and draw once; 0: not timed
+    pub ns_per_vertex: f32,
+}
+impl Default for Gles3PathResult {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_path_result_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3PathResult>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3SelfTest {
+    /// by SkinningPath
+    pub paths: [Gles3PathResult; 5],
+    /// of driver, caps, options and this library's shader texts
+    pub key: u64,
+}
+impl Default for Gles3SelfTest {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_self_test_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3SelfTest>() == 88);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3SelfTestOptions {
+    /// bit_of() of those to try
+    pub paths: u32,
+    /// Paths during which the process came to its end: they are not tried again. See about_to_try.
+    pub crashed: u32,
+    /// the deformers that the game uses
+    pub ssd: bool,
+    pub r#as: bool,
+    /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+    pub seconds: Gles3Clock,
+    pub slow: f32,
+    /// Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
+    /// forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
+    /// with what has been there before.
+    pub about_to_try: Gles3AboutToTry,
+    pub user: *mut c_void,
+}
+impl Default for Gles3SelfTestOptions {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_self_test_options_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3SelfTestOptions>() == 48);
+
+/// What a mesh is to be drawn for.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Gles3PathNeed {
+    /// that draw it in a frame: colour, depth, shadows
+    pub passes: u32,
+    /// in one Skinner
+    pub characters: u32,
+    /// Mesh::palette_size()
+    pub joints: u32,
+}
+impl Default for Gles3PathNeed {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            gles3_path_need_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<Gles3PathNeed>() == 12);
+
 extern "C" {
     #[link_name = "mrw_abi"]
     pub fn abi() -> u32;
+    #[link_name = "mrw_gles3_abi"]
+    pub fn gles3_abi() -> u32;
     #[link_name = "mrw_data_error_init"]
     pub fn data_error_init(out: *mut DataError);
     /// One word or two in English, never null.
@@ -3567,4 +4569,432 @@ extern "C" {
     /// outfit.h for each skeleton.
     #[link_name = "mrw_character_follow_body"]
     pub fn character_follow_body(outfit: *const Outfit, body: *const Character, worn: *mut Character) -> Status;
+    #[link_name = "mrw_gles3_error_watch_init"]
+    pub fn gles3_error_watch_init(out: *mut Gles3ErrorWatch);
+    #[link_name = "mrw_gles3_caps_init"]
+    pub fn gles3_caps_init(out: *mut Gles3Caps);
+    #[link_name = "mrw_gles3_vertex_layout_init"]
+    pub fn gles3_vertex_layout_init(out: *mut Gles3VertexLayout);
+    #[link_name = "mrw_gles3_gpu_mesh_init"]
+    pub fn gles3_gpu_mesh_init(out: *mut Gles3GpuMesh);
+    #[link_name = "mrw_gles3_prepare_options_init"]
+    pub fn gles3_prepare_options_init(out: *mut Gles3PrepareOptions);
+    #[link_name = "mrw_gles3_program_key_init"]
+    pub fn gles3_program_key_init(out: *mut Gles3ProgramKey);
+    #[link_name = "mrw_gles3_program_source_init"]
+    pub fn gles3_program_source_init(out: *mut Gles3ProgramSource);
+    #[link_name = "mrw_gles3_program_init"]
+    pub fn gles3_program_init(out: *mut Gles3Program);
+    #[link_name = "mrw_gles3_palette_ring_init"]
+    pub fn gles3_palette_ring_init(out: *mut Gles3PaletteRing);
+    #[link_name = "mrw_gles3_palette_texture_init"]
+    pub fn gles3_palette_texture_init(out: *mut Gles3PaletteTexture);
+    /// Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
+    /// Errors: bad_argument without a loader; unsupported if it returns null for a function of OpenGL ES 3.0, whose name is
+    /// put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
+    ///
+    /// ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
+    /// and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
+    /// GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
+    /// May be null: missing.
+    #[link_name = "mrw_gles3_load_api"]
+    pub fn gles3_load_api(api: *mut Gles3Api, load_proc: Gles3LoadProc, missing: *mut *const c_char) -> Status;
+    /// Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
+    /// Then call on_context_lost() for each object that has it, destroy the context, make another, and call
+    /// on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
+    /// a reset (EGL_LOSE_CONTEXT_ON_RESET, as marrow::egl::HeadlessContext asks for); other contexts never tell, and
+    /// platforms have ways of their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+    #[link_name = "mrw_gles3_context_was_reset"]
+    pub fn gles3_context_was_reset(api: *const Gles3Api) -> bool;
+    /// Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
+    /// lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For
+    /// debugging: without a watch a call costs a comparison more, with one two calls of glGetError.
+    /// May be null: watch.
+    #[link_name = "mrw_gles3_watch_errors"]
+    pub fn gles3_watch_errors(api: *mut Gles3Api, watch: *mut Gles3ErrorWatch);
+    /// Errors: unsupported below OpenGL ES 3.0; gl_error.
+    #[link_name = "mrw_gles3_query_caps"]
+    pub fn gles3_query_caps(api: *const Gles3Api, caps: *mut Gles3Caps) -> Status;
+    /// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+    /// May be null: options.
+    #[link_name = "mrw_gles3_prepare_scratch_bytes"]
+    pub fn gles3_prepare_scratch_bytes(mesh: *const Mesh, options: *const Gles3PrepareOptions) -> usize;
+    /// Uploads a mesh, and writes the bind matrices to build its palettes with:
+    ///   bind[i] = inverse_bind[i] · [h·I | c]
+    /// c is the middle of the bind box, h one half-extent for all axes: attributes hold (v - c) / h in [-1, 1]³ and the
+    /// shader need not undo it. The same palette serves rigid, SSD and AS. In animation space the stored coordinate of an
+    /// influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
+    ///
+    /// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
+    /// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
+    /// targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
+    /// are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
+    /// unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
+    /// mesh.
+    /// May be null: options.
+    #[link_name = "mrw_gles3_prepare"]
+    pub fn gles3_prepare(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3PrepareOptions, scratch: *mut c_void, scratch_bytes: usize, bind: *mut Affine, bind_count: usize, out: *mut Gles3GpuMesh) -> Status;
+    /// Deletes the GL objects and clears the struct.
+    #[link_name = "mrw_gles3_destroy_mesh"]
+    pub fn gles3_destroy_mesh(api: *const Gles3Api, mesh: *mut Gles3GpuMesh);
+    /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+    /// frame before to the next binding.
+    /// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+    /// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
+    #[link_name = "mrw_gles3_build_program"]
+    pub fn gles3_build_program(api: *const Gles3Api, key: *const Gles3ProgramKey, source: *const Gles3ProgramSource, palette_binding: u32, out: *mut Gles3Program, log: *mut c_char, log_bytes: usize) -> Status;
+    #[link_name = "mrw_gles3_destroy_program"]
+    pub fn gles3_destroy_program(api: *const Gles3Api, program: *mut Gles3Program);
+    /// Room for palettes of `joints` matrices altogether in `palettes` pieces.
+    /// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+    #[link_name = "mrw_gles3_create_palette_ring"]
+    pub fn gles3_create_palette_ring(api: *const Gles3Api, caps: *const Gles3Caps, joints: u32, palettes: u32, out: *mut Gles3PaletteRing) -> Status;
+    /// Room for palettes of `joints` matrices altogether in `palettes` pieces.
+    /// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+    #[link_name = "mrw_gles3_destroy_palette_ring"]
+    pub fn gles3_destroy_palette_ring(api: *const Gles3Api, ring: *mut Gles3PaletteRing);
+    /// Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
+    #[link_name = "mrw_gles3_begin_frame"]
+    pub fn gles3_begin_frame(api: *const Gles3Api, ring: *mut Gles3PaletteRing);
+    /// Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the
+    /// ring. Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
+    #[link_name = "mrw_gles3_push_palette"]
+    pub fn gles3_push_palette(api: *const Gles3Api, ring: *mut Gles3PaletteRing, palette: *const Affine, palette_count: usize, offset: *mut u32) -> Status;
+    /// Ties the palette at `offset` to uniform buffer binding `binding`.
+    #[link_name = "mrw_gles3_bind_palette"]
+    pub fn gles3_bind_palette(api: *const Gles3Api, ring: *const Gles3PaletteRing, offset: u32, binding: u32);
+    /// Room for `joints` matrices: 48 B each, three times.
+    /// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
+    /// gl_error. Leaves the active unit's 2D texture at 0.
+    #[link_name = "mrw_gles3_create_palette_texture"]
+    pub fn gles3_create_palette_texture(api: *const Gles3Api, caps: *const Gles3Caps, joints: u32, out: *mut Gles3PaletteTexture) -> Status;
+    /// Room for `joints` matrices: 48 B each, three times.
+    /// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
+    /// gl_error. Leaves the active unit's 2D texture at 0.
+    #[link_name = "mrw_gles3_destroy_palette_texture"]
+    pub fn gles3_destroy_palette_texture(api: *const Gles3Api, texture: *mut Gles3PaletteTexture);
+    /// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
+    /// may write right there. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty); unsupported (more
+    /// than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+    #[link_name = "mrw_gles3_upload_palettes"]
+    pub fn gles3_upload_palettes(api: *const Gles3Api, texture: *mut Gles3PaletteTexture, palettes: *const Affine, palette_count: usize) -> Status;
+    /// `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
+    /// `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
+    /// the texture bound to it. Errors: bad_argument (a program of another kind, a palette that reaches beyond what was
+    /// uploaded).
+    #[link_name = "mrw_gles3_bind_texture_palette"]
+    pub fn gles3_bind_texture_palette(api: *const Gles3Api, texture: *const Gles3PaletteTexture, first: u32, joints: u32, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+    /// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+    /// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+    /// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+    /// what was uploaded then).
+    #[link_name = "mrw_gles3_bind_previous_palette"]
+    pub fn gles3_bind_previous_palette(api: *const Gles3Api, texture: *const Gles3PaletteTexture, first: u32, joints: u32, kept: bool, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
+    /// animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
+    /// move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
+    /// targets, a program without kMorphs, too few weights, one that is not finite).
+    #[link_name = "mrw_gles3_set_morphs"]
+    pub fn gles3_set_morphs(api: *const Gles3Api, mesh: *const Mesh, gpu: *const Gles3GpuMesh, weights: *const f32, weight_count: usize, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+    #[link_name = "mrw_gles3_set_previous_morphs"]
+    pub fn gles3_set_previous_morphs(api: *const Gles3Api, mesh: *const Mesh, gpu: *const Gles3GpuMesh, weights: *const f32, weight_count: usize, program: *const Gles3Program) -> Status;
+    /// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
+    /// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
+    /// say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
+    /// turns_inside_out() of the palette, see palette.h. So characters that mirror take a draw call of their own.
+    /// Errors: bad_argument if the mesh was not prepared for this deformer.
+    #[link_name = "mrw_gles3_draw_mesh"]
+    pub fn gles3_draw_mesh(api: *const Gles3Api, mesh: *const Gles3GpuMesh, deformer: Gles3Deformer, program: *const Gles3Program, instances: u32) -> Status;
+    #[link_name = "mrw_gles3_skinned_mesh_init"]
+    pub fn gles3_skinned_mesh_init(out: *mut Gles3SkinnedMesh);
+    /// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
+    /// array at 0.
+    #[link_name = "mrw_gles3_create_skinned"]
+    pub fn gles3_create_skinned(api: *const Gles3Api, mesh: *const Gles3GpuMesh, out: *mut Gles3SkinnedMesh) -> Status;
+    /// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
+    /// array at 0.
+    #[link_name = "mrw_gles3_destroy_skinned"]
+    pub fn gles3_destroy_skinned(api: *const Gles3Api, mesh: *mut Gles3SkinnedMesh);
+    /// What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
+    /// Errors: bad_argument (a span of another size than the mesh has; normals or tangents may be empty, then they are
+    /// undefined). Leaves GL_ARRAY_BUFFER at 0.
+    #[link_name = "mrw_gles3_upload_skinned"]
+    pub fn gles3_upload_skinned(api: *const Gles3Api, mesh: *mut Gles3SkinnedMesh, vertices: *const SkinOutput) -> Status;
+    /// A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
+    /// kSurfaceNormals. Those must be the mesh's.
+    /// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
+    /// without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+    #[link_name = "mrw_gles3_build_preskin"]
+    pub fn gles3_build_preskin(api: *const Gles3Api, caps: *const Gles3Caps, key: *const Gles3ProgramKey, method: Gles3Preskin, palette_binding: u32, out: *mut Gles3Program, log: *mut c_char, log_bytes: usize) -> Status;
+    /// Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it
+    /// leaves the vertex array, the default transform feedback object's bindings 0 … 2 and GL_TRANSFORM_FEEDBACK_BUFFER at
+    /// 0, and GL_RASTERIZER_DISCARD off; by compute shader GL_SHADER_STORAGE_BUFFER and its bindings 0 … 3 at 0.
+    /// Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
+    #[link_name = "mrw_gles3_preskin_mesh"]
+    pub fn gles3_preskin_mesh(api: *const Gles3Api, mesh: *const Gles3GpuMesh, deformer: Gles3Deformer, program: *const Gles3Program, to: *const Gles3SkinnedMesh) -> Status;
+    /// Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+    /// of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+    /// changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+    /// GL_ARRAY_BUFFER and the vertex array at 0.
+    #[link_name = "mrw_gles3_set_previous"]
+    pub fn gles3_set_previous(api: *const Gles3Api, mesh: *const Gles3SkinnedMesh, previous: *const Gles3SkinnedMesh) -> Status;
+    /// Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
+    #[link_name = "mrw_gles3_draw_skinned"]
+    pub fn gles3_draw_skinned(api: *const Gles3Api, mesh: *const Gles3GpuMesh, skinned: *const Gles3SkinnedMesh);
+    #[link_name = "mrw_gles3_program_set_init"]
+    pub fn gles3_program_set_init(out: *mut Gles3ProgramSet);
+    #[link_name = "mrw_gles3_skinner_options_init"]
+    pub fn gles3_skinner_options_init(out: *mut Gles3SkinnerOptions);
+    /// "ubo", …
+    #[link_name = "mrw_gles3_skinning_path_text"]
+    pub fn gles3_skinning_path_text(path: Gles3SkinningPath) -> *const c_char;
+    /// Deletes all programs. Skinners that use the set must go first.
+    #[link_name = "mrw_gles3_destroy_programs"]
+    pub fn gles3_destroy_programs(api: *const Gles3Api, programs: *mut Gles3ProgramSet);
+    /// Bytes of memory that create_skinner() wants.
+    #[link_name = "mrw_gles3_skinner_bytes"]
+    pub fn gles3_skinner_bytes(mesh: *const Mesh, options: *const Gles3SkinnerOptions) -> usize;
+    /// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
+    /// before the first update(). Compiles what `programs` lacks for it.
+    ///
+    /// mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
+    /// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
+    /// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
+    /// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
+    /// written only on success.
+    #[link_name = "mrw_gles3_create_skinner"]
+    pub fn gles3_create_skinner(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3SkinnerOptions, programs: *mut Gles3ProgramSet, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3Skinner) -> Status;
+    /// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
+    /// before the first update(). Compiles what `programs` lacks for it.
+    ///
+    /// mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
+    /// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
+    /// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
+    /// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
+    /// written only on success.
+    #[link_name = "mrw_gles3_destroy_skinner"]
+    pub fn gles3_destroy_skinner(api: *const Gles3Api, skinner: *mut Gles3Skinner);
+    /// Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
+    /// another thread than the context's, different instances on different threads.
+    /// Errors: bad_argument (no such instance, a span too short).
+    #[link_name = "mrw_gles3_pose"]
+    pub fn gles3_pose(skinner: *mut Gles3Skinner, instance: u32, scene_from_joint: *const Affine, scene_from_joint_count: usize, weights: *const f32, weight_count: usize) -> Status;
+    /// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+    /// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+    /// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+    #[link_name = "mrw_gles3_reset_motion"]
+    pub fn gles3_reset_motion(skinner: *mut Gles3Skinner, instance: u32) -> Status;
+    /// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
+    /// and nothing else; on path cpu the vertices.
+    /// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+    #[link_name = "mrw_gles3_update"]
+    pub fn gles3_update(api: *const Gles3Api, skinner: *mut Gles3Skinner, programs: *const Gles3ProgramSet, count: u32) -> Status;
+    /// The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
+    #[link_name = "mrw_gles3_program_of"]
+    pub fn gles3_program_of(skinner: *const Gles3Skinner, programs: *const Gles3ProgramSet, role: u32) -> *const Gles3Program;
+    /// Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
+    /// Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+    #[link_name = "mrw_gles3_draw"]
+    pub fn gles3_draw(api: *const Gles3Api, skinner: *const Gles3Skinner, programs: *const Gles3ProgramSet, program: *const Gles3Program, first: u32, count: u32) -> Status;
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+    #[link_name = "mrw_gles3_programs_on_context_lost"]
+    pub fn gles3_programs_on_context_lost(programs: *mut Gles3ProgramSet);
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+    #[link_name = "mrw_gles3_skinner_on_context_lost"]
+    pub fn gles3_skinner_on_context_lost(skinner: *mut Gles3Skinner);
+    /// Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
+    /// create_skinner(); then it may be tried again.
+    #[link_name = "mrw_gles3_programs_on_context_restored"]
+    pub fn gles3_programs_on_context_restored(api: *const Gles3Api, caps: *const Gles3Caps, programs: *mut Gles3ProgramSet) -> Status;
+    /// Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
+    /// create_skinner(); then it may be tried again.
+    #[link_name = "mrw_gles3_skinner_on_context_restored"]
+    pub fn gles3_skinner_on_context_restored(api: *const Gles3Api, caps: *const Gles3Caps, skinner: *mut Gles3Skinner) -> Status;
+    #[link_name = "mrw_gles3_crowd_source_init"]
+    pub fn gles3_crowd_source_init(out: *mut Gles3CrowdSource);
+    #[link_name = "mrw_gles3_crowd_clip_init"]
+    pub fn gles3_crowd_clip_init(out: *mut Gles3CrowdClip);
+    #[link_name = "mrw_gles3_crowd_frames_init"]
+    pub fn gles3_crowd_frames_init(out: *mut Gles3CrowdFrames);
+    #[link_name = "mrw_gles3_crowd_play_init"]
+    pub fn gles3_crowd_play_init(out: *mut Gles3CrowdPlay);
+    #[link_name = "mrw_gles3_crowd_instance_init"]
+    pub fn gles3_crowd_instance_init(out: *mut Gles3CrowdInstance);
+    #[link_name = "mrw_gles3_crowd_mesh_init"]
+    pub fn gles3_crowd_mesh_init(out: *mut Gles3CrowdMesh);
+    #[link_name = "mrw_gles3_crowd_init"]
+    pub fn gles3_crowd_init(out: *mut Gles3Crowd);
+    /// How many frames it takes to bake clips at `rate_hz` or a little more, a whole number of steps each; 30 a second are
+    /// enough for most motion. out: at least as many as sources.
+    /// Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
+    /// unsupported (more than 65535 steps of a clip, or kMaxCrowdFrames). Written only on success.
+    #[link_name = "mrw_gles3_plan_crowd"]
+    pub fn gles3_plan_crowd(sources: *const Gles3CrowdSource, source_count: usize, rate_hz: f32, out: *mut Gles3CrowdClip, out_count: usize, frame_count: *mut u32) -> Status;
+    /// Samples them. scratch: at least skeleton.soa_size(); matrices: at least frame_count × joint_count, the caller's to
+    /// keep, as are the clips, which must be those that plan_crowd() wrote for these sources; 48 B a joint and frame.
+    /// Errors: bad_argument (a span too short, a clip of another skeleton, clips that are not a plan).
+    #[link_name = "mrw_gles3_bake_crowd"]
+    pub fn gles3_bake_crowd(skeleton: *const Skeleton, sources: *const Gles3CrowdSource, source_count: usize, clips: *const Gles3CrowdClip, clip_count: usize, scratch: *mut SoaTransform, scratch_count: usize, matrices: *mut Affine, matrice_count: usize, out: *mut Gles3CrowdFrames) -> Status;
+    /// Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
+    /// are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+    /// is linear in the drawing too.
+    /// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
+    /// scene_from_character beyond 1e12).
+    #[link_name = "mrw_gles3_crowd_joint"]
+    pub fn gles3_crowd_joint(frames: *const Gles3CrowdFrames, instance: *const Gles3CrowdInstance, time_s: f64, joint: u32, scene_from_joint: *mut Affine) -> Status;
+    /// The same of all joints; out: at least frames.joint_count.
+    #[link_name = "mrw_gles3_crowd_pose"]
+    pub fn gles3_crowd_pose(frames: *const Gles3CrowdFrames, instance: *const Gles3CrowdInstance, time_s: f64, scene_from_joint: *mut Affine, scene_from_joint_count: usize) -> Status;
+    /// What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
+    #[link_name = "mrw_gles3_crowd_palettes_that_fit"]
+    pub fn gles3_crowd_palettes_that_fit(caps: *const Gles3Caps, joints: u32) -> u32;
+    /// Bytes of memory that create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and prepare_scratch_bytes().
+    /// May be null: options.
+    #[link_name = "mrw_gles3_crowd_mesh_bytes"]
+    pub fn gles3_crowd_mesh_bytes(mesh: *const Mesh, options: *const Gles3PrepareOptions) -> usize;
+    /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+    ///
+    /// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
+    /// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
+    /// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
+    /// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+    /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
+    /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+    /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
+    /// May be null: options.
+    #[link_name = "mrw_gles3_create_crowd_mesh"]
+    pub fn gles3_create_crowd_mesh(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3PrepareOptions, frames: *const Gles3CrowdFrames, capacity: u32, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3CrowdMesh, motion: bool) -> Status;
+    /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+    ///
+    /// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
+    /// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
+    /// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
+    /// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+    /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
+    /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+    /// the vertices, and 48 B a matrix and frame, go up, once.
+    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+    /// kMotion have MarrowVertex::previous_position from them.
+    #[link_name = "mrw_gles3_destroy_crowd_mesh"]
+    pub fn gles3_destroy_crowd_mesh(api: *const Gles3Api, mesh: *mut Gles3CrowdMesh);
+    /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
+    /// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
+    /// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+    #[link_name = "mrw_gles3_create_crowd"]
+    pub fn gles3_create_crowd(api: *const Gles3Api, caps: *const Gles3Caps, capacity: u32, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3Crowd) -> Status;
+    /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
+    /// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
+    /// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+    #[link_name = "mrw_gles3_destroy_crowd"]
+    pub fn gles3_destroy_crowd(api: *const Gles3Api, crowd: *mut Gles3Crowd);
+    /// Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
+    /// they are kept, and there once it is restored. Errors: bad_argument (a gap before `first`, frames other than those of
+    /// the instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is
+    /// changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an
+    /// instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
+    #[link_name = "mrw_gles3_set_instances"]
+    pub fn gles3_set_instances(api: *const Gles3Api, crowd: *mut Gles3Crowd, frames: *const Gles3CrowdFrames, first: u32, instances: *const Gles3CrowdInstance, instance_count: usize) -> Status;
+    /// The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
+    #[link_name = "mrw_gles3_build_crowd_program"]
+    pub fn gles3_build_crowd_program(api: *const Gles3Api, out: *mut Gles3Program, log: *mut c_char, log_bytes: usize) -> Status;
+    /// The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
+    /// compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
+    /// features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
+    /// unsupported (a full set); gl_error, with the driver's words in programs.log.
+    #[link_name = "mrw_gles3_build_crowd_programs"]
+    pub fn gles3_build_crowd_programs(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Gles3CrowdMesh, deformer: Gles3Deformer, features: u8, programs: *mut Gles3ProgramSet) -> Status;
+    /// What was built with the same arguments, never null.
+    #[link_name = "mrw_gles3_crowd_program_of"]
+    pub fn gles3_crowd_program_of(mesh: *const Gles3CrowdMesh, deformer: Gles3Deformer, features: u8, programs: *const Gles3ProgramSet, role: u32) -> *const Gles3Program;
+    /// What was built with the same arguments, never null.
+    #[link_name = "mrw_gles3_blending_program_of"]
+    pub fn gles3_blending_program_of(programs: *const Gles3ProgramSet) -> *const Gles3Program;
+    /// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+    #[link_name = "mrw_gles3_begin_crowd_frame"]
+    pub fn gles3_begin_crowd_frame(mesh: *mut Gles3CrowdMesh);
+    /// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+    /// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+    /// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+    /// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+    #[link_name = "mrw_gles3_blend_previous_crowd"]
+    pub fn gles3_blend_previous_crowd(api: *const Gles3Api, crowd: *const Gles3Crowd, mesh: *const Gles3CrowdMesh, first: u32, count: u32, time_s: f64, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
+    /// scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
+    /// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
+    /// colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
+    /// and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
+    /// are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
+    /// has capacity for); gl_error (the context is lost).
+    #[link_name = "mrw_gles3_blend_crowd"]
+    pub fn gles3_blend_crowd(api: *const Gles3Api, crowd: *const Gles3Crowd, mesh: *const Gles3CrowdMesh, first: u32, count: u32, time_s: f64, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
+    /// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+    /// Errors: as there.
+    #[link_name = "mrw_gles3_bind_crowd"]
+    pub fn gles3_bind_crowd(api: *const Gles3Api, crowd: *const Gles3Crowd, mesh: *const Gles3CrowdMesh, first: u32, count: u32, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+    #[link_name = "mrw_gles3_crowd_mesh_on_context_lost"]
+    pub fn gles3_crowd_mesh_on_context_lost(mesh: *mut Gles3CrowdMesh);
+    /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+    /// on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+    #[link_name = "mrw_gles3_crowd_on_context_lost"]
+    pub fn gles3_crowd_on_context_lost(crowd: *mut Gles3Crowd);
+    /// Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
+    /// creation does. Errors: as creation, but for its arguments; then it may be tried again.
+    #[link_name = "mrw_gles3_crowd_mesh_on_context_restored"]
+    pub fn gles3_crowd_mesh_on_context_restored(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *mut Gles3CrowdMesh) -> Status;
+    /// Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
+    /// creation does. Errors: as creation, but for its arguments; then it may be tried again.
+    #[link_name = "mrw_gles3_crowd_on_context_restored"]
+    pub fn gles3_crowd_on_context_restored(api: *const Gles3Api, caps: *const Gles3Caps, crowd: *mut Gles3Crowd) -> Status;
+    #[link_name = "mrw_gles3_path_result_init"]
+    pub fn gles3_path_result_init(out: *mut Gles3PathResult);
+    #[link_name = "mrw_gles3_self_test_init"]
+    pub fn gles3_self_test_init(out: *mut Gles3SelfTest);
+    #[link_name = "mrw_gles3_self_test_options_init"]
+    pub fn gles3_self_test_options_init(out: *mut Gles3SelfTestOptions);
+    #[link_name = "mrw_gles3_path_need_init"]
+    pub fn gles3_path_need_init(out: *mut Gles3PathNeed);
+    /// Why a path is ruled out, in a few words; "" for usable.
+    #[link_name = "mrw_gles3_verdict_text"]
+    pub fn gles3_verdict_text(verdict: Gles3Verdict) -> *const c_char;
+    /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+    #[link_name = "mrw_gles3_self_test_bytes"]
+    pub fn gles3_self_test_bytes(options: *const Gles3SelfTestOptions) -> usize;
+    /// Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
+    /// afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
+    /// can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+    ///
+    /// Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
+    /// framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
+    /// GL_UNIFORM_BUFFER, the pixel buffers, colour mask, scissor test and rasterizer discard. Leaves at 0 uniform buffer
+    /// binding 0 and what preskin() says.
+    /// Cost: some twenty programs compiled, and a wait for each frame; only where nothing is stored.
+    #[link_name = "mrw_gles3_run_self_test"]
+    pub fn gles3_run_self_test(api: *const Gles3Api, caps: *const Gles3Caps, options: *const Gles3SelfTestOptions, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3SelfTest) -> Status;
+    /// The first usable path in this order:
+    ///
+    ///                                one pass                           several passes
+    ///   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
+    ///   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+    ///
+    /// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
+    /// Errors: unsupported (none is usable). `out` is written only on success.
+    #[link_name = "mrw_gles3_choose"]
+    pub fn gles3_choose(test: *const Gles3SelfTest, need: *const Gles3PathNeed, out: *mut Gles3SkinningPath) -> Status;
+    /// A result as bytes that a game stores. Errors: bad_argument (too short).
+    #[link_name = "mrw_gles3_save"]
+    pub fn gles3_save(test: *const Gles3SelfTest, out: *mut c_void, out_bytes: usize) -> Status;
+    /// The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,
+    /// bad_checksum, bad_data; mismatch (another driver, version of it, library, or other caps or options): then test anew,
+    /// and with another driver without what had crashed. `out` is written only on success.
+    #[link_name = "mrw_gles3_restore"]
+    pub fn gles3_restore(api: *const Gles3Api, caps: *const Gles3Caps, options: *const Gles3SelfTestOptions, saved: *const c_void, saved_bytes: usize, out: *mut Gles3SelfTest) -> Status;
 }

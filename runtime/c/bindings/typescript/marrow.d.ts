@@ -1,7 +1,8 @@
-// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // The runtime for JavaScript and TypeScript, as C has it: see docs/c.md.
 
 export const ABI: number;
+export const GLES3_ABI: number;
 export const BLOCK_BOUNDARY: number;
 export const UNPACK_STATE_BYTES: number;
 export const MAX_JOINTS: number;
@@ -25,6 +26,38 @@ export const MAX_SPRING_STEPS: number;
 export const MIN_SPRING_FRAME_S: number;
 export const NO_CHANNEL: number;
 export const NO_CLIP: number;
+export const GLES3_NORMALS: number;
+export const GLES3_TANGENTS: number;
+export const GLES3_UVS: number;
+export const GLES3_COLOURS: number;
+export const GLES3_MORPHS: number;
+export const GLES3_SURFACE_NORMALS: number;
+export const GLES3_MOTION: number;
+export const GLES3_POSITION_LOCATION: number;
+export const GLES3_WEIGHTS_LOCATION: number;
+export const GLES3_JOINTS_LOCATION: number;
+export const GLES3_NORMAL_LOCATION: number;
+export const GLES3_TANGENT_LOCATION: number;
+export const GLES3_UV_LOCATION: number;
+export const GLES3_COLOUR_LOCATION: number;
+export const GLES3_MORPH_ROW_LOCATION: number;
+export const GLES3_MORPH_TARGETS: number;
+export const GLES3_PREVIOUS_LOCATION: number;
+export const GLES3_PALETTE_JOINTS: number;
+export const GLES3_PALETTE_BLOCK_BYTES: number;
+export const GLES3_PALETTE_TEXTURE_WIDTH: number;
+export const GLES3_PATH_COUNT: number;
+export const GLES3_MOST_ROLES: number;
+export const GLES3_MOST_PROGRAMS: number;
+export const GLES3_MAX_CROWD_FRAMES: number;
+export const GLES3_NO_CROWD_CLIP: number;
+export const GLES3_CROWD_INSTANCE_BYTES: number;
+export const GLES3_VERDICT_COUNT: number;
+export const GLES3_MOST_POSITION_ERROR: number;
+export const GLES3_MOST_NORMAL_ERROR: number;
+export const GLES3_ALL_PATHS: number;
+export const GLES3_MANY_CHARACTERS: number;
+export const GLES3_SAVED_SELF_TEST_BYTES: number;
 
 export const Status: {
   readonly OK: number;
@@ -375,6 +408,114 @@ export const NormalTransform: {
   readonly BLENDED_MATRIX: number;
 };
 export type NormalTransform = number;
+
+export const Gles3Deformer: {
+  /**
+   * vertices skinned elsewhere, in float: position, normal, tangent
+   */
+  readonly NONE: number;
+  /**
+   * the joint with the largest weight
+   */
+  readonly RIGID: number;
+  readonly SSD: number;
+  readonly AS: number;
+};
+export type Gles3Deformer = number;
+
+/**
+ * Where a program finds its palettes.
+ */
+export const Gles3Palettes: {
+  /**
+   * PaletteRing: one palette a draw call
+   */
+  readonly UNIFORM_BLOCK: number;
+  /**
+   * PaletteTexture: of any size; one draw call may draw many characters
+   */
+  readonly TEXTURE: number;
+  /**
+   * CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+   */
+  readonly CROWD: number;
+};
+export type Gles3Palettes = number;
+
+export const Gles3Preskin: {
+  /**
+   * transform feedback, OpenGL ES 3.0
+   */
+  readonly FEEDBACK: number;
+  /**
+   * compute shader, 3.1
+   */
+  readonly COMPUTE: number;
+};
+export type Gles3Preskin = number;
+
+/**
+ * Where vertices are skinned.
+ */
+export const Gles3SkinningPath: {
+  /**
+   * vertex shader, every pass; palettes in a uniform block, a draw call a character
+   */
+  readonly UBO: number;
+  /**
+   * vertex shader, every pass; palettes in a texture, one draw call for all characters
+   */
+  readonly TEXTURE: number;
+  /**
+   * once a frame, by transform feedback
+   */
+  readonly FEEDBACK: number;
+  /**
+   * once a frame, by compute shader; OpenGL ES 3.1
+   */
+  readonly COMPUTE: number;
+  /**
+   * once a frame, by the CPU
+   */
+  readonly CPU: number;
+};
+export type Gles3SkinningPath = number;
+
+/**
+ * What the self-test says of a path.
+ */
+export const Gles3Verdict: {
+  readonly USABLE: number;
+  /**
+   * not among SelfTestOptions::paths
+   */
+  readonly NOT_TRIED: number;
+  /**
+   * among SelfTestOptions::crashed
+   */
+  readonly CRASHED: number;
+  /**
+   * the caps rule it out
+   */
+  readonly UNSUPPORTED: number;
+  /**
+   * the driver refuses its programs or its buffers
+   */
+  readonly REFUSED: number;
+  /**
+   * GL reports an error while it skins
+   */
+  readonly GL_ERROR: number;
+  /**
+   * its vertices differ from the CPU's
+   */
+  readonly WRONG: number;
+  /**
+   * right, but SelfTestOptions::slow times slower than the fastest that skins on the GPU
+   */
+  readonly SLOW: number;
+};
+export type Gles3Verdict = number;
 
 export type TypedArray = Float32Array | Float64Array | Uint8Array | Uint16Array | Uint32Array | Int16Array;
 
@@ -2153,6 +2294,617 @@ export interface Outfit extends View {
   skeletons: List<OutfitSkeleton>;
 }
 
+/**
+ * Told of every GL error by the call that caused it: for debugging, as each call is then between two of glGetError.
+ * One an Api and thread.
+ */
+export interface Gles3ErrorWatch extends View {
+  /**
+   * call: "glBindBuffer", a static string. May be null.
+   */
+  report: number;
+  user: number;
+  /**
+   * what the Api's GetError has yet to tell, as it would without a watch
+   */
+  pending: number;
+  get_error: number;
+}
+
+/**
+ * The driver's entry points.
+ */
+export interface Gles3Api extends View {
+}
+
+/**
+ * What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
+ */
+export interface Gles3Caps extends View {
+  uniform_block_bytes: number;
+  /**
+   * power of two
+   */
+  uniform_offset_alignment: number;
+  vertex_attributes: number;
+  texture_size: number;
+  /**
+   * OpenGL ES 3.1 or newer, and its functions
+   */
+  compute: boolean;
+}
+
+/**
+ * Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
+ */
+export interface Gles3VertexLayout extends View {
+  /**
+   * 4 or 8
+   */
+  influences: number;
+  /**
+   * 1 or 2
+   */
+  joint_bytes: number;
+  ssd_stride: number;
+  ssd_weights: number;
+  ssd_joints: number;
+  as_stride: number;
+  as_tangents: number;
+  as_joints: number;
+  /**
+   * there are tangents, and room for them
+   */
+  surface_normals: boolean;
+  surface_stride: number;
+  normal: number;
+  tangent: number;
+  uv: number;
+  colour: number;
+  /**
+   * unorm16×2, otherwise f32×2
+   */
+  uv_unorm: boolean;
+}
+
+/**
+ * A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
+ *
+ *   stream     what a vertex has in it               as
+ *   SSD        position                              snorm16×3
+ *              weight of the second influence        snorm16
+ *              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+ *              joints                                u8×4, or ×8; u16 above 256 entries
+ *   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
+ *              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
+ *              joints                                as SSD's
+ *   surface    normal                                octahedral snorm16×2
+ *              tangent                               octahedral snorm16×2, the sign in y
+ *              texture coordinates                   unorm16×2, or f32×2
+ *              colour                                unorm8×4
+ *   morphs     row of the morph texture              u32; of vertices that no target moves 0
+ *
+ *   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
+ *   4 influences       16    36                    100                         4
+ *   8 influences       28    72                      -                         4
+ *
+ * The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+ */
+export interface Gles3GpuMesh extends View {
+  /**
+   * vertex array objects; 0 where not asked for. Rigid uses this one too.
+   */
+  ssd_array: number;
+  as_array: number;
+  ssd_buffer: number;
+  as_buffer: number;
+  /**
+   * 0 for a mesh of bare positions
+   */
+  surface_buffer: number;
+  /**
+   * 0 for a mesh without morph targets
+   */
+  morph_buffer: number;
+  /**
+   * likewise
+   */
+  morph_texture: number;
+  index_buffer: number;
+  index_count: number;
+  /**
+   * GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+   */
+  index_type: number;
+  /**
+   * what the indices draw: GL_TRIANGLES
+   */
+  primitive: number;
+  slot_count: number;
+  /**
+   * matrices in its palette
+   */
+  joint_count: number;
+  /**
+   * all vertex buffers together
+   */
+  vertex_bytes: number;
+  /**
+   * 4 or 8
+   */
+  influences: number;
+  /**
+   * kNormals | …
+   */
+  features: number;
+  /**
+   * texels a vertex: positions, normals, tangents
+   */
+  morph_per_row: number;
+  /**
+   * the texture's width is 1 << morph_shift
+   */
+  morph_shift: number;
+  /**
+   * of a target
+   */
+  morph_texels: number;
+  /**
+   * 1 / half-extent, see prepare()
+   */
+  morph_unit: number;
+  /**
+   * Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
+   */
+  coordinate_scale: number;
+  readonly layout: Gles3VertexLayout;
+}
+
+export interface Gles3PrepareOptions extends View {
+  /**
+   * also what rigid draws from
+   */
+  ssd: boolean;
+  /**
+   * neither: for vertices skinned on the CPU
+   */
+  as: boolean;
+  /**
+   * From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
+   * kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
+   * vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
+   * normals cannot.
+   */
+  as_tangents: List<number>;
+}
+
+/**
+ * What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
+ * that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
+ * frame before, positions alone. Those, bound for each draw call like the others, are
+ *   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
+ *   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
+ *   skinned elsewhere    set_previous(), see gles3_skinned.h
+ * and with kMorphs set_previous_morphs().
+ */
+export interface Gles3ProgramKey extends View {
+  deformer: Gles3Deformer;
+  influences: number;
+  features: number;
+  palettes: Gles3Palettes;
+}
+
+/**
+ * The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
+ * (shaders/skin.glsl), which ends where main() is to begin; the fragment text after the same #version and defines.
+ *
+ *   void main() {
+ *     MarrowVertex v = marrow_skin();
+ *     gl_Position = clip_from_scene * vec4(v.position, 1.0);
+ *   }
+ *
+ * What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
+ * was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
+ * What the vertex text may use:
+ *   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
+ *                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+ *                                    not read is 0, but previous_position is then the position
+ *   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
+ *   vec4 marrow_instance_colour()    of an instance of a crowd; else white
+ * Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
+ * after UseProgram(program.id), by Api or by any other loader.
+ */
+export interface Gles3ProgramSource extends View {
+  vertex: string;
+  fragment: string;
+  /**
+   * for transform feedback, interleaved; empty otherwise
+   */
+  feedback_varyings: List<number>;
+}
+
+export interface Gles3Program extends View {
+  id: number;
+  reads: Gles3Palettes;
+  /**
+   * built with kMotion
+   */
+  motion: boolean;
+  /**
+   * Locations of uniforms.
+   */
+  coordinate_scale: number;
+  palettes: number;
+  first_row: number;
+  instances: number;
+  crowd: number;
+  /**
+   * of pre-skinning by compute shaders
+   */
+  vertex_layout: number;
+  morph_changes: number;
+  morph_targets: number;
+  morph_count: number;
+  morph_shift: number;
+  morph_per_row: number;
+  previous_palettes: number;
+  previous_targets: number;
+  previous_count: number;
+}
+
+/**
+ * One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
+ * contents are orphaned, so the CPU never waits for the GPU.
+ */
+export interface Gles3PaletteRing extends View {
+  buffer: number;
+  alignment: number;
+  /**
+   * bytes that palettes may use
+   */
+  capacity: number;
+  used: number;
+}
+
+/**
+ * All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Of three, each is written every third
+ * frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
+ */
+export interface Gles3PaletteTexture extends View {
+  readonly textures: TypedArray;
+  /**
+   * which was written last
+   */
+  current: number;
+  /**
+   * matrices
+   */
+  capacity: number;
+  /**
+   * that are there
+   */
+  count: number;
+  /**
+   * that were there in the frame before
+   */
+  previous_count: number;
+}
+
+/**
+ * Scene-space vertices in float, in one buffer, block after block so that passes of depth alone read positions alone:
+ * positions 12 B a slot, then normals 12 B, then tangents 16 B where the mesh has them. Texture coordinates, colours
+ * and indices are the mesh's, which must be there as long.
+ */
+export interface Gles3SkinnedMesh extends View {
+  array: number;
+  buffer: number;
+  slot_count: number;
+  /**
+   * kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
+   */
+  features: number;
+}
+
+/**
+ * One of a set, filled in by Marrow.
+ */
+export interface Gles3ProgramSetEntry extends View {
+  readonly key: Gles3ProgramKey;
+  /**
+   * kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
+   */
+  role: number;
+  readonly program: Gles3Program;
+}
+
+/**
+ * The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
+ */
+export interface Gles3ProgramSet extends View {
+  /**
+   * Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
+   */
+  readonly roles: Gles3ProgramSource[];
+  role_count: number;
+  /**
+   * Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
+   * read previous_position of skinners and crowds that keep it.
+   */
+  readonly role_features: TypedArray;
+  /**
+   * uniform buffer binding of the palettes
+   */
+  palette_binding: number;
+  /**
+   * what the driver says of a text that does not compile
+   */
+  log: List<number>;
+  readonly entries: Gles3ProgramSetEntry[];
+  count: number;
+}
+
+export interface Gles3SkinnerOptions extends View {
+  path: Gles3SkinningPath;
+  /**
+   * rigid, ssd or as
+   */
+  deformer: Gles3Deformer;
+  /**
+   * characters, at most
+   */
+  instances: number;
+  /**
+   * Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+   */
+  texture_unit: number;
+  /**
+   * what programs are to read of what the mesh has and their role reads
+   */
+  features: number;
+  /**
+   * From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
+   */
+  as_tangents: List<number>;
+  /**
+   * For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
+   * MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
+   * too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+   */
+  motion: boolean;
+}
+
+/**
+ * What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+ */
+export interface Gles3SkinnerMotion extends View {
+}
+
+export interface Gles3Skinner extends View {
+}
+
+/**
+ * What is baked, and how it ends.
+ */
+export interface Gles3CrowdSource extends View {
+  readonly clip: Clip;
+  /**
+   * its last pose is followed by its first; otherwise it stays in the last
+   */
+  loops: boolean;
+}
+
+/**
+ * Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
+ */
+export interface Gles3CrowdClip extends View {
+  duration_s: number;
+  first_frame: number;
+  /**
+   * 1 … 65535
+   */
+  steps: number;
+  loops: boolean;
+}
+
+/**
+ * Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
+ */
+export interface Gles3CrowdFrames extends View {
+  clips: List<Gles3CrowdClip>;
+  /**
+   * frame after frame
+   */
+  character_from_joint: List<Affine>;
+  joint_count: number;
+  frame_count: number;
+}
+
+/**
+ * At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
+ */
+export interface Gles3CrowdPlay extends View {
+  clip: number;
+  /**
+   * of a clip that does not loop within 0 … duration_s, else the nearer end
+   */
+  phase_s: number;
+  /**
+   * seconds of the clip a second; may be negative
+   */
+  speed: number;
+  /**
+   * seconds
+   */
+  start_s: number;
+}
+
+/**
+ * One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
+ */
+export interface Gles3CrowdInstance extends View {
+  readonly scene_from_character: Affine;
+  /**
+   * must have a clip
+   */
+  readonly a: Gles3CrowdPlay;
+  /**
+   * kNoCrowdClip: a alone
+   */
+  readonly b: Gles3CrowdPlay;
+  /**
+   * until then a alone
+   */
+  blend_start_s: number;
+  /**
+   * and b alone so much later
+   */
+  blend_s: number;
+  /**
+   * marrow_instance_colour() in the vertex shader
+   */
+  readonly colour: TypedArray;
+}
+
+/**
+ * A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
+ * (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
+ */
+export interface Gles3CrowdMesh extends View {
+  /**
+   * what draw() takes
+   */
+  readonly gpu: Gles3GpuMesh;
+  frames_texture: number;
+  blended_texture: number;
+  /**
+   * around the blended texture
+   */
+  framebuffer: number;
+  /**
+   * With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+   */
+  previous_texture: number;
+  previous_framebuffer: number;
+  /**
+   * matrices of a palette
+   */
+  joints: number;
+  frame_count: number;
+  /**
+   * instances
+   */
+  capacity: number;
+  motion: boolean;
+  lost: boolean;
+  /**
+   * What it is put on the next context from.
+   */
+  readonly mesh: Mesh;
+  readonly options: Gles3PrepareOptions;
+  readonly frames: Gles3CrowdFrames;
+  /**
+   * what palettes are built with
+   */
+  bind: List<Affine>;
+  /**
+   * of prepare(), and of palettes on their way up
+   */
+  scratch: List<number>;
+}
+
+/**
+ * Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
+ */
+export interface Gles3Crowd extends View {
+  texture: number;
+  capacity: number;
+  /**
+   * that have been set
+   */
+  count: number;
+  /**
+   * of the frames that they play
+   */
+  frame_count: number;
+  lost: boolean;
+  /**
+   * as the texture has them
+   */
+  records: List<number>;
+}
+
+export interface Gles3PathResult extends View {
+  verdict: Gles3Verdict;
+  /**
+   * The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
+   * and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
+   * kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+   */
+  position_error: number;
+  normal_error: number;
+  /**
+   * to skin and draw once; 0: not timed
+   */
+  ns_per_vertex: number;
+}
+
+export interface Gles3SelfTest extends View {
+  /**
+   * by SkinningPath
+   */
+  readonly paths: Gles3PathResult[];
+  /**
+   * of driver, caps, options and this library's shader texts
+   */
+  key: bigint;
+}
+
+export interface Gles3SelfTestOptions extends View {
+  /**
+   * bit_of() of those to try
+   */
+  paths: number;
+  /**
+   * Paths during which the process came to its end: they are not tried again. See about_to_try.
+   */
+  crashed: number;
+  /**
+   * the deformers that the game uses
+   */
+  ssd: boolean;
+  as: boolean;
+  /**
+   * Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+   */
+  seconds: number;
+  slow: number;
+  /**
+   * Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
+   * forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
+   * with what has been there before.
+   */
+  about_to_try: number;
+  user: number;
+}
+
+/**
+ * What a mesh is to be drawn for.
+ */
+export interface Gles3PathNeed extends View {
+  /**
+   * that draw it in a frame: colour, depth, shadows
+   */
+  passes: number;
+  /**
+   * in one Skinner
+   */
+  characters: number;
+  /**
+   * Mesh::palette_size()
+   */
+  joints: number;
+}
+
 export interface Structs {
   DataError: DataError;
   Block: Block;
@@ -2241,6 +2993,34 @@ export interface Structs {
   AnimationLayer: AnimationLayer;
   OutfitSkeleton: OutfitSkeleton;
   Outfit: Outfit;
+  Gles3ErrorWatch: Gles3ErrorWatch;
+  Gles3Api: Gles3Api;
+  Gles3Caps: Gles3Caps;
+  Gles3VertexLayout: Gles3VertexLayout;
+  Gles3GpuMesh: Gles3GpuMesh;
+  Gles3PrepareOptions: Gles3PrepareOptions;
+  Gles3ProgramKey: Gles3ProgramKey;
+  Gles3ProgramSource: Gles3ProgramSource;
+  Gles3Program: Gles3Program;
+  Gles3PaletteRing: Gles3PaletteRing;
+  Gles3PaletteTexture: Gles3PaletteTexture;
+  Gles3SkinnedMesh: Gles3SkinnedMesh;
+  Gles3ProgramSetEntry: Gles3ProgramSetEntry;
+  Gles3ProgramSet: Gles3ProgramSet;
+  Gles3SkinnerOptions: Gles3SkinnerOptions;
+  Gles3SkinnerMotion: Gles3SkinnerMotion;
+  Gles3Skinner: Gles3Skinner;
+  Gles3CrowdSource: Gles3CrowdSource;
+  Gles3CrowdClip: Gles3CrowdClip;
+  Gles3CrowdFrames: Gles3CrowdFrames;
+  Gles3CrowdPlay: Gles3CrowdPlay;
+  Gles3CrowdInstance: Gles3CrowdInstance;
+  Gles3CrowdMesh: Gles3CrowdMesh;
+  Gles3Crowd: Gles3Crowd;
+  Gles3PathResult: Gles3PathResult;
+  Gles3SelfTest: Gles3SelfTest;
+  Gles3SelfTestOptions: Gles3SelfTestOptions;
+  Gles3PathNeed: Gles3PathNeed;
 }
 
 export class Marrow {
@@ -2263,6 +3043,7 @@ export class Marrow {
   onCallError(handler: ((name: string, condition: string) => void) | null): void;
 
   abi(): number;
+  gles3_abi(): number;
   /**
    * One word or two in English, never null.
    */
@@ -3359,4 +4140,454 @@ export class Marrow {
    * outfit.h for each skeleton.
    */
   character_follow_body(outfit: Outfit | null, body: Character | null, worn: Character | null): Status;
+  /**
+   * Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
+   * Errors: bad_argument without a loader; unsupported if it returns null for a function of OpenGL ES 3.0, whose name is
+   * put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
+   *
+   * ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
+   * and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
+   * GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
+   * May be null: missing.
+   */
+  gles3_load_api(api: Gles3Api | null, load_proc: View | number | null, missing: View | number | null): Status;
+  /**
+   * Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
+   * Then call on_context_lost() for each object that has it, destroy the context, make another, and call
+   * on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
+   * a reset (EGL_LOSE_CONTEXT_ON_RESET, as marrow::egl::HeadlessContext asks for); other contexts never tell, and
+   * platforms have ways of their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+   */
+  gles3_context_was_reset(api: Gles3Api | null): boolean;
+  /**
+   * Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
+   * lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For
+   * debugging: without a watch a call costs a comparison more, with one two calls of glGetError.
+   * May be null: watch.
+   */
+  gles3_watch_errors(api: Gles3Api | null, watch: Gles3ErrorWatch | null): void;
+  /**
+   * Errors: unsupported below OpenGL ES 3.0; gl_error.
+   */
+  gles3_query_caps(api: Gles3Api | null, caps: Gles3Caps | null): Status;
+  /**
+   * Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+   * May be null: options.
+   */
+  gles3_prepare_scratch_bytes(mesh: Mesh | null, options: Gles3PrepareOptions | null): number;
+  /**
+   * Uploads a mesh, and writes the bind matrices to build its palettes with:
+   *   bind[i] = inverse_bind[i] · [h·I | c]
+   * c is the middle of the bind box, h one half-extent for all axes: attributes hold (v - c) / h in [-1, 1]³ and the
+   * shader need not undo it. The same palette serves rigid, SSD and AS. In animation space the stored coordinate of an
+   * influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
+   *
+   * bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
+   * free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
+   * targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
+   * are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
+   * unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
+   * mesh.
+   * May be null: options.
+   */
+  gles3_prepare(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3PrepareOptions | null, scratch: List<number> | null, bind: List<Affine> | null, out: Gles3GpuMesh | null): Status;
+  /**
+   * Deletes the GL objects and clears the struct.
+   */
+  gles3_destroy_mesh(api: Gles3Api | null, mesh: Gles3GpuMesh | null): void;
+  /**
+   * Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
+   * frame before to the next binding.
+   * Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+   * words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
+   */
+  gles3_build_program(api: Gles3Api | null, key: Gles3ProgramKey | null, source: Gles3ProgramSource | null, palette_binding: number, out: Gles3Program | null, log: List<number> | null): Status;
+  gles3_destroy_program(api: Gles3Api | null, program: Gles3Program | null): void;
+  /**
+   * Room for palettes of `joints` matrices altogether in `palettes` pieces.
+   * Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+   */
+  gles3_create_palette_ring(api: Gles3Api | null, caps: Gles3Caps | null, joints: number, palettes: number, out: Gles3PaletteRing | null): Status;
+  /**
+   * Room for palettes of `joints` matrices altogether in `palettes` pieces.
+   * Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+   */
+  gles3_destroy_palette_ring(api: Gles3Api | null, ring: Gles3PaletteRing | null): void;
+  /**
+   * Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
+   */
+  gles3_begin_frame(api: Gles3Api | null, ring: Gles3PaletteRing | null): void;
+  /**
+   * Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the
+   * ring. Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
+   */
+  gles3_push_palette(api: Gles3Api | null, ring: Gles3PaletteRing | null, palette: List<Affine> | null, offset: View | number | null): Status;
+  /**
+   * Ties the palette at `offset` to uniform buffer binding `binding`.
+   */
+  gles3_bind_palette(api: Gles3Api | null, ring: Gles3PaletteRing | null, offset: number, binding: number): void;
+  /**
+   * Room for `joints` matrices: 48 B each, three times.
+   * Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
+   * gl_error. Leaves the active unit's 2D texture at 0.
+   */
+  gles3_create_palette_texture(api: Gles3Api | null, caps: Gles3Caps | null, joints: number, out: Gles3PaletteTexture | null): Status;
+  /**
+   * Room for `joints` matrices: 48 B each, three times.
+   * Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
+   * gl_error. Leaves the active unit's 2D texture at 0.
+   */
+  gles3_destroy_palette_texture(api: Gles3Api | null, texture: Gles3PaletteTexture | null): void;
+  /**
+   * Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
+   * may write right there. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty); unsupported (more
+   * than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+   */
+  gles3_upload_palettes(api: Gles3Api | null, texture: Gles3PaletteTexture | null, palettes: List<Affine> | null): Status;
+  /**
+   * `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
+   * `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
+   * the texture bound to it. Errors: bad_argument (a program of another kind, a palette that reaches beyond what was
+   * uploaded).
+   */
+  gles3_bind_texture_palette(api: Gles3Api | null, texture: Gles3PaletteTexture | null, first: number, joints: number, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
+   * the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
+   * and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
+   * text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
+   * what was uploaded then).
+   */
+  gles3_bind_previous_palette(api: Gles3Api | null, texture: Gles3PaletteTexture | null, first: number, joints: number, kept: boolean, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
+   * animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
+   * move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
+   * targets, a program without kMorphs, too few weights, one that is not finite).
+   */
+  gles3_set_morphs(api: Gles3Api | null, mesh: Mesh | null, gpu: Gles3GpuMesh | null, weights: List<number> | null, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+   */
+  gles3_set_previous_morphs(api: Gles3Api | null, mesh: Mesh | null, gpu: Gles3GpuMesh | null, weights: List<number> | null, program: Gles3Program | null): Status;
+  /**
+   * Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
+   * `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
+   * say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
+   * turns_inside_out() of the palette, see palette.h. So characters that mirror take a draw call of their own.
+   * Errors: bad_argument if the mesh was not prepared for this deformer.
+   */
+  gles3_draw_mesh(api: Gles3Api | null, mesh: Gles3GpuMesh | null, deformer: Gles3Deformer, program: Gles3Program | null, instances: number): Status;
+  /**
+   * Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
+   * array at 0.
+   */
+  gles3_create_skinned(api: Gles3Api | null, mesh: Gles3GpuMesh | null, out: Gles3SkinnedMesh | null): Status;
+  /**
+   * Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
+   * array at 0.
+   */
+  gles3_destroy_skinned(api: Gles3Api | null, mesh: Gles3SkinnedMesh | null): void;
+  /**
+   * What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
+   * Errors: bad_argument (a span of another size than the mesh has; normals or tangents may be empty, then they are
+   * undefined). Leaves GL_ARRAY_BUFFER at 0.
+   */
+  gles3_upload_skinned(api: Gles3Api | null, mesh: Gles3SkinnedMesh | null, vertices: SkinOutput | null): Status;
+  /**
+   * A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
+   * kSurfaceNormals. Those must be the mesh's.
+   * Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
+   * without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+   */
+  gles3_build_preskin(api: Gles3Api | null, caps: Gles3Caps | null, key: Gles3ProgramKey | null, method: Gles3Preskin, palette_binding: number, out: Gles3Program | null, log: List<number> | null): Status;
+  /**
+   * Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it
+   * leaves the vertex array, the default transform feedback object's bindings 0 … 2 and GL_TRANSFORM_FEEDBACK_BUFFER at
+   * 0, and GL_RASTERIZER_DISCARD off; by compute shader GL_SHADER_STORAGE_BUFFER and its bindings 0 … 3 at 0.
+   * Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
+   */
+  gles3_preskin_mesh(api: Gles3Api | null, mesh: Gles3GpuMesh | null, deformer: Gles3Deformer, program: Gles3Program | null, to: Gles3SkinnedMesh | null): Status;
+  /**
+   * Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
+   * of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
+   * changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
+   * GL_ARRAY_BUFFER and the vertex array at 0.
+   */
+  gles3_set_previous(api: Gles3Api | null, mesh: Gles3SkinnedMesh | null, previous: Gles3SkinnedMesh | null): Status;
+  /**
+   * Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
+   */
+  gles3_draw_skinned(api: Gles3Api | null, mesh: Gles3GpuMesh | null, skinned: Gles3SkinnedMesh | null): void;
+  /**
+   * "ubo", …
+   */
+  gles3_skinning_path_text(path: Gles3SkinningPath): string;
+  /**
+   * Deletes all programs. Skinners that use the set must go first.
+   */
+  gles3_destroy_programs(api: Gles3Api | null, programs: Gles3ProgramSet | null): void;
+  /**
+   * Bytes of memory that create_skinner() wants.
+   */
+  gles3_skinner_bytes(mesh: Mesh | null, options: Gles3SkinnerOptions | null): number;
+  /**
+   * Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
+   * before the first update(). Compiles what `programs` lacks for it.
+   *
+   * mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
+   * skinner_bytes(), 16-byte aligned, the skinner's until destroy().
+   * Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
+   * the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
+   * written only on success.
+   */
+  gles3_create_skinner(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3SkinnerOptions | null, programs: Gles3ProgramSet | null, memory: List<number> | null, out: Gles3Skinner | null): Status;
+  /**
+   * Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
+   * before the first update(). Compiles what `programs` lacks for it.
+   *
+   * mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
+   * skinner_bytes(), 16-byte aligned, the skinner's until destroy().
+   * Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
+   * the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
+   * written only on success.
+   */
+  gles3_destroy_skinner(api: Gles3Api | null, skinner: Gles3Skinner | null): void;
+  /**
+   * Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
+   * another thread than the context's, different instances on different threads.
+   * Errors: bad_argument (no such instance, a span too short).
+   */
+  gles3_pose(skinner: Gles3Skinner | null, instance: number, scene_from_joint: List<Affine> | null, weights: List<number> | null): Status;
+  /**
+   * Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
+   * move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
+   * anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+   */
+  gles3_reset_motion(skinner: Gles3Skinner | null, instance: number): Status;
+  /**
+   * Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
+   * and nothing else; on path cpu the vertices.
+   * Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+   */
+  gles3_update(api: Gles3Api | null, skinner: Gles3Skinner | null, programs: Gles3ProgramSet | null, count: number): Status;
+  /**
+   * The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
+   */
+  gles3_program_of(skinner: Gles3Skinner | null, programs: Gles3ProgramSet | null, role: number): Gles3Program | null;
+  /**
+   * Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
+   * Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+   */
+  gles3_draw(api: Gles3Api | null, skinner: Gles3Skinner | null, programs: Gles3ProgramSet | null, program: Gles3Program | null, first: number, count: number): Status;
+  /**
+   * After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+   * on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+   */
+  gles3_programs_on_context_lost(programs: Gles3ProgramSet | null): void;
+  /**
+   * After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+   * on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+   */
+  gles3_skinner_on_context_lost(skinner: Gles3Skinner | null): void;
+  /**
+   * Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
+   * create_skinner(); then it may be tried again.
+   */
+  gles3_programs_on_context_restored(api: Gles3Api | null, caps: Gles3Caps | null, programs: Gles3ProgramSet | null): Status;
+  /**
+   * Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
+   * create_skinner(); then it may be tried again.
+   */
+  gles3_skinner_on_context_restored(api: Gles3Api | null, caps: Gles3Caps | null, skinner: Gles3Skinner | null): Status;
+  /**
+   * How many frames it takes to bake clips at `rate_hz` or a little more, a whole number of steps each; 30 a second are
+   * enough for most motion. out: at least as many as sources.
+   * Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
+   * unsupported (more than 65535 steps of a clip, or kMaxCrowdFrames). Written only on success.
+   */
+  gles3_plan_crowd(sources: List<Gles3CrowdSource> | null, rate_hz: number, out: List<Gles3CrowdClip> | null, frame_count: View | number | null): Status;
+  /**
+   * Samples them. scratch: at least skeleton.soa_size(); matrices: at least frame_count × joint_count, the caller's to
+   * keep, as are the clips, which must be those that plan_crowd() wrote for these sources; 48 B a joint and frame.
+   * Errors: bad_argument (a span too short, a clip of another skeleton, clips that are not a plan).
+   */
+  gles3_bake_crowd(skeleton: Skeleton | null, sources: List<Gles3CrowdSource> | null, clips: List<Gles3CrowdClip> | null, scratch: List<SoaTransform> | null, matrices: List<Affine> | null, out: Gles3CrowdFrames | null): Status;
+  /**
+   * Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
+   * are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+   * is linear in the drawing too.
+   * Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
+   * scene_from_character beyond 1e12).
+   */
+  gles3_crowd_joint(frames: Gles3CrowdFrames | null, instance: Gles3CrowdInstance | null, time_s: number, joint: number, scene_from_joint: Affine | null): Status;
+  /**
+   * The same of all joints; out: at least frames.joint_count.
+   */
+  gles3_crowd_pose(frames: Gles3CrowdFrames | null, instance: Gles3CrowdInstance | null, time_s: number, scene_from_joint: List<Affine> | null): Status;
+  /**
+   * What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
+   */
+  gles3_crowd_palettes_that_fit(caps: Gles3Caps | null, joints: number): number;
+  /**
+   * Bytes of memory that create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and prepare_scratch_bytes().
+   * May be null: options.
+   */
+  gles3_crowd_mesh_bytes(mesh: Mesh | null, options: Gles3PrepareOptions | null): number;
+  /**
+   * Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+   *
+   * The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
+   * on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
+   * 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
+   * askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+   * crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
+   * what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+   * the vertices, and 48 B a matrix and frame, go up, once.
+   * motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+   * kMotion have MarrowVertex::previous_position from them.
+   * May be null: options.
+   */
+  gles3_create_crowd_mesh(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3PrepareOptions | null, frames: Gles3CrowdFrames | null, capacity: number, memory: List<number> | null, out: Gles3CrowdMesh | null, motion: boolean): Status;
+  /**
+   * Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+   *
+   * The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
+   * on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
+   * 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
+   * askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
+   * crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
+   * what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+   * the vertices, and 48 B a matrix and frame, go up, once.
+   * motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
+   * kMotion have MarrowVertex::previous_position from them.
+   */
+  gles3_destroy_crowd_mesh(api: Gles3Api | null, mesh: Gles3CrowdMesh | null): void;
+  /**
+   * Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
+   * Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
+   * 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+   */
+  gles3_create_crowd(api: Gles3Api | null, caps: Gles3Caps | null, capacity: number, memory: List<number> | null, out: Gles3Crowd | null): Status;
+  /**
+   * Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
+   * Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
+   * 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+   */
+  gles3_destroy_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null): void;
+  /**
+   * Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
+   * they are kept, and there once it is restored. Errors: bad_argument (a gap before `first`, frames other than those of
+   * the instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is
+   * changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an
+   * instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
+   */
+  gles3_set_instances(api: Gles3Api | null, crowd: Gles3Crowd | null, frames: Gles3CrowdFrames | null, first: number, instances: List<Gles3CrowdInstance> | null): Status;
+  /**
+   * The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
+   */
+  gles3_build_crowd_program(api: Gles3Api | null, out: Gles3Program | null, log: List<number> | null): Status;
+  /**
+   * The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
+   * compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
+   * features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
+   * unsupported (a full set); gl_error, with the driver's words in programs.log.
+   */
+  gles3_build_crowd_programs(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Gles3CrowdMesh | null, deformer: Gles3Deformer, features: number, programs: Gles3ProgramSet | null): Status;
+  /**
+   * What was built with the same arguments, never null.
+   */
+  gles3_crowd_program_of(mesh: Gles3CrowdMesh | null, deformer: Gles3Deformer, features: number, programs: Gles3ProgramSet | null, role: number): Gles3Program | null;
+  /**
+   * What was built with the same arguments, never null.
+   */
+  gles3_blending_program_of(programs: Gles3ProgramSet | null): Gles3Program | null;
+  /**
+   * With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+   */
+  gles3_begin_crowd_frame(mesh: Gles3CrowdMesh | null): void;
+  /**
+   * With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
+   * have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
+   * before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
+   * Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+   */
+  gles3_blend_previous_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null, mesh: Gles3CrowdMesh | null, first: number, count: number, time_s: number, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
+   * scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
+   * build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
+   * colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
+   * and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
+   * are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
+   * has capacity for); gl_error (the context is lost).
+   */
+  gles3_blend_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null, mesh: Gles3CrowdMesh | null, first: number, count: number, time_s: number, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
+   * use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+   * Errors: as there.
+   */
+  gles3_bind_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null, mesh: Gles3CrowdMesh | null, first: number, count: number, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+   * on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+   */
+  gles3_crowd_mesh_on_context_lost(mesh: Gles3CrowdMesh | null): void;
+  /**
+   * After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
+   * on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+   */
+  gles3_crowd_on_context_lost(crowd: Gles3Crowd | null): void;
+  /**
+   * Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
+   * creation does. Errors: as creation, but for its arguments; then it may be tried again.
+   */
+  gles3_crowd_mesh_on_context_restored(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Gles3CrowdMesh | null): Status;
+  /**
+   * Builds everything anew in the context that is current; instances are as they were set last. Leaves changed what
+   * creation does. Errors: as creation, but for its arguments; then it may be tried again.
+   */
+  gles3_crowd_on_context_restored(api: Gles3Api | null, caps: Gles3Caps | null, crowd: Gles3Crowd | null): Status;
+  /**
+   * Why a path is ruled out, in a few words; "" for usable.
+   */
+  gles3_verdict_text(verdict: Gles3Verdict): string;
+  /**
+   * Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+   */
+  gles3_self_test_bytes(options: Gles3SelfTestOptions | null): number;
+  /**
+   * Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
+   * afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
+   * can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+   *
+   * Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
+   * framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
+   * GL_UNIFORM_BUFFER, the pixel buffers, colour mask, scissor test and rasterizer discard. Leaves at 0 uniform buffer
+   * binding 0 and what preskin() says.
+   * Cost: some twenty programs compiled, and a wait for each frame; only where nothing is stored.
+   */
+  gles3_run_self_test(api: Gles3Api | null, caps: Gles3Caps | null, options: Gles3SelfTestOptions | null, memory: List<number> | null, out: Gles3SelfTest | null): Status;
+  /**
+   * The first usable path in this order:
+   *
+   *                                one pass                           several passes
+   *   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
+   *   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+   *
+   * More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
+   * Errors: unsupported (none is usable). `out` is written only on success.
+   */
+  gles3_choose(test: Gles3SelfTest | null, need: Gles3PathNeed | null, out: View | number | null): Status;
+  /**
+   * A result as bytes that a game stores. Errors: bad_argument (too short).
+   */
+  gles3_save(test: Gles3SelfTest | null, out: List<number> | null): Status;
+  /**
+   * The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,
+   * bad_checksum, bad_data; mismatch (another driver, version of it, library, or other caps or options): then test anew,
+   * and with another driver without what had crashed. `out` is written only on success.
+   */
+  gles3_restore(api: Gles3Api | null, caps: Gles3Caps | null, options: Gles3SelfTestOptions | null, saved: List<number> | null, out: Gles3SelfTest | null): Status;
 }

@@ -1,7 +1,8 @@
-// Made by tools/c_api from runtime/c/api.txt: do not edit.
+// Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x80d753f1;
+export const ABI = 0x3b879ba9;
+export const GLES3_ABI = 0x981beec4;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -26,6 +27,38 @@ export const MAX_SPRING_STEPS = 8;
 export const MIN_SPRING_FRAME_S = 0.001;
 export const NO_CHANNEL = 0xFFFFFFFF;
 export const NO_CLIP = 0xFFFFFFFF;
+export const GLES3_NORMALS = 1;
+export const GLES3_TANGENTS = 2;
+export const GLES3_UVS = 4;
+export const GLES3_COLOURS = 8;
+export const GLES3_MORPHS = 16;
+export const GLES3_SURFACE_NORMALS = 32;
+export const GLES3_MOTION = 64;
+export const GLES3_POSITION_LOCATION = 0;
+export const GLES3_WEIGHTS_LOCATION = 1;
+export const GLES3_JOINTS_LOCATION = 8;
+export const GLES3_NORMAL_LOCATION = 10;
+export const GLES3_TANGENT_LOCATION = 11;
+export const GLES3_UV_LOCATION = 12;
+export const GLES3_COLOUR_LOCATION = 13;
+export const GLES3_MORPH_ROW_LOCATION = 14;
+export const GLES3_MORPH_TARGETS = 64;
+export const GLES3_PREVIOUS_LOCATION = 1;
+export const GLES3_PALETTE_JOINTS = 341;
+export const GLES3_PALETTE_BLOCK_BYTES = 16368;
+export const GLES3_PALETTE_TEXTURE_WIDTH = 2048;
+export const GLES3_PATH_COUNT = 5;
+export const GLES3_MOST_ROLES = 4;
+export const GLES3_MOST_PROGRAMS = 192;
+export const GLES3_MAX_CROWD_FRAMES = 1048576;
+export const GLES3_NO_CROWD_CLIP = 4294967295;
+export const GLES3_CROWD_INSTANCE_BYTES = 128;
+export const GLES3_VERDICT_COUNT = 8;
+export const GLES3_MOST_POSITION_ERROR = 0.001;
+export const GLES3_MOST_NORMAL_ERROR = 0.005;
+export const GLES3_ALL_PATHS = 31;
+export const GLES3_MANY_CHARACTERS = 8;
+export const GLES3_SAVED_SELF_TEST_BYTES = 104;
 
 export const Status = Object.freeze({ OK: 0, BAD_ARGUMENT: 1, TRUNCATED: 2, BAD_MAGIC: 3, BAD_VERSION: 4, BAD_CHECKSUM: 5, BAD_DATA: 6, UNSUPPORTED: 7, GL_ERROR: 8, MISMATCH: 9, OUT_OF_MEMORY: 10 });
 export const LimitKind = Object.freeze({ NONE: 0, HINGE: 1, CONE: 2, EULER: 3 });
@@ -49,6 +82,11 @@ export const Fade = Object.freeze({ LINEAR: 0, SMOOTHSTEP: 1, SMOOTHERSTEP: 2 })
 export const IkMethod = Object.freeze({ FABRIK: 0, CCD: 1, DAMPED_LEAST_SQUARES: 2, GAUSS_NEWTON: 3 });
 export const IkStop = Object.freeze({ REACHED: 0, STALLED: 1, ITERATIONS: 2 });
 export const NormalTransform = Object.freeze({ INVERSE_TRANSPOSE: 0, BLENDED_MATRIX: 1 });
+export const Gles3Deformer = Object.freeze({ NONE: 0, RIGID: 1, SSD: 2, AS: 3 });
+export const Gles3Palettes = Object.freeze({ UNIFORM_BLOCK: 0, TEXTURE: 1, CROWD: 2 });
+export const Gles3Preskin = Object.freeze({ FEEDBACK: 0, COMPUTE: 1 });
+export const Gles3SkinningPath = Object.freeze({ UBO: 0, TEXTURE: 1, FEEDBACK: 2, COMPUTE: 3, CPU: 4 });
+export const Gles3Verdict = Object.freeze({ USABLE: 0, NOT_TRIED: 1, CRASHED: 2, UNSUPPORTED: 3, REFUSED: 4, GL_ERROR: 5, WRONG: 6, SLOW: 7 });
 
 // Size, boundary, whether there is an init, and of each field its place and what it is.
 export const structs = {
@@ -139,11 +177,40 @@ export const structs = {
   AnimationLayer: { size: 12, align: 4, init: "animation_layer_init", fields: {"animation": [0, "pointer", "Animation"], "time_s": [4, "value", "f32"], "weight": [8, "value", "f32"]} },
   OutfitSkeleton: { size: 12, align: 4, init: "", fields: {"body_skeleton": [0, "value", "u32"], "body_joints": [4, "list", "u16"]} },
   Outfit: { size: 8, align: 4, init: "", fields: {"skeletons": [0, "list", "OutfitSkeleton"]} },
+  Gles3ErrorWatch: { size: 16, align: 4, init: "gles3_error_watch_init", fields: {"report": [0, "pointer", "gles3_error_report"], "user": [4, "pointer", "void"], "pending": [8, "value", "u32"], "get_error": [12, "pointer", "gles3_get_error"]} },
+  Gles3Api: { size: 888, align: 4, init: "", fields: {} },
+  Gles3Caps: { size: 20, align: 4, init: "gles3_caps_init", fields: {"uniform_block_bytes": [0, "value", "u32"], "uniform_offset_alignment": [4, "value", "u32"], "vertex_attributes": [8, "value", "u32"], "texture_size": [12, "value", "u32"], "compute": [16, "value", "bool"]} },
+  Gles3VertexLayout: { size: 60, align: 4, init: "gles3_vertex_layout_init", fields: {"influences": [0, "value", "u32"], "joint_bytes": [4, "value", "u32"], "ssd_stride": [8, "value", "u32"], "ssd_weights": [12, "value", "u32"], "ssd_joints": [16, "value", "u32"], "as_stride": [20, "value", "u32"], "as_tangents": [24, "value", "u32"], "as_joints": [28, "value", "u32"], "surface_normals": [32, "value", "bool"], "surface_stride": [36, "value", "u32"], "normal": [40, "value", "u32"], "tangent": [44, "value", "u32"], "uv": [48, "value", "u32"], "colour": [52, "value", "u32"], "uv_unorm": [56, "value", "bool"]} },
+  Gles3GpuMesh: { size: 132, align: 4, init: "gles3_gpu_mesh_init", fields: {"ssd_array": [0, "value", "u32"], "as_array": [4, "value", "u32"], "ssd_buffer": [8, "value", "u32"], "as_buffer": [12, "value", "u32"], "surface_buffer": [16, "value", "u32"], "morph_buffer": [20, "value", "u32"], "morph_texture": [24, "value", "u32"], "index_buffer": [28, "value", "u32"], "index_count": [32, "value", "u32"], "index_type": [36, "value", "u32"], "primitive": [40, "value", "u32"], "slot_count": [44, "value", "u32"], "joint_count": [48, "value", "u32"], "vertex_bytes": [52, "value", "u32"], "influences": [56, "value", "u8"], "features": [57, "value", "u8"], "morph_per_row": [58, "value", "u8"], "morph_shift": [59, "value", "u8"], "morph_texels": [60, "value", "u32"], "morph_unit": [64, "value", "f32"], "coordinate_scale": [68, "value", "f32"], "layout": [72, "struct", "Gles3VertexLayout"]} },
+  Gles3PrepareOptions: { size: 12, align: 4, init: "gles3_prepare_options_init", fields: {"ssd": [0, "value", "bool"], "as": [1, "value", "bool"], "as_tangents": [4, "list", "f32"]} },
+  Gles3ProgramKey: { size: 4, align: 1, init: "gles3_program_key_init", fields: {"deformer": [0, "value", "u8"], "influences": [1, "value", "u8"], "features": [2, "value", "u8"], "palettes": [3, "value", "u8"]} },
+  Gles3ProgramSource: { size: 16, align: 4, init: "gles3_program_source_init", fields: {"vertex": [0, "text"], "fragment": [4, "text"], "feedback_varyings": [8, "list", "u32"]} },
+  Gles3Program: { size: 64, align: 4, init: "gles3_program_init", fields: {"id": [0, "value", "u32"], "reads": [4, "value", "u8"], "motion": [5, "value", "bool"], "coordinate_scale": [8, "value", "i32"], "palettes": [12, "value", "i32"], "first_row": [16, "value", "i32"], "instances": [20, "value", "i32"], "crowd": [24, "value", "i32"], "vertex_layout": [28, "value", "i32"], "morph_changes": [32, "value", "i32"], "morph_targets": [36, "value", "i32"], "morph_count": [40, "value", "i32"], "morph_shift": [44, "value", "i32"], "morph_per_row": [48, "value", "i32"], "previous_palettes": [52, "value", "i32"], "previous_targets": [56, "value", "i32"], "previous_count": [60, "value", "i32"]} },
+  Gles3PaletteRing: { size: 16, align: 4, init: "gles3_palette_ring_init", fields: {"buffer": [0, "value", "u32"], "alignment": [4, "value", "u32"], "capacity": [8, "value", "u32"], "used": [12, "value", "u32"]} },
+  Gles3PaletteTexture: { size: 28, align: 4, init: "gles3_palette_texture_init", fields: {"textures": [0, "array", "u32", 3], "current": [12, "value", "u32"], "capacity": [16, "value", "u32"], "count": [20, "value", "u32"], "previous_count": [24, "value", "u32"]} },
+  Gles3SkinnedMesh: { size: 16, align: 4, init: "gles3_skinned_mesh_init", fields: {"array": [0, "value", "u32"], "buffer": [4, "value", "u32"], "slot_count": [8, "value", "u32"], "features": [12, "value", "u8"]} },
+  Gles3ProgramSetEntry: { size: 72, align: 4, init: "", fields: {"key": [0, "struct", "Gles3ProgramKey"], "role": [4, "value", "u32"], "program": [8, "struct", "Gles3Program"]} },
+  Gles3ProgramSet: { size: 13912, align: 4, init: "gles3_program_set_init", fields: {"roles": [0, "structs", "Gles3ProgramSource", 4], "role_count": [64, "value", "u32"], "role_features": [68, "array", "u8", 4], "palette_binding": [72, "value", "u32"], "log": [76, "list", "u8"], "entries": [84, "structs", "Gles3ProgramSetEntry", 192], "count": [13908, "value", "u32"]} },
+  Gles3SkinnerOptions: { size: 28, align: 4, init: "gles3_skinner_options_init", fields: {"path": [0, "value", "u8"], "deformer": [1, "value", "u8"], "instances": [4, "value", "u32"], "texture_unit": [8, "value", "u32"], "features": [12, "value", "u8"], "as_tangents": [16, "list", "f32"], "motion": [24, "value", "bool"]} },
+  Gles3SkinnerMotion: { size: 64, align: 4, init: "", fields: {} },
+  Gles3Skinner: { size: 880, align: 4, init: "", fields: {} },
+  Gles3CrowdSource: { size: 96, align: 4, init: "gles3_crowd_source_init", fields: {"clip": [0, "struct", "Clip"], "loops": [92, "value", "bool"]} },
+  Gles3CrowdClip: { size: 16, align: 4, init: "gles3_crowd_clip_init", fields: {"duration_s": [0, "value", "f32"], "first_frame": [4, "value", "u32"], "steps": [8, "value", "u32"], "loops": [12, "value", "bool"]} },
+  Gles3CrowdFrames: { size: 24, align: 4, init: "gles3_crowd_frames_init", fields: {"clips": [0, "list", "Gles3CrowdClip"], "character_from_joint": [8, "list", "Affine"], "joint_count": [16, "value", "u32"], "frame_count": [20, "value", "u32"]} },
+  Gles3CrowdPlay: { size: 24, align: 8, init: "gles3_crowd_play_init", fields: {"clip": [0, "value", "u32"], "phase_s": [4, "value", "f32"], "speed": [8, "value", "f32"], "start_s": [16, "value", "f64"]} },
+  Gles3CrowdInstance: { size: 128, align: 16, init: "gles3_crowd_instance_init", fields: {"scene_from_character": [0, "struct", "Affine"], "a": [48, "struct", "Gles3CrowdPlay"], "b": [72, "struct", "Gles3CrowdPlay"], "blend_start_s": [96, "value", "f64"], "blend_s": [104, "value", "f32"], "colour": [108, "array", "f32", 4]} },
+  Gles3CrowdMesh: { size: 440, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [132, "value", "u32"], "blended_texture": [136, "value", "u32"], "framebuffer": [140, "value", "u32"], "previous_texture": [144, "value", "u32"], "previous_framebuffer": [148, "value", "u32"], "joints": [152, "value", "u32"], "frame_count": [156, "value", "u32"], "capacity": [160, "value", "u32"], "motion": [164, "value", "bool"], "lost": [165, "value", "bool"], "mesh": [168, "struct", "Mesh"], "options": [388, "struct", "Gles3PrepareOptions"], "frames": [400, "struct", "Gles3CrowdFrames"], "bind": [424, "list", "Affine"], "scratch": [432, "list", "byte"]} },
+  Gles3Crowd: { size: 28, align: 4, init: "gles3_crowd_init", fields: {"texture": [0, "value", "u32"], "capacity": [4, "value", "u32"], "count": [8, "value", "u32"], "frame_count": [12, "value", "u32"], "lost": [16, "value", "bool"], "records": [20, "list", "byte"]} },
+  Gles3PathResult: { size: 16, align: 4, init: "gles3_path_result_init", fields: {"verdict": [0, "value", "u8"], "position_error": [4, "value", "f32"], "normal_error": [8, "value", "f32"], "ns_per_vertex": [12, "value", "f32"]} },
+  Gles3SelfTest: { size: 88, align: 8, init: "gles3_self_test_init", fields: {"paths": [0, "structs", "Gles3PathResult", 5], "key": [80, "value", "u64"]} },
+  Gles3SelfTestOptions: { size: 28, align: 4, init: "gles3_self_test_options_init", fields: {"paths": [0, "value", "u32"], "crashed": [4, "value", "u32"], "ssd": [8, "value", "bool"], "as": [9, "value", "bool"], "seconds": [12, "pointer", "gles3_clock"], "slow": [16, "value", "f32"], "about_to_try": [20, "pointer", "gles3_about_to_try"], "user": [24, "pointer", "void"]} },
+  Gles3PathNeed: { size: 12, align: 4, init: "gles3_path_need_init", fields: {"passes": [0, "value", "u32"], "characters": [4, "value", "u32"], "joints": [8, "value", "u32"]} },
 };
 
 // What each function takes, and what it gives.
 export const functions = {
   abi: [[], 'number'],
+  gles3_abi: [[], 'number'],
   data_error_init: [['pointer'], 'void'],
   status_text: [["number"], "text"],
   set_call_error_handler: [["pointer"], "number"],
@@ -341,4 +408,100 @@ export const functions = {
   outfit_bytes: [["pointer"], "number"],
   make_outfit: [["pointer", "pointer", "list", "pointer"], "number"],
   character_follow_body: [["pointer", "pointer", "pointer"], "number"],
+  gles3_error_watch_init: [['pointer'], 'void'],
+  gles3_caps_init: [['pointer'], 'void'],
+  gles3_vertex_layout_init: [['pointer'], 'void'],
+  gles3_gpu_mesh_init: [['pointer'], 'void'],
+  gles3_prepare_options_init: [['pointer'], 'void'],
+  gles3_program_key_init: [['pointer'], 'void'],
+  gles3_program_source_init: [['pointer'], 'void'],
+  gles3_program_init: [['pointer'], 'void'],
+  gles3_palette_ring_init: [['pointer'], 'void'],
+  gles3_palette_texture_init: [['pointer'], 'void'],
+  gles3_load_api: [["pointer", "pointer", "pointer"], "number"],
+  gles3_context_was_reset: [["pointer"], "bool"],
+  gles3_watch_errors: [["pointer", "pointer"], "void"],
+  gles3_query_caps: [["pointer", "pointer"], "number"],
+  gles3_prepare_scratch_bytes: [["pointer", "pointer"], "number"],
+  gles3_prepare: [["pointer", "pointer", "pointer", "pointer", "list", "list", "pointer"], "number"],
+  gles3_destroy_mesh: [["pointer", "pointer"], "void"],
+  gles3_build_program: [["pointer", "pointer", "pointer", "number", "pointer", "list"], "number"],
+  gles3_destroy_program: [["pointer", "pointer"], "void"],
+  gles3_create_palette_ring: [["pointer", "pointer", "number", "number", "pointer"], "number"],
+  gles3_destroy_palette_ring: [["pointer", "pointer"], "void"],
+  gles3_begin_frame: [["pointer", "pointer"], "void"],
+  gles3_push_palette: [["pointer", "pointer", "list", "pointer"], "number"],
+  gles3_bind_palette: [["pointer", "pointer", "number", "number"], "void"],
+  gles3_create_palette_texture: [["pointer", "pointer", "number", "pointer"], "number"],
+  gles3_destroy_palette_texture: [["pointer", "pointer"], "void"],
+  gles3_upload_palettes: [["pointer", "pointer", "list"], "number"],
+  gles3_bind_texture_palette: [["pointer", "pointer", "number", "number", "number", "pointer"], "number"],
+  gles3_bind_previous_palette: [["pointer", "pointer", "number", "number", "bool", "number", "pointer"], "number"],
+  gles3_set_morphs: [["pointer", "pointer", "pointer", "list", "number", "pointer"], "number"],
+  gles3_set_previous_morphs: [["pointer", "pointer", "pointer", "list", "pointer"], "number"],
+  gles3_draw_mesh: [["pointer", "pointer", "number", "pointer", "number"], "number"],
+  gles3_skinned_mesh_init: [['pointer'], 'void'],
+  gles3_create_skinned: [["pointer", "pointer", "pointer"], "number"],
+  gles3_destroy_skinned: [["pointer", "pointer"], "void"],
+  gles3_upload_skinned: [["pointer", "pointer", "pointer"], "number"],
+  gles3_build_preskin: [["pointer", "pointer", "pointer", "number", "number", "pointer", "list"], "number"],
+  gles3_preskin_mesh: [["pointer", "pointer", "number", "pointer", "pointer"], "number"],
+  gles3_set_previous: [["pointer", "pointer", "pointer"], "number"],
+  gles3_draw_skinned: [["pointer", "pointer", "pointer"], "void"],
+  gles3_program_set_init: [['pointer'], 'void'],
+  gles3_skinner_options_init: [['pointer'], 'void'],
+  gles3_skinning_path_text: [["number"], "text"],
+  gles3_destroy_programs: [["pointer", "pointer"], "void"],
+  gles3_skinner_bytes: [["pointer", "pointer"], "number"],
+  gles3_create_skinner: [["pointer", "pointer", "pointer", "pointer", "pointer", "list", "pointer"], "number"],
+  gles3_destroy_skinner: [["pointer", "pointer"], "void"],
+  gles3_pose: [["pointer", "number", "list", "list"], "number"],
+  gles3_reset_motion: [["pointer", "number"], "number"],
+  gles3_update: [["pointer", "pointer", "pointer", "number"], "number"],
+  gles3_program_of: [["pointer", "pointer", "number"], "Gles3Program"],
+  gles3_draw: [["pointer", "pointer", "pointer", "pointer", "number", "number"], "number"],
+  gles3_programs_on_context_lost: [["pointer"], "void"],
+  gles3_skinner_on_context_lost: [["pointer"], "void"],
+  gles3_programs_on_context_restored: [["pointer", "pointer", "pointer"], "number"],
+  gles3_skinner_on_context_restored: [["pointer", "pointer", "pointer"], "number"],
+  gles3_crowd_source_init: [['pointer'], 'void'],
+  gles3_crowd_clip_init: [['pointer'], 'void'],
+  gles3_crowd_frames_init: [['pointer'], 'void'],
+  gles3_crowd_play_init: [['pointer'], 'void'],
+  gles3_crowd_instance_init: [['pointer'], 'void'],
+  gles3_crowd_mesh_init: [['pointer'], 'void'],
+  gles3_crowd_init: [['pointer'], 'void'],
+  gles3_plan_crowd: [["list", "number", "list", "pointer"], "number"],
+  gles3_bake_crowd: [["pointer", "list", "list", "list", "list", "pointer"], "number"],
+  gles3_crowd_joint: [["pointer", "pointer", "number", "number", "pointer"], "number"],
+  gles3_crowd_pose: [["pointer", "pointer", "number", "list"], "number"],
+  gles3_crowd_palettes_that_fit: [["pointer", "number"], "number"],
+  gles3_crowd_mesh_bytes: [["pointer", "pointer"], "number"],
+  gles3_create_crowd_mesh: [["pointer", "pointer", "pointer", "pointer", "pointer", "number", "list", "pointer", "bool"], "number"],
+  gles3_destroy_crowd_mesh: [["pointer", "pointer"], "void"],
+  gles3_create_crowd: [["pointer", "pointer", "number", "list", "pointer"], "number"],
+  gles3_destroy_crowd: [["pointer", "pointer"], "void"],
+  gles3_set_instances: [["pointer", "pointer", "pointer", "number", "list"], "number"],
+  gles3_build_crowd_program: [["pointer", "pointer", "list"], "number"],
+  gles3_build_crowd_programs: [["pointer", "pointer", "pointer", "number", "number", "pointer"], "number"],
+  gles3_crowd_program_of: [["pointer", "number", "number", "pointer", "number"], "Gles3Program"],
+  gles3_blending_program_of: [["pointer"], "Gles3Program"],
+  gles3_begin_crowd_frame: [["pointer"], "void"],
+  gles3_blend_previous_crowd: [["pointer", "pointer", "pointer", "number", "number", "number", "number", "pointer"], "number"],
+  gles3_blend_crowd: [["pointer", "pointer", "pointer", "number", "number", "number", "number", "pointer"], "number"],
+  gles3_bind_crowd: [["pointer", "pointer", "pointer", "number", "number", "number", "pointer"], "number"],
+  gles3_crowd_mesh_on_context_lost: [["pointer"], "void"],
+  gles3_crowd_on_context_lost: [["pointer"], "void"],
+  gles3_crowd_mesh_on_context_restored: [["pointer", "pointer", "pointer"], "number"],
+  gles3_crowd_on_context_restored: [["pointer", "pointer", "pointer"], "number"],
+  gles3_path_result_init: [['pointer'], 'void'],
+  gles3_self_test_init: [['pointer'], 'void'],
+  gles3_self_test_options_init: [['pointer'], 'void'],
+  gles3_path_need_init: [['pointer'], 'void'],
+  gles3_verdict_text: [["number"], "text"],
+  gles3_self_test_bytes: [["pointer"], "number"],
+  gles3_run_self_test: [["pointer", "pointer", "pointer", "list", "pointer"], "number"],
+  gles3_choose: [["pointer", "pointer", "pointer"], "number"],
+  gles3_save: [["pointer", "list"], "number"],
+  gles3_restore: [["pointer", "pointer", "pointer", "list", "pointer"], "number"],
 };
