@@ -1,4 +1,4 @@
-// What a self-test's result depends on, as a number.
+// What a self-test's result depends on, as a number; and what its order of paths depends on.
 #pragma once
 
 #include "marrow/gles3_self_test.h"
@@ -6,5 +6,7 @@
 namespace marrow::gles3 {
 
 std::uint64_t self_test_key(const Api& api, const Caps& caps, const SelfTestOptions& options);
+
+GpuFamily family_of(const unsigned char* renderer);
 
 }  // namespace marrow::gles3

@@ -10,7 +10,6 @@ namespace {
 
 constexpr Run kFourInfluences[] = {{5, 1}, {7, 2}, {8, 3}, {11, 4}};
 constexpr Run kEightInfluences[] = {{5, 1}, {7, 2}, {8, 3}, {11, 4}, {10, 8}};
-constexpr Run kManyVertices[] = {{512, 1}, {512, 2}, {512, 3}, {512, 4}};
 constexpr std::uint32_t kFewJoints = 9;
 
 class ProbeNumbers {
@@ -101,8 +100,12 @@ float height_of(std::uint32_t joint) {
 
 ProbeShape probe_shape(std::size_t which) {
   if (which == 0) return {{kFourInfluences, 4}, kFewJoints};
-  if (which == 1) return {{kEightInfluences, 5}, kPaletteJoints};
-  return {{kManyVertices, 4}, kFewJoints};
+  return {{kEightInfluences, 5}, kPaletteJoints};
+}
+
+ProbeShape timed_shape(std::uint32_t vertices, Run (&runs)[4]) {
+  for (std::uint32_t i = 0; i < 4; ++i) runs[i] = {vertices / 16 * 4, i + 1};
+  return {{runs, 4}, kFewJoints};
 }
 
 Mesh make_probe_mesh(const ProbeShape& shape, Memory& memory) {

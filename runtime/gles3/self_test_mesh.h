@@ -13,11 +13,13 @@ struct ProbeShape {
   Span<const Run> runs;
   std::uint32_t joints;
 };
-// Runs of 1 to 4 influences, joints in a byte each; runs of 1 to 8 over the largest palette that a uniform block holds,
-// joints in 16 bits each; and the first again with more vertices, to be timed. Slots: 36, 48, 2048.
-inline constexpr std::size_t kProbeShapes = 3;
-inline constexpr std::size_t kTimedShape = 2;
+// Runs of 1 to 4 influences, joints in a byte each; and runs of 1 to 8 over the largest palette that a uniform block
+// holds, joints in 16 bits each. Slots: 36, 48.
+inline constexpr std::size_t kProbeShapes = 2;
 ProbeShape probe_shape(std::size_t which);
+
+// The first with more vertices, to be timed: `runs`, filled in, are to stay.
+ProbeShape timed_shape(std::uint32_t vertices, Run (&runs)[4]);
 
 // Positions within half a metre of an axis 2 m long, unit normals and tangents, positive weights, small residuals of
 // animation space; indices are the slots in order. The arrays are taken from `memory`; where that only counts, those

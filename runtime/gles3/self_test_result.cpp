@@ -15,38 +15,40 @@ extern const unsigned char shader_skin[], shader_preskin_vert[], shader_preskin_
 namespace marrow::gles3 {
 namespace {
 
-// Which path is better, the best first; docs/architecture.md says why.
-struct Preference {
-  bool many_characters, several_passes;
-  SkinningPath order[kPathCount];
-};
-constexpr Preference kPreferences[] = {
-    {false,
-     false,
-     {SkinningPath::ubo, SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
-    {false,
-     true,
-     {SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::texture, SkinningPath::cpu}},
-    {true,
-     false,
-     {SkinningPath::texture, SkinningPath::ubo, SkinningPath::compute, SkinningPath::feedback, SkinningPath::cpu}},
-    {true,
-     true,
-     {SkinningPath::texture, SkinningPath::compute, SkinningPath::feedback, SkinningPath::ubo, SkinningPath::cpu}},
-};
+// Which path is likely to be better, the best first; docs/architecture.md says why.
+constexpr SkinningPath kUbo = SkinningPath::ubo, kTexture = SkinningPath::texture, kFeedback = SkinningPath::feedback,
+                       kCompute = SkinningPath::compute, kCpu = SkinningPath::cpu;
+constexpr SkinningPath kFew[2][kPathCount] = {{kUbo, kTexture, kCompute, kFeedback, kCpu},
+                                              {kCompute, kFeedback, kUbo, kTexture, kCpu}};  // several passes
+constexpr SkinningPath kMany[2][kPathCount] = {{kTexture, kUbo, kCompute, kFeedback, kCpu},
+                                               {kTexture, kCompute, kFeedback, kUbo, kCpu}};
+constexpr SkinningPath kMaliG[kPathCount] = {kTexture, kCompute, kFeedback, kUbo, kCpu};
+constexpr float kAlike = 0.95f;
+
+Span<const SkinningPath> order_of(GpuFamily family, const PathNeed& need) {
+  const std::size_t several = need.passes > 1 ? 1 : 0;
+  if (family == GpuFamily::mali_g) return kMaliG;
+  return need.characters >= kManyCharacters ? kMany[several] : kFew[several];
+}
+
+bool can_take(const SelfTest& test, const PathNeed& need, SkinningPath path) {
+  const bool has_room = path == kTexture || path == kCpu || need.joints <= kPaletteJoints;
+  return has_room && test.paths[static_cast<std::size_t>(path)].verdict == Verdict::usable;
+}
 
 constexpr std::uint32_t kSavedMagic = 0x53544D4Du;
 // To be raised when the test does something else.
-constexpr std::uint32_t kSavedVersion = 1;
+constexpr std::uint32_t kSavedVersion = 2;
 
 struct SavedPath {
   std::uint32_t verdict;
-  float numbers[3];
+  float numbers[4];
 };
 struct SavedSelfTest {
   std::uint32_t magic, version;
   std::uint64_t key;
   SavedPath paths[kPathCount];
+  std::uint32_t family;
   std::uint64_t checksum;  // of what stands before
 };
 static_assert(sizeof(SavedSelfTest) == kSavedSelfTestBytes);
@@ -99,31 +101,53 @@ std::uint64_t self_test_key(const Api& api, const Caps& caps, const SelfTestOpti
                                  options.crashed,
                                  options.ssd ? 1u : 0u,
                                  options.as ? 1u : 0u,
-                                 options.seconds != nullptr ? bit_cast<std::uint32_t>(options.slow) : 0u};
+                                 options.seconds != nullptr ? bit_cast<std::uint32_t>(options.slow) : 0u,
+                                 options.seconds != nullptr ? options.timed_vertices : 0u,
+                                 options.seconds != nullptr ? options.timed_characters : 0u};
   return format::checksum(reinterpret_cast<const std::byte*>(parts), sizeof(parts));
 }
 
+GpuFamily family_of(const unsigned char* renderer) {
+  if (renderer == nullptr) return GpuFamily::other;
+  const char* const name = reinterpret_cast<const char*>(renderer);
+  const auto begins = [name](std::size_t at, const char* word) {
+    while (*word != '\0' && name[at] == *word) ++at, ++word;
+    return *word == '\0';
+  };
+  for (std::size_t i = 0; name[i] != '\0'; ++i)
+    if (begins(i, "Mali-G") || begins(i, "Immortalis-G")) return GpuFamily::mali_g;
+  return GpuFamily::other;
+}
+
 Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out) {
-  const bool many = need.characters >= kManyCharacters, several = need.passes > 1;
-  for (const Preference& preference : kPreferences) {
-    if (preference.many_characters != many || preference.several_passes != several) continue;
-    for (const SkinningPath path : preference.order) {
-      const bool has_room = path == SkinningPath::texture || path == SkinningPath::cpu || need.joints <= kPaletteJoints;
-      if (!has_room || test.paths[static_cast<std::size_t>(path)].verdict != Verdict::usable) continue;
-      out = path;
-      return Status::ok;
-    }
+  const SkinningPath* first = nullptr;
+  const SkinningPath* fastest = nullptr;
+  bool timed = true;
+  float least = 0;
+  const auto passes = static_cast<float>(need.passes > 1 ? need.passes - 1 : 0);
+  for (const SkinningPath& path : order_of(test.family, need)) {
+    if (!can_take(test, need, path)) continue;
+    if (first == nullptr) first = &path;
+    if (path == kCpu) continue;
+    const PathResult& result = test.paths[static_cast<std::size_t>(path)];
+    timed = timed && result.ns_per_vertex > 0;
+    const float taken = result.ns_per_vertex + passes * result.ns_per_pass;
+    if (fastest != nullptr && !(taken < kAlike * least)) continue;
+    fastest = &path;
+    least = taken;
   }
-  return Status::unsupported;
+  if (first == nullptr) return Status::unsupported;
+  out = timed && fastest != nullptr ? *fastest : *first;
+  return Status::ok;
 }
 
 Status save(const SelfTest& test, Span<std::byte> out) {
   MARROW_REQUIRE(holds(out, kSavedSelfTestBytes));
-  SavedSelfTest saved = {kSavedMagic, kSavedVersion, test.key, {}, 0};
+  SavedSelfTest saved = {kSavedMagic, kSavedVersion, test.key, {}, static_cast<std::uint32_t>(test.family), 0};
   for (std::size_t i = 0; i < kPathCount; ++i) {
     const PathResult& from = test.paths[i];
     saved.paths[i] = {static_cast<std::uint32_t>(from.verdict),
-                      {from.position_error, from.normal_error, from.ns_per_vertex}};
+                      {from.position_error, from.normal_error, from.ns_per_vertex, from.ns_per_pass}};
   }
   saved.checksum = checksum_of(saved);
   std::memcpy(out.data, &saved, sizeof(saved));
@@ -144,8 +168,11 @@ Status restore(const Api& api, const Caps& caps, const SelfTestOptions& options,
   for (std::size_t i = 0; i < kPathCount; ++i) {
     const SavedPath& from = saved.paths[i];
     if (!is_good(from)) return Status::bad_data;
-    test.paths[i] = {static_cast<Verdict>(from.verdict), from.numbers[0], from.numbers[1], from.numbers[2]};
+    test.paths[i] = {static_cast<Verdict>(from.verdict), from.numbers[0], from.numbers[1], from.numbers[2],
+                     from.numbers[3]};
   }
+  if (saved.family >= kGpuFamilyCount) return Status::bad_data;
+  test.family = static_cast<GpuFamily>(saved.family);
   if (saved.key != self_test_key(api, caps, options)) return Status::mismatch;
   out = test;
   return Status::ok;

@@ -17,8 +17,9 @@ namespace {
 using gles3::SkinningPath;
 using gles3::Verdict;
 
-gles3::SelfTest usable(std::uint32_t paths) {
+gles3::SelfTest usable(std::uint32_t paths, gles3::GpuFamily family = gles3::GpuFamily::other) {
   gles3::SelfTest out;
+  out.family = family;
   for (std::uint32_t i = 0; i < gles3::kPathCount; ++i)
     out.paths[i].verdict = (paths >> i & 1) != 0 ? Verdict::usable : Verdict::wrong;
   return out;
@@ -29,6 +30,7 @@ TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
   struct Row {
     gles3::PathNeed need;
     const char* order;
+    gles3::GpuFamily family = gles3::GpuFamily::other;
   };
   const Row rows[] = {{{1, 1, 341}, "ubo texture compute feedback cpu"},
                       {{1, 7, 0}, "ubo texture compute feedback cpu"},
@@ -40,7 +42,11 @@ TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
                       {{1, 1, 342}, "texture cpu"},
                       {{3, 1, 342}, "texture cpu"},
                       {{1, 8, 1000}, "texture cpu"},
-                      {{3, 8, 32767}, "texture cpu"}};
+                      {{3, 8, 32767}, "texture cpu"},
+                      {{1, 1, 341}, "texture compute feedback ubo cpu", gles3::GpuFamily::mali_g},
+                      {{2, 1, 341}, "texture compute feedback ubo cpu", gles3::GpuFamily::mali_g},
+                      {{1, 99, 341}, "texture compute feedback ubo cpu", gles3::GpuFamily::mali_g},
+                      {{1, 1, 342}, "texture cpu", gles3::GpuFamily::mali_g}};
   for (const Row& row : rows)
     for (std::uint32_t paths = 0; paths < 32; ++paths) {
       std::string expected;
@@ -53,10 +59,39 @@ TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
         at = end + 1;
       }
       SkinningPath path = SkinningPath::feedback;
-      const Status status = gles3::choose(usable(paths), row.need, path);
+      const Status status = gles3::choose(usable(paths, row.family), row.need, path);
       EXPECT_EQ(status, expected.empty() ? Status::unsupported : Status::ok);
       EXPECT_EQ(to_string(path), expected.empty() ? "feedback" : expected) << row.order << ", usable " << paths;
     }
+}
+
+TEST(SelfTestResult, MeasuredTimesWin) {
+  gles3::SelfTest test = usable(31);
+  const auto chosen = [&](const gles3::PathNeed& need) {
+    SkinningPath path = SkinningPath::cpu;
+    EXPECT_EQ(gles3::choose(test, need, path), Status::ok);
+    return std::string(to_string(path));
+  };
+  // ubo, texture, feedback, compute: a pass, and each more
+  const float ns[4][2] = {{10, 10}, {8, 8}, {25, 2}, {30, 1}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    test.paths[i].ns_per_vertex = ns[i][0];
+    test.paths[i].ns_per_pass = ns[i][1];
+  }
+  EXPECT_EQ(chosen({1, 1, 20}), "texture");
+  EXPECT_EQ(chosen({3, 1, 20}), "texture") << "24 against 29";
+  EXPECT_EQ(chosen({4, 1, 20}), "feedback") << "31, 32, 33: compute is within 5 % of 31, but second in the table";
+  test.paths[3].ns_per_vertex = 27;
+  EXPECT_EQ(chosen({4, 1, 20}), "compute") << "30: first in the table, and nothing is 5 % faster";
+  test.paths[1].ns_per_vertex = 9.6f;
+  EXPECT_EQ(chosen({1, 1, 20}), "ubo") << "texture is not 5 % faster";
+  EXPECT_EQ(chosen({1, 8, 20}), "texture") << "of many it comes first";
+  test.paths[4].ns_per_vertex = 0.1f;
+  EXPECT_EQ(chosen({1, 1, 20}), "ubo") << "the CPU's time is another's";
+  test.paths[2].ns_per_vertex = 0;
+  EXPECT_EQ(chosen({2, 1, 20}), "compute") << "feedback was not timed: the table alone";
+  test.paths[2].verdict = Verdict::slow;
+  EXPECT_EQ(chosen({1, 1, 20}), "ubo");
 }
 
 TEST(SelfTestResult, NothingIsChosenBeforeATest) {
@@ -117,6 +152,36 @@ gles3::Api hollow_driver() {
   return api;
 }
 
+TEST(SelfTestResult, KnowsChipsByTheirNames) {
+  struct Name {
+    const char* renderer;
+    gles3::GpuFamily family;
+  };
+  const Name names[] = {{"Mali-G57 MC2", gles3::GpuFamily::mali_g},
+                        {"Mali-G52 r1 (Panfrost)", gles3::GpuFamily::mali_g},
+                        {"Immortalis-G715", gles3::GpuFamily::mali_g},
+                        {"ANGLE (ARM, Vulkan 1.1.0 (Mali-G77), ARM)", gles3::GpuFamily::mali_g},
+                        {"Mali-T860", gles3::GpuFamily::other},
+                        {"Mali-", gles3::GpuFamily::other},
+                        {"Adreno (TM) 640", gles3::GpuFamily::other},
+                        {"V3D 4.2", gles3::GpuFamily::other},
+                        {"", gles3::GpuFamily::other},
+                        {nullptr, gles3::GpuFamily::other}};
+  gles3::Api api = hollow_driver();
+  for (const Name& name : names) {
+    strings[1] = name.renderer;
+    gles3::SelfTestOptions options;
+    options.paths = 0;
+    gles3::SelfTest test;
+    std::vector<SoaTransform> memory(gles3::self_test_bytes(options) / sizeof(SoaTransform) + 1);
+    ASSERT_EQ(
+        gles3::self_test(api, {}, options,
+                         {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)}, test),
+        Status::ok);
+    EXPECT_EQ(test.family, name.family) << (name.renderer != nullptr ? name.renderer : "nothing");
+  }
+}
+
 Kept kept() {
   Kept out;
   out.api = hollow_driver();
@@ -126,7 +191,8 @@ Kept kept() {
       gles3::self_test(out.api, out.caps, out.options,
                        {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(SoaTransform)}, out.test),
       Status::ok);
-  out.test.paths[0] = {Verdict::usable, 0.25f, 0.5f, 12};
+  out.test.paths[0] = {Verdict::usable, 0.25f, 0.5f, 12, 3};
+  out.test.family = gles3::GpuFamily::mali_g;
   EXPECT_EQ(gles3::save(out.test, {out.bytes, sizeof(out.bytes)}), Status::ok);
   return out;
 }
@@ -141,6 +207,8 @@ TEST(SelfTestResult, ComesBackFromItsBytes) {
   EXPECT_EQ(out.paths[0].position_error, 0.25f);
   EXPECT_EQ(out.paths[0].normal_error, 0.5f);
   EXPECT_EQ(out.paths[0].ns_per_vertex, 12.0f);
+  EXPECT_EQ(out.paths[0].ns_per_pass, 3.0f);
+  EXPECT_EQ(out.family, gles3::GpuFamily::mali_g);
   EXPECT_EQ(out.key, k.test.key);
   std::byte shorter[gles3::kSavedSelfTestBytes - 1];
   EXPECT_EQ(gles3::save(k.test, {shorter, sizeof(shorter)}), Status::bad_argument);
@@ -210,6 +278,10 @@ TEST(SelfTestResult, NonsenseIsRefused) {
   EXPECT_EQ(restored(kNumber, -3.0f), Status::bad_data);
   EXPECT_EQ(restored(kNumber + 4, std::numeric_limits<float>::quiet_NaN()), Status::bad_data);
   EXPECT_EQ(restored(kNumber + 8, std::numeric_limits<float>::infinity()), Status::bad_data);
+  EXPECT_EQ(restored(kNumber + 12, -1.0f), Status::bad_data);
+  constexpr std::size_t kFamily = 116;
+  EXPECT_EQ(restored(kFamily, gles3::kGpuFamilyCount - 1), Status::ok);
+  EXPECT_EQ(restored(kFamily, gles3::kGpuFamilyCount), Status::bad_data);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0x981beec4u
+#define MRW_GLES3_ABI 0xa21bd4cfu
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -953,6 +953,16 @@ enum {
 
 #define MRW_GLES3_VERDICT_COUNT 8u
 
+// Chips that want another order of paths where nothing is timed.
+typedef uint8_t mrw_gles3_gpu_family;
+enum {
+  MRW_GLES3_GPU_FAMILY_OTHER = 0,
+  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+  MRW_GLES3_GPU_FAMILY_MALI_G = 1,
+};
+
+#define MRW_GLES3_GPU_FAMILY_COUNT 2u
+
 // The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
 // and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
 // kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
@@ -964,7 +974,7 @@ enum {
 #define MRW_GLES3_MANY_CHARACTERS 8u
 
 // A result as bytes that a game stores. Errors: bad_argument (too short).
-#define MRW_GLES3_SAVED_SELF_TEST_BYTES 104u
+#define MRW_GLES3_SAVED_SELF_TEST_BYTES 128u
 
 typedef double (*mrw_gles3_clock)(void* user);
 
@@ -979,12 +989,14 @@ struct mrw_gles3_path_result {
   float position_error;
   float normal_error;
   float ns_per_vertex;  // to skin and draw once; 0: not timed
+  float ns_per_pass;  // a vertex, of each pass that draws it again
 };
 void mrw_gles3_path_result_init(mrw_gles3_path_result* out);
 
 typedef struct mrw_gles3_self_test mrw_gles3_self_test;
 struct mrw_gles3_self_test {
   mrw_gles3_path_result paths[5];  // by SkinningPath
+  mrw_gles3_gpu_family family;  // by GL_RENDERER
   uint64_t key;  // of driver, caps, options and this library's shader texts
 };
 void mrw_gles3_self_test_init(mrw_gles3_self_test* out);
@@ -997,6 +1009,10 @@ struct mrw_gles3_self_test_options {
   bool as;
   mrw_gles3_clock seconds;  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
   float slow;
+  // What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
+  // game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
+  uint32_t timed_vertices;
+  uint32_t timed_characters;
   // Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
   // forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
   // with what has been there before.
@@ -1017,12 +1033,13 @@ void mrw_gles3_path_need_init(mrw_gles3_path_need* out);
 // Why a path is ruled out, in a few words; "" for usable.
 const char* mrw_gles3_verdict_text(mrw_gles3_verdict verdict);
 
-// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.
 size_t mrw_gles3_self_test_bytes(const mrw_gles3_self_test_options* options);
 
 // Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
-// afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
-// can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+// afterwards. Errors: bad_argument (no deformer, options beyond what they may be, memory too short or askew); gl_error
+// (the context is lost, or nothing can be read back from it; then nothing is known of any path). `out` is written only
+// on success; no GL object is left.
 //
 // Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
 // framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
@@ -1033,11 +1050,14 @@ mrw_status mrw_gles3_run_self_test(const mrw_gles3_api* api, const mrw_gles3_cap
     const mrw_gles3_self_test_options* options, void* memory, size_t memory_bytes,
     mrw_gles3_self_test* out) MRW_NODISCARD;
 
-// The first usable path in this order:
+// Of the usable paths of the GPU the one that was fastest: ns_per_vertex + (passes - 1) · ns_per_pass. cpu is taken
+// where there is no other, as its time is not the GPU's. Of those within 5 % of each other, and of all where one has
+// not been timed, the first in this order:
 //
 //                                one pass                           several passes
 //   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
 //   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+//   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
 //
 // More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
 // Errors: unsupported (none is usable). `out` is written only on success.

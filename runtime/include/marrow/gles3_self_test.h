@@ -37,13 +37,22 @@ struct PathResult {
   float position_error = 0;
   float normal_error = 0;
   float ns_per_vertex = 0;  // to skin and draw once; 0: not timed
+  float ns_per_pass = 0;    // a vertex, of each pass that draws it again
 };
 inline constexpr float kMostPositionError = 0.001f;
 inline constexpr float kMostNormalError = 0.005f;
 
+// Chips that want another order of paths where nothing is timed.
+enum class GpuFamily : std::uint8_t {
+  other,
+  mali_g,  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+};
+inline constexpr std::uint32_t kGpuFamilyCount = 2;
+
 struct SelfTest {
-  PathResult paths[kPathCount] = {};  // by SkinningPath
-  std::uint64_t key = 0;              // of driver, caps, options and this library's shader texts
+  PathResult paths[kPathCount] = {};    // by SkinningPath
+  GpuFamily family = GpuFamily::other;  // by GL_RENDERER
+  std::uint64_t key = 0;                // of driver, caps, options and this library's shader texts
 };
 
 constexpr std::uint32_t bit_of(SkinningPath path) {
@@ -60,6 +69,10 @@ struct SelfTestOptions {
   // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
   double (*seconds)(void* user) = nullptr;
   float slow = 4;
+  // What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
+  // game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
+  std::uint32_t timed_vertices = 2048;
+  std::uint32_t timed_characters = 4;
   // Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
   // forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
   // with what has been there before.
@@ -67,12 +80,13 @@ struct SelfTestOptions {
   void* user = nullptr;
 };
 
-// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.
 MARROW_API std::size_t self_test_bytes(const SelfTestOptions& options);
 
 // Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
-// afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
-// can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+// afterwards. Errors: bad_argument (no deformer, options beyond what they may be, memory too short or askew); gl_error
+// (the context is lost, or nothing can be read back from it; then nothing is known of any path). `out` is written only
+// on success; no GL object is left.
 //
 // Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
 // framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
@@ -90,18 +104,21 @@ struct PathNeed {
 };
 inline constexpr std::uint32_t kManyCharacters = 8;
 
-// The first usable path in this order:
+// Of the usable paths of the GPU the one that was fastest: ns_per_vertex + (passes - 1) · ns_per_pass. cpu is taken
+// where there is no other, as its time is not the GPU's. Of those within 5 % of each other, and of all where one has
+// not been timed, the first in this order:
 //
 //                                one pass                           several passes
 //   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
 //   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+//   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
 //
 // More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
 // Errors: unsupported (none is usable). `out` is written only on success.
 MARROW_API Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out);
 
 // A result as bytes that a game stores. Errors: bad_argument (too short).
-inline constexpr std::size_t kSavedSelfTestBytes = 104;
+inline constexpr std::size_t kSavedSelfTestBytes = 128;
 MARROW_API Status save(const SelfTest& test, Span<std::byte> out);
 
 // The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,

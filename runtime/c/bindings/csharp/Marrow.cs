@@ -3311,6 +3311,17 @@ public enum Gles3Verdict : byte {
     Slow = 7,
 }
 
+/// <summary>
+/// Chips that want another order of paths where nothing is timed.
+/// </summary>
+public enum Gles3GpuFamily : byte {
+    Other = 0,
+    /// <summary>
+    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+    /// </summary>
+    MaliG = 1,
+}
+
 [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 public unsafe delegate double Gles3Clock(void* user);
 
@@ -3331,6 +3342,10 @@ public unsafe struct Gles3PathResult {
     /// to skin and draw once; 0: not timed
     /// </summary>
     public float ns_per_vertex;
+    /// <summary>
+    /// a vertex, of each pass that draws it again
+    /// </summary>
+    public float ns_per_pass;
     public static Gles3PathResult New() {
         Gles3PathResult made;
         Marrow.Gles3PathResultInit(&made);
@@ -3348,6 +3363,10 @@ public unsafe struct Gles3SelfTest {
     public Gles3PathResult paths2;
     public Gles3PathResult paths3;
     public Gles3PathResult paths4;
+    /// <summary>
+    /// by GL_RENDERER
+    /// </summary>
+    public Gles3GpuFamily family;
     /// <summary>
     /// of driver, caps, options and this library's shader texts
     /// </summary>
@@ -3379,6 +3398,12 @@ public unsafe struct Gles3SelfTestOptions {
     /// </summary>
     public IntPtr seconds;
     public float slow;
+    /// <summary>
+    /// What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
+    /// game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
+    /// </summary>
+    public uint timed_vertices;
+    public uint timed_characters;
     /// <summary>
     /// Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
     /// forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
@@ -3423,7 +3448,7 @@ public static unsafe class Marrow {
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0x3b879ba9;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x981beec4;
+    public const uint Gles3AbiNumber = 0xa21bd4cf;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3619,6 +3644,7 @@ public static unsafe class Marrow {
     /// </summary>
     public const int Gles3CrowdInstanceBytes = 128;
     public const uint Gles3VerdictCount = 8;
+    public const uint Gles3GpuFamilyCount = 2;
     /// <summary>
     /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
     /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
@@ -3636,7 +3662,7 @@ public static unsafe class Marrow {
     /// <summary>
     /// A result as bytes that a game stores. Errors: bad_argument (too short).
     /// </summary>
-    public const int Gles3SavedSelfTestBytes = 104;
+    public const int Gles3SavedSelfTestBytes = 128;
     [DllImport(Library, EntryPoint = "mrw_abi", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint Abi();
     [DllImport(Library, EntryPoint = "mrw_gles3_abi", CallingConvention = CallingConvention.Cdecl)]
@@ -5527,14 +5553,15 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_verdict_text", CallingConvention = CallingConvention.Cdecl)]
     public static extern byte* Gles3VerdictText(Gles3Verdict verdict);
     /// <summary>
-    /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+    /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_self_test_bytes", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr Gles3SelfTestBytes(Gles3SelfTestOptions* options);
     /// <summary>
     /// Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
-    /// afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
-    /// can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+    /// afterwards. Errors: bad_argument (no deformer, options beyond what they may be, memory too short or askew); gl_error
+    /// (the context is lost, or nothing can be read back from it; then nothing is known of any path). `out` is written only
+    /// on success; no GL object is left.
     ///
     /// Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
     /// framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
@@ -5545,11 +5572,14 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_run_self_test", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3RunSelfTest(Gles3Api* api, Gles3Caps* caps, Gles3SelfTestOptions* options, void* memory, UIntPtr memory_bytes, Gles3SelfTest* @out);
     /// <summary>
-    /// The first usable path in this order:
+    /// Of the usable paths of the GPU the one that was fastest: ns_per_vertex + (passes - 1) · ns_per_pass. cpu is taken
+    /// where there is no other, as its time is not the GPU's. Of those within 5 % of each other, and of all where one has
+    /// not been timed, the first in this order:
     ///
     ///                                one pass                           several passes
     ///   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
     ///   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+    ///   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
     ///
     /// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
     /// Errors: unsupported (none is usable). `out` is written only on success.
@@ -5682,9 +5712,9 @@ public static unsafe class Marrow {
             sizeof(Gles3CrowdInstance) == 128 &&
             sizeof(Gles3CrowdMesh) == 632 &&
             sizeof(Gles3Crowd) == 40 &&
-            sizeof(Gles3PathResult) == 16 &&
-            sizeof(Gles3SelfTest) == 88 &&
-            sizeof(Gles3SelfTestOptions) == 48 &&
+            sizeof(Gles3PathResult) == 20 &&
+            sizeof(Gles3SelfTest) == 112 &&
+            sizeof(Gles3SelfTestOptions) == 56 &&
             sizeof(Gles3PathNeed) == 12;
     }
 

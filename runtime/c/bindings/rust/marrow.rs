@@ -6,7 +6,7 @@ use std::os::raw::{c_char, c_void};
 /// What abi() must give.
 pub const ABI: u32 = 0x3b879ba9;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x981beec4;
+pub const GLES3_ABI: u32 = 0xa21bd4cf;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -3374,6 +3374,18 @@ impl Gles3Verdict {
 
 pub const GLES3_VERDICT_COUNT: u32 = 8;
 
+/// Chips that want another order of paths where nothing is timed.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gles3GpuFamily(pub u8);
+impl Gles3GpuFamily {
+    pub const OTHER: Self = Self(0);
+    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+    pub const MALI_G: Self = Self(1);
+}
+
+pub const GLES3_GPU_FAMILY_COUNT: u32 = 2;
+
 /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
 /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
 /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
@@ -3389,7 +3401,7 @@ pub const GLES3_ALL_PATHS: u32 = 31;
 pub const GLES3_MANY_CHARACTERS: u32 = 8;
 
 /// A result as bytes that a game stores. Errors: bad_argument (too short).
-pub const GLES3_SAVED_SELF_TEST_BYTES: usize = 104;
+pub const GLES3_SAVED_SELF_TEST_BYTES: usize = 128;
 
 pub type Gles3Clock = Option<unsafe extern "C" fn(user: *mut c_void) -> f64>;
 
@@ -3406,6 +3418,8 @@ pub struct Gles3PathResult {
     pub normal_error: f32,
     /// to skin and draw once; 0: not timed
     pub ns_per_vertex: f32,
+    /// a vertex, of each pass that draws it again
+    pub ns_per_pass: f32,
 }
 impl Default for Gles3PathResult {
     fn default() -> Self {
@@ -3417,13 +3431,15 @@ impl Default for Gles3PathResult {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3PathResult>() == 16);
+const _: () = assert!(std::mem::size_of::<Gles3PathResult>() == 20);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SelfTest {
     /// by SkinningPath
     pub paths: [Gles3PathResult; 5],
+    /// by GL_RENDERER
+    pub family: Gles3GpuFamily,
     /// of driver, caps, options and this library's shader texts
     pub key: u64,
 }
@@ -3437,7 +3453,7 @@ impl Default for Gles3SelfTest {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3SelfTest>() == 88);
+const _: () = assert!(std::mem::size_of::<Gles3SelfTest>() == 112);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -3452,6 +3468,10 @@ pub struct Gles3SelfTestOptions {
     /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
     pub seconds: Gles3Clock,
     pub slow: f32,
+    /// What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
+    /// game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
+    pub timed_vertices: u32,
+    pub timed_characters: u32,
     /// Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
     /// forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
     /// with what has been there before.
@@ -3468,7 +3488,7 @@ impl Default for Gles3SelfTestOptions {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3SelfTestOptions>() == 48);
+const _: () = assert!(std::mem::size_of::<Gles3SelfTestOptions>() == 56);
 
 /// What a mesh is to be drawn for.
 #[repr(C)]
@@ -4965,12 +4985,13 @@ extern "C" {
     /// Why a path is ruled out, in a few words; "" for usable.
     #[link_name = "mrw_gles3_verdict_text"]
     pub fn gles3_verdict_text(verdict: Gles3Verdict) -> *const c_char;
-    /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+    /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.
     #[link_name = "mrw_gles3_self_test_bytes"]
     pub fn gles3_self_test_bytes(options: *const Gles3SelfTestOptions) -> usize;
     /// Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
-    /// afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
-    /// can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+    /// afterwards. Errors: bad_argument (no deformer, options beyond what they may be, memory too short or askew); gl_error
+    /// (the context is lost, or nothing can be read back from it; then nothing is known of any path). `out` is written only
+    /// on success; no GL object is left.
     ///
     /// Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
     /// framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
@@ -4979,11 +5000,14 @@ extern "C" {
     /// Cost: some twenty programs compiled, and a wait for each frame; only where nothing is stored.
     #[link_name = "mrw_gles3_run_self_test"]
     pub fn gles3_run_self_test(api: *const Gles3Api, caps: *const Gles3Caps, options: *const Gles3SelfTestOptions, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3SelfTest) -> Status;
-    /// The first usable path in this order:
+    /// Of the usable paths of the GPU the one that was fastest: ns_per_vertex + (passes - 1) · ns_per_pass. cpu is taken
+    /// where there is no other, as its time is not the GPU's. Of those within 5 % of each other, and of all where one has
+    /// not been timed, the first in this order:
     ///
     ///                                one pass                           several passes
     ///   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
     ///   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+    ///   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
     ///
     /// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
     /// Errors: unsupported (none is usable). `out` is written only on success.

@@ -53,6 +53,7 @@ export const GLES3_MAX_CROWD_FRAMES: number;
 export const GLES3_NO_CROWD_CLIP: number;
 export const GLES3_CROWD_INSTANCE_BYTES: number;
 export const GLES3_VERDICT_COUNT: number;
+export const GLES3_GPU_FAMILY_COUNT: number;
 export const GLES3_MOST_POSITION_ERROR: number;
 export const GLES3_MOST_NORMAL_ERROR: number;
 export const GLES3_ALL_PATHS: number;
@@ -516,6 +517,18 @@ export const Gles3Verdict: {
   readonly SLOW: number;
 };
 export type Gles3Verdict = number;
+
+/**
+ * Chips that want another order of paths where nothing is timed.
+ */
+export const Gles3GpuFamily: {
+  readonly OTHER: number;
+  /**
+   * Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+   */
+  readonly MALI_G: number;
+};
+export type Gles3GpuFamily = number;
 
 export type TypedArray = Float32Array | Float64Array | Uint8Array | Uint16Array | Uint32Array | Int16Array;
 
@@ -2846,6 +2859,10 @@ export interface Gles3PathResult extends View {
    * to skin and draw once; 0: not timed
    */
   ns_per_vertex: number;
+  /**
+   * a vertex, of each pass that draws it again
+   */
+  ns_per_pass: number;
 }
 
 export interface Gles3SelfTest extends View {
@@ -2853,6 +2870,10 @@ export interface Gles3SelfTest extends View {
    * by SkinningPath
    */
   readonly paths: Gles3PathResult[];
+  /**
+   * by GL_RENDERER
+   */
+  family: Gles3GpuFamily;
   /**
    * of driver, caps, options and this library's shader texts
    */
@@ -2878,6 +2899,12 @@ export interface Gles3SelfTestOptions extends View {
    */
   seconds: number;
   slow: number;
+  /**
+   * What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
+   * game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
+   */
+  timed_vertices: number;
+  timed_characters: number;
   /**
    * Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
    * forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
@@ -4554,13 +4581,14 @@ export class Marrow {
    */
   gles3_verdict_text(verdict: Gles3Verdict): string;
   /**
-   * Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times.
+   * Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.
    */
   gles3_self_test_bytes(options: Gles3SelfTestOptions | null): number;
   /**
    * Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
-   * afterwards. Errors: bad_argument (no deformer, memory too short or askew); gl_error (the context is lost, or nothing
-   * can be read back from it; then nothing is known of any path). `out` is written only on success; no GL object is left.
+   * afterwards. Errors: bad_argument (no deformer, options beyond what they may be, memory too short or askew); gl_error
+   * (the context is lost, or nothing can be read back from it; then nothing is known of any path). `out` is written only
+   * on success; no GL object is left.
    *
    * Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
    * framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
@@ -4570,11 +4598,14 @@ export class Marrow {
    */
   gles3_run_self_test(api: Gles3Api | null, caps: Gles3Caps | null, options: Gles3SelfTestOptions | null, memory: List<number> | null, out: Gles3SelfTest | null): Status;
   /**
-   * The first usable path in this order:
+   * Of the usable paths of the GPU the one that was fastest: ns_per_vertex + (passes - 1) · ns_per_pass. cpu is taken
+   * where there is no other, as its time is not the GPU's. Of those within 5 % of each other, and of all where one has
+   * not been timed, the first in this order:
    *
    *                                one pass                           several passes
    *   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
    *   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+   *   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
    *
    * More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
    * Errors: unsupported (none is usable). `out` is written only on success.

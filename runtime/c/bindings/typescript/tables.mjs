@@ -2,7 +2,7 @@
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
 export const ABI = 0x3b879ba9;
-export const GLES3_ABI = 0x981beec4;
+export const GLES3_ABI = 0xa21bd4cf;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -54,11 +54,12 @@ export const GLES3_MAX_CROWD_FRAMES = 1048576;
 export const GLES3_NO_CROWD_CLIP = 4294967295;
 export const GLES3_CROWD_INSTANCE_BYTES = 128;
 export const GLES3_VERDICT_COUNT = 8;
+export const GLES3_GPU_FAMILY_COUNT = 2;
 export const GLES3_MOST_POSITION_ERROR = 0.001;
 export const GLES3_MOST_NORMAL_ERROR = 0.005;
 export const GLES3_ALL_PATHS = 31;
 export const GLES3_MANY_CHARACTERS = 8;
-export const GLES3_SAVED_SELF_TEST_BYTES = 104;
+export const GLES3_SAVED_SELF_TEST_BYTES = 128;
 
 export const Status = Object.freeze({ OK: 0, BAD_ARGUMENT: 1, TRUNCATED: 2, BAD_MAGIC: 3, BAD_VERSION: 4, BAD_CHECKSUM: 5, BAD_DATA: 6, UNSUPPORTED: 7, GL_ERROR: 8, MISMATCH: 9, OUT_OF_MEMORY: 10 });
 export const LimitKind = Object.freeze({ NONE: 0, HINGE: 1, CONE: 2, EULER: 3 });
@@ -87,6 +88,7 @@ export const Gles3Palettes = Object.freeze({ UNIFORM_BLOCK: 0, TEXTURE: 1, CROWD
 export const Gles3Preskin = Object.freeze({ FEEDBACK: 0, COMPUTE: 1 });
 export const Gles3SkinningPath = Object.freeze({ UBO: 0, TEXTURE: 1, FEEDBACK: 2, COMPUTE: 3, CPU: 4 });
 export const Gles3Verdict = Object.freeze({ USABLE: 0, NOT_TRIED: 1, CRASHED: 2, UNSUPPORTED: 3, REFUSED: 4, GL_ERROR: 5, WRONG: 6, SLOW: 7 });
+export const Gles3GpuFamily = Object.freeze({ OTHER: 0, MALI_G: 1 });
 
 // Size, boundary, whether there is an init, and of each field its place and what it is.
 export const structs = {
@@ -201,9 +203,9 @@ export const structs = {
   Gles3CrowdInstance: { size: 128, align: 16, init: "gles3_crowd_instance_init", fields: {"scene_from_character": [0, "struct", "Affine"], "a": [48, "struct", "Gles3CrowdPlay"], "b": [72, "struct", "Gles3CrowdPlay"], "blend_start_s": [96, "value", "f64"], "blend_s": [104, "value", "f32"], "colour": [108, "array", "f32", 4]} },
   Gles3CrowdMesh: { size: 440, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [132, "value", "u32"], "blended_texture": [136, "value", "u32"], "framebuffer": [140, "value", "u32"], "previous_texture": [144, "value", "u32"], "previous_framebuffer": [148, "value", "u32"], "joints": [152, "value", "u32"], "frame_count": [156, "value", "u32"], "capacity": [160, "value", "u32"], "motion": [164, "value", "bool"], "lost": [165, "value", "bool"], "mesh": [168, "struct", "Mesh"], "options": [388, "struct", "Gles3PrepareOptions"], "frames": [400, "struct", "Gles3CrowdFrames"], "bind": [424, "list", "Affine"], "scratch": [432, "list", "byte"]} },
   Gles3Crowd: { size: 28, align: 4, init: "gles3_crowd_init", fields: {"texture": [0, "value", "u32"], "capacity": [4, "value", "u32"], "count": [8, "value", "u32"], "frame_count": [12, "value", "u32"], "lost": [16, "value", "bool"], "records": [20, "list", "byte"]} },
-  Gles3PathResult: { size: 16, align: 4, init: "gles3_path_result_init", fields: {"verdict": [0, "value", "u8"], "position_error": [4, "value", "f32"], "normal_error": [8, "value", "f32"], "ns_per_vertex": [12, "value", "f32"]} },
-  Gles3SelfTest: { size: 88, align: 8, init: "gles3_self_test_init", fields: {"paths": [0, "structs", "Gles3PathResult", 5], "key": [80, "value", "u64"]} },
-  Gles3SelfTestOptions: { size: 28, align: 4, init: "gles3_self_test_options_init", fields: {"paths": [0, "value", "u32"], "crashed": [4, "value", "u32"], "ssd": [8, "value", "bool"], "as": [9, "value", "bool"], "seconds": [12, "pointer", "gles3_clock"], "slow": [16, "value", "f32"], "about_to_try": [20, "pointer", "gles3_about_to_try"], "user": [24, "pointer", "void"]} },
+  Gles3PathResult: { size: 20, align: 4, init: "gles3_path_result_init", fields: {"verdict": [0, "value", "u8"], "position_error": [4, "value", "f32"], "normal_error": [8, "value", "f32"], "ns_per_vertex": [12, "value", "f32"], "ns_per_pass": [16, "value", "f32"]} },
+  Gles3SelfTest: { size: 112, align: 8, init: "gles3_self_test_init", fields: {"paths": [0, "structs", "Gles3PathResult", 5], "family": [100, "value", "u8"], "key": [104, "value", "u64"]} },
+  Gles3SelfTestOptions: { size: 36, align: 4, init: "gles3_self_test_options_init", fields: {"paths": [0, "value", "u32"], "crashed": [4, "value", "u32"], "ssd": [8, "value", "bool"], "as": [9, "value", "bool"], "seconds": [12, "pointer", "gles3_clock"], "slow": [16, "value", "f32"], "timed_vertices": [20, "value", "u32"], "timed_characters": [24, "value", "u32"], "about_to_try": [28, "pointer", "gles3_about_to_try"], "user": [32, "pointer", "void"]} },
   Gles3PathNeed: { size: 12, align: 4, init: "gles3_path_need_init", fields: {"passes": [0, "value", "u32"], "characters": [4, "value", "u32"], "joints": [8, "value", "u32"]} },
 };
 
