@@ -88,11 +88,13 @@ def costs_of(name, messages):
     """The figures of a program, of the stages that skin."""
     stages = {}
     for stage, text in re.findall(r"^(\w+) shader: (.*)$", messages, re.M):
-        stages[stage.removeprefix("MESA_SHADER_")] = figures(text)  # of feedback the second, which writes
+        stages[stage.removeprefix("MESA_SHADER_")] = figures(text)  # the last: by feedback the one that writes
     if name.endswith("/blend"):
         wanted = ("FRAGMENT", "FRAG")
+    elif name.endswith("/skin"):
+        wanted = ("VERTEX", "VERT", "COMPUTE", "CL")  # Mali's variants that draw as well are not run
     else:
-        wanted = ("POSITION", "VARYING", "VERTEX", "VERT", "COMPUTE", "CL")
+        wanted = ("POSITION", "VARYING", "VERTEX", "VERT")
     parts = [stages[stage] for stage in wanted if stage in stages and stages[stage]["instructions"]]
     if not parts:
         raise SystemExit(f"gpu_cost: {name}: the compiler says nothing of it: {messages!r}")
