@@ -34,10 +34,30 @@ TEST(Compare, TheCylinder) {
     const bool is_cooked = std::string(name) != "ssd_refit";
     EXPECT_EQ(rows[name].at("bytes_per_vertex").is_number(), is_cooked) << name;
     EXPECT_EQ(rows[name].at("ns_per_vertex").is_number(), is_cooked) << name;
+    for (const char* const field : {"influences", "palette_entries"})
+      EXPECT_EQ(rows[name].at(field).is_number(), is_cooked) << name << " " << field;
+    const bool on_gpu = is_cooked && std::string(name) != "mwe" && std::string(name) != "psd";
+    for (const char* const field : {"mali_cycles", "adreno_instructions", "videocore_instructions"})
+      EXPECT_EQ(rows[name].at(field).is_number(), on_gpu) << name << " " << field;
     // Counted only where the processor's counter can be read; a kernel takes some tens.
     const nlohmann::json& instructions = rows[name].at("instructions_per_vertex");
     EXPECT_TRUE(instructions.is_null() || (is_cooked && instructions > 5 && instructions < 500)) << instructions;
   }
+  // The cylinder has two influences and normals, which the programs for four draw: palettes where they cost less.
+  const nlohmann::json costs = nlohmann::json::parse(read_text(in_source("tools/gpu_cost/table.json")));
+  const auto least = [&](const char* program, std::size_t gpu, std::size_t figure) {
+    double out = 1e9;
+    for (const char* const path : {"ubo/", "texture/"})
+      out = std::min(out, costs["programs"][path + std::string(program)][gpu][figure].get<double>());
+    return out;
+  };
+  ASSERT_EQ(costs["gpus"][2], "Mali-G57");
+  ASSERT_EQ(costs["gpus"][6], "Adreno 660");
+  ASSERT_EQ(costs["gpus"][8], "V3D 4.2");
+  EXPECT_EQ(rows["ssd"]["mali_cycles"], least("ssd/4/pn/colour", 2, 0));
+  EXPECT_EQ(rows["as_fit"]["mali_cycles"], least("as/4/pn-surface/colour", 2, 0));
+  EXPECT_EQ(rows["as_fit"]["adreno_instructions"], least("as/4/pn-surface/colour", 6, 1));
+  EXPECT_EQ(rows["rigid"]["videocore_instructions"], least("rigid/1/pn/colour", 8, 1));
   const double ssd = rows["ssd"]["held_rms"];
   EXPECT_NEAR(ssd, 0.12, 0.01);  // metres, of a radius of one
   EXPECT_NEAR(rows["as_lift"]["held_rms"].get<double>(), ssd, 1e-9);

@@ -42,7 +42,12 @@ ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
                     {"blended_normal_deg", r.blended_normal_deg},
                     {"bytes_per_vertex", or_null(r.bytes_per_vertex)},
                     {"ns_per_vertex", or_null(r.ns_per_vertex)},
-                    {"instructions_per_vertex", or_null(r.instructions_per_vertex)}});
+                    {"instructions_per_vertex", or_null(r.instructions_per_vertex)},
+                    {"influences", or_null(r.influences)},
+                    {"palette_entries", or_null(r.palette_entries)},
+                    {"mali_cycles", or_null(r.gpu.mali_cycles)},
+                    {"adreno_instructions", or_null(r.gpu.adreno_instructions)},
+                    {"videocore_instructions", or_null(r.gpu.videocore_instructions)}});
   }
   return {{"truth", truth_of(a)},       {"holdout", name_of(kHoldouts, a.holdout)},
           {"trained_poses", c.trained}, {"held_poses", c.held},
@@ -63,19 +68,22 @@ void print_table(const Study& study, const CompareArguments& a, const DeformerCo
   fmt::print("{}\n\n", verdict(c));
   fmt::print("{}: truth {}, {} poses learnt from, {} held out; lengths in mm\n", study.name, truth_of(a), c.trained,
              c.held);
-  fmt::print("{:<14}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>9}{:>9}{:>8}{:>8}\n", "deformer", "train rms",
-             "held rms", "held max", "of ssd's", "worse", "volume", "crease", "normals", "blended", "B/vertex", "ns",
-             "instr");
+  fmt::print("{:<14}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>9}{:>9}{:>8}{:>8}{:>7}{:>8}{:>6}\n", "deformer",
+             "train rms", "held rms", "held max", "of ssd's", "worse", "volume", "crease", "normals", "blended",
+             "B/vertex", "ns", "instr", "Mali", "Adreno", "V3D");
+  const auto whole = [](double x) { return x > 0 ? fmt::format("{:.0f}", x) : std::string("-"); };
   const auto or_none = [](double x) { return x > 0 ? fmt::format("{:.2f}", x) : std::string("-"); };
   double ssd = 0;
   for (const DeformerRow& r : c.rows)
     if (r.deformer == "ssd") ssd = r.held_rms;
   for (const DeformerRow& r : c.rows)
     fmt::print(
-        "{:<14}{:>10.4f}{:>10.4f}{:>10.3f}{:>10.3f}{:>7.1f}%{:>8.3f}{:>7.1f}°{:>8.2f}°{:>8.2f}°{:>9}{:>8}{:>8}\n",
+        "{:<14}{:>10.4f}{:>10.4f}{:>10.3f}{:>10.3f}{:>7.1f}%{:>8.3f}{:>7.1f}°{:>8.2f}°{:>8.2f}°{:>9}{:>8}{:>8}{:>7}{:>"
+        "8}{:>6}\n",
         r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, 1e3 * r.held_max, ssd > 0 ? r.held_rms / ssd : 1.0,
         100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, r.blended_normal_deg, or_none(r.bytes_per_vertex),
-        or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex));
+        or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex), whole(r.gpu.mali_cycles),
+        whole(r.gpu.adreno_instructions), whole(r.gpu.videocore_instructions));
 }
 
 // POSE-PICTURE-CAPTION.png, the caption up to what is measured.

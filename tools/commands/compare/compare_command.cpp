@@ -18,7 +18,8 @@ void add_compare(CLI::App& app, int&) {
       "--json", a.json,
       "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
       "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, blended_normal_deg, bytes_per_vertex, "
-      "ns_per_vertex, instructions_per_vertex}]}, "
+      "ns_per_vertex, instructions_per_vertex, "
+      "influences, palette_entries, mali_cycles, adreno_instructions, videocore_instructions}]}, "
       "lengths in metres");
   command->add_option("-o,--output", a.out, "also a page with pictures and charts, in one file")->type_name("OUT.html");
 #ifdef MARROW_HAS_GLES

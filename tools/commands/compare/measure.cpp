@@ -156,6 +156,10 @@ void measure_round(const Shape& shape, const Trained& trained, const deform::Def
   totals.held += held.size();
 }
 
+static_assert(static_cast<int>(GpuDeformer::rigid) == static_cast<int>(Contestant::Kernel::rigid) &&
+              static_cast<int>(GpuDeformer::ssd) == static_cast<int>(Contestant::Kernel::ssd) &&
+              static_cast<int>(GpuDeformer::as) == static_cast<int>(Contestant::Kernel::as));
+
 // A kernel on the mesh's primitives, in the rest pose.
 class KernelRun {
  public:
@@ -183,6 +187,33 @@ class KernelRun {
     });
   }
   double vertices() const { return vertices_; }
+  std::uint32_t most_influences() const {
+    std::uint32_t out = 0;
+    for (const Part& p : parts_)
+      for (const Run& r : p.mesh.geometry.runs) out = std::max(out, r.influences);
+    return out;
+  }
+  std::uint32_t most_palette_entries() const {
+    std::uint32_t out = 0;
+    for (const Part& p : parts_) out = std::max(out, p.mesh.palette_size());
+    return out;
+  }
+  // The mean over vertices, each drawn with normals; zeros where no path of the GPU has the kernel.
+  VertexCost gpu_cost() const {
+    VertexCost out;
+    if (kernel_ > Contestant::Kernel::as) return out;
+    const auto deformer = static_cast<GpuDeformer>(kernel_);
+    for (const Part& p : parts_) {
+      const std::optional<VertexCost> cost = vertex_cost(p.mesh.geometry, deformer);
+      if (!cost) return {};
+      const double share = p.mesh.geometry.vertex_count / vertices_;
+      out.mali_cycles += share * cost->mali_cycles;
+      out.adreno_instructions += share * cost->adreno_instructions;
+      out.videocore_instructions += share * cost->videocore_instructions;
+      out.spills = out.spills || cost->spills;
+    }
+    return out;
+  }
   void operator()() {
     for (Part& p : parts_) check(deform(p));
   }
@@ -247,6 +278,9 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
     bytes += cooked.report["meshes"][i]["bytes"].get<double>();
   row.bytes_per_vertex = bytes / run.vertices();
   row.ns_per_vertex = time_of(run) / run.vertices();
+  row.gpu = run.gpu_cost();
+  row.influences = run.most_influences();
+  row.palette_entries = run.most_palette_entries();
   if (const auto count = count_instructions([&] { run(); }))
     row.instructions_per_vertex = static_cast<double>(*count) / run.vertices();
 }

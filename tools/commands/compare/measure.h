@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "commands/compare/contestants.h"
+#include "gpu_cost/vertex_cost.h"
 
 namespace marrow::tools {
 
@@ -18,9 +19,11 @@ struct DeformerRow {
   double normal_deg = 0;   // between the normals it shades with and those of the mesh it makes, where joints meet
   double blended_normal_deg = 0;  // the same if all went through the blended matrix, as is cheaper
   // Of the cooked file; 0: cannot be cooked, or is no better than SSD in its clips and not shipped.
-  double bytes_per_vertex = 0;         // of geometry
-  double ns_per_vertex = 0;            // of the runtime's kernel on this machine, positions
-  double instructions_per_vertex = 0;  // of the same; 0 also where they cannot be counted
+  double bytes_per_vertex = 0;                        // of geometry
+  double ns_per_vertex = 0;                           // of the runtime's kernel on this machine, positions
+  double instructions_per_vertex = 0;                 // of the same; 0 also where they cannot be counted
+  std::uint32_t influences = 0, palette_entries = 0;  // of the cooked mesh, at most
+  VertexCost gpu;                                     // with normals; 0 also of kernels that no GPU path has
   // For pictures and charts, of the first round: a held-out pose's RMS error.
   std::vector<double> error_of_pose;
 };

@@ -15,6 +15,28 @@ const DeformerRow* find(const DeformerComparison& c, const std::string& name) {
   return at == c.rows.end() ? nullptr : &*at;
 }
 
+// Influences and palette entries, where it has more of them than SSD.
+std::string more_of(const DeformerRow& row, const DeformerRow& ssd) {
+  std::string out;
+  const auto add = [&](const char* what, std::uint32_t has, std::uint32_t had) {
+    if (has > had) out += fmt::format(", {} instead of {} {}", has, had, what);
+  };
+  add("influences", row.influences, ssd.influences);
+  add("palette entries", row.palette_entries, ssd.palette_entries);
+  return out;
+}
+
+// What it costs on phones' GPUs beside SSD, or nothing where that is not known.
+std::string gpu_cost_of(const DeformerRow& row, const DeformerRow& ssd) {
+  if (row.gpu.mali_cycles == 0 || ssd.gpu.mali_cycles == 0) return "";
+  return fmt::format(
+      ", {:.1f} times the cycles on a Mali-G57, {:.1f} and {:.1f} times the instructions on an Adreno 660 and a V3D "
+      "4.2{}",
+      row.gpu.mali_cycles / ssd.gpu.mali_cycles, row.gpu.adreno_instructions / ssd.gpu.adreno_instructions,
+      row.gpu.videocore_instructions / ssd.gpu.videocore_instructions,
+      row.gpu.spills ? ", with registers spilled" : "");
+}
+
 }  // namespace
 
 // From the cheapest on: the next one must take a quarter off the error, or the one before stays.
@@ -40,9 +62,9 @@ std::string verdict(const DeformerComparison& c) {
   return fmt::format(
       "Use animation space (cook with {}): {:.0f} % of linear blend skinning's error in poses it was not shown, worse "
       "in {:.1f} % "
-      "of them, {:.1f} instead of {:.1f} bytes a vertex.",
-      how, 100 * best->held_rms / ssd->held_rms, 100 * best->worse_share, best->bytes_per_vertex,
-      ssd->bytes_per_vertex);
+      "of them. It costs {:.1f} instead of {:.1f} bytes a vertex{}{}.",
+      how, 100 * best->held_rms / ssd->held_rms, 100 * best->worse_share, best->bytes_per_vertex, ssd->bytes_per_vertex,
+      more_of(*best, *ssd), gpu_cost_of(*best, *ssd));
 }
 
 }  // namespace marrow::tools

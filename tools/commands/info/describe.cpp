@@ -10,6 +10,7 @@
 #include "commands/info/looks.h"
 #include "common/section_names.h"
 #include "cook/write/report_scene.h"
+#include "gpu_cost/vertex_cost.h"
 #include "marrow/clip_pack.h"
 #include "marrow/version.h"
 #include "pose/evaluate.h"
@@ -62,6 +63,15 @@ double diagonal(const Character& character, std::uint32_t skeleton) {
   return std::sqrt(squared);
 }
 
+// Of a vertex; null: not known.
+ordered_json describe_cost(const Geometry& geometry, GpuDeformer deformer) {
+  const std::optional<VertexCost> cost = vertex_cost(geometry, deformer);
+  if (!cost) return nullptr;
+  return {{"mali_cycles", cost->mali_cycles},
+          {"adreno_instructions", cost->adreno_instructions},
+          {"videocore_instructions", cost->videocore_instructions}};
+}
+
 ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File::Section& geometry,
                            bool first_of_geometry) {
   std::uint32_t influences = 0;
@@ -88,6 +98,7 @@ ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File:
           {"targets", g.targets.size},
           {"source_order", !g.source_slots.empty()},
           {"next_part", mesh.is_next_part},
+          {"gpu", {{"ssd", describe_cost(g, GpuDeformer::ssd)}, {"as", describe_cost(g, GpuDeformer::as)}}},
           {"geometry", mesh.geometry_index},
           {"codec", mesh_codec_name(geometry.codec)},
           {"bytes", mesh_bytes + (first_of_geometry ? geometry.bytes : 0)},

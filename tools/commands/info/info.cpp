@@ -50,6 +50,18 @@ std::string springs_of(const ordered_json& skeleton) {
                      skeleton["spring_colliders"].get<int>());
 }
 
+// What a vertex costs phones' GPUs, or nothing where that is not known.
+std::string gpu_cost_of(const ordered_json& mesh) {
+  const ordered_json& gpu = mesh["gpu"];
+  if (gpu["ssd"].is_null() || gpu["as"].is_null()) return "";
+  const auto words = [&](const char* deformer) {
+    const ordered_json& cost = gpu[deformer];
+    return fmt::format("{:.0f}/{:.0f}/{:.0f}", cost["mali_cycles"].get<double>(),
+                       cost["adreno_instructions"].get<double>(), cost["videocore_instructions"].get<double>());
+  };
+  return fmt::format(", Mali/Adreno/V3D {} by SSD, {} by AS", words("ssd"), words("as"));
+}
+
 // Branches in the order in which they are added; a branch's leaves are added behind it.
 class Tree {
  public:
@@ -112,12 +124,12 @@ class Tree {
       leaf(i + 1 == r_["meshes"].size(), fmt::format("mesh {} \"{}\"", i, text(m["name"])), size_of(m["bytes"]),
            source_bytes("mesh_bytes", m["name"]),
            fmt::format("{} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}, {:.1f} B a "
-                       "vertex, {}{}{}{}",
+                       "vertex, {}{}{}{}{}",
                        m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
                        m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
                        m["bytes_per_vertex"].get<double>(), text(m["codec"]),
                        m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
-                       m["next_part"].get<bool>() ? ", next part" : "", of_skeleton(m)));
+                       m["next_part"].get<bool>() ? ", next part" : "", of_skeleton(m), gpu_cost_of(m)));
     }
   }
 
