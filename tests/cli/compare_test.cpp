@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/places.h"
 
 namespace marrow::test {
 namespace {
