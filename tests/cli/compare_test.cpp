@@ -174,6 +174,45 @@ TEST(CookAs, MultiWeightsAndPoseSpaceStandInTheReport) {
       0);
 }
 
+// The elbow is skinned by dual quaternions as it is meant to be: what has learnt from them moves it elsewhere than SSD.
+TEST(CookAs, MultiWeightsAndPoseSpaceArePosedAndDrawn) {
+  const TemporaryFolder folder;
+  const std::string with = folder / "with.mrw", without = folder / "without.mrw";
+  ASSERT_EQ(run_marrow({"cook", in_golden("elbow.gltf"), "-o", with, "--mwe", "--psd", "4", "--truth", "dqs"}).code, 0);
+  ASSERT_EQ(run_marrow({"cook", in_golden("elbow.gltf"), "-o", without}).code, 0);
+  const auto posed = [&](const char* deformer, const char* time) {
+    const std::string out = folder / "p.bin";
+    EXPECT_EQ(run_marrow({"pose", with, "--clip", "bend", "--time", time, "--deformer", deformer, "-o", out}).code, 0);
+    return read_text(out);
+  };
+  for (const char* const deformer : {"mwe", "psd"}) {
+    EXPECT_EQ(posed(deformer, "1").size(), posed("ssd", "1").size());
+    EXPECT_NE(posed(deformer, "1"), posed("ssd", "1")) << deformer;
+    const Ran bare = run_marrow({"pose", without, "--deformer", deformer, "-o", folder / "p.bin"});
+    EXPECT_EQ(bare.code, 4) << bare.err;
+    EXPECT_NE(bare.err.find("cook it with --" + std::string(deformer)), std::string::npos) << bare.err;
+#ifdef MARROW_HAS_GLES
+    const std::vector<std::string> draw = {"render", with,    "--clip",     "bend",   "--time", "1",
+                                           "--size", "64x64", "--deformer", deformer, "-o",     folder / "p.png"};
+    const auto drawn = [&](const std::string& path) {
+      std::vector<std::string> arguments = draw;
+      arguments.insert(arguments.end(), {"--path", path});
+      return run_marrow(arguments);
+    };
+    EXPECT_EQ(drawn("cpu").code, 0);
+    for (const char* const path : {"ubo", "texture", "crowd"}) {
+      const Ran refused = drawn(path);
+      EXPECT_EQ(refused.code, 4) << path;
+      EXPECT_NE(refused.err.find("use --path cpu"), std::string::npos) << refused.err;
+    }
+    EXPECT_EQ(run_marrow({"render", with, "--clip", "bend", "--time", "1", "--size", "64x64", "--heatmap",
+                          "ssd:" + std::string(deformer), "-o", folder / "p.png"})
+                  .code,
+              0);
+#endif
+  }
+}
+
 TEST(CookAs, ShowsItsProgressOnATerminalOnly) {
   const TemporaryFolder folder;
   const std::vector<std::string> arguments = {"cook",    tiny_gltf(), "-o",    folder / "t.mrw", "--as", "fit",

@@ -45,7 +45,7 @@ class Skinning : public Workload {
         case Deformer::ssd:
           check(skin_ssd(mesh_.view(), palette_, out));
           break;
-        case Deformer::as:
+        default:
           check(skin_as(mesh_.view(), coordinates_, palette_, out, surface_));
           break;
       }

@@ -106,7 +106,26 @@ void Character::skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) cons
       return check(skin_ssd(m.mesh, m.palette, output));
     case Deformer::as:
       return check(skin_as(m.mesh, m.coordinates, m.palette, output, tangents_[mesh]));
+    case Deformer::mwe:
+      return check(g.mwe_residual == nullptr ? skin_ssd(m.mesh, m.palette, output)
+                                             : skin_mwe(m.mesh, m.palette, output));
+    case Deformer::psd: {
+      std::vector<float> distances(psd_distance_count(g));
+      check(psd_distances(g, m.palette, distances));
+      return check(skin_psd(m.mesh, distances, m.palette, output));
+    }
   }
+}
+
+void expect_deformer(const std::string& path, const File& file, Deformer deformer) {
+  if (deformer != Deformer::mwe && deformer != Deformer::psd) return;
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
+    const Geometry g = file.mesh(i).geometry;
+    if (deformer == Deformer::mwe ? g.mwe_residual != nullptr : !g.pose_space.examples.empty()) return;
+  }
+  if (deformer == Deformer::mwe)
+    throw Failure(Exit::unsupported, path, "", "no mesh has multi-weights", "cook it with --mwe");
+  throw Failure(Exit::unsupported, path, "", "no mesh has a pose space", "cook it with --psd 8");
 }
 
 }  // namespace marrow::tools

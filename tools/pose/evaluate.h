@@ -17,10 +17,19 @@
 
 namespace marrow::tools {
 
-enum class Deformer { rigid, ssd, as };
+enum class Deformer { rigid, ssd, as, mwe, psd };
 
-inline constexpr Named<Deformer> kDeformers[] = {
-    {"rigid", Deformer::rigid}, {"ssd", Deformer::ssd}, {"as", Deformer::as}};
+inline constexpr Named<Deformer> kDeformers[] = {{"rigid", Deformer::rigid},
+                                                 {"ssd", Deformer::ssd},
+                                                 {"as", Deformer::as},
+                                                 {"mwe", Deformer::mwe},
+                                                 {"psd", Deformer::psd}};
+// Those that every path of the GPU has: the first three.
+inline constexpr std::span<const Named<Deformer>> kGpuDeformers(kDeformers, 3);
+
+// Throws Failure (unsupported) if the file, of this path, has nothing that the deformer needs: multi-weights, a pose
+// space. Meshes without, of a file that has some, are skinned by SSD.
+void expect_deformer(const std::string& path, const File& file, Deformer deformer);
 
 // What normals go through in animation space: the blended matrix, or tangents of the deformed surface. Meshes with
 // morph targets have the blend's either way.

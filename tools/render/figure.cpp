@@ -15,6 +15,13 @@ gles3::Deformer gpu_deformer(Deformer deformer) {
       return gles3::Deformer::ssd;
     case Deformer::as:
       return gles3::Deformer::as;
+    case Deformer::mwe:
+      throw Failure(Exit::unsupported, "--deformer mwe", "",
+                    "no path of the GPU has multi-weights: they are 192 bytes a vertex, more than attributes hold",
+                    "use --path cpu");
+    case Deformer::psd:
+      throw Failure(Exit::unsupported, "--deformer psd", "",
+                    "no path of the GPU has pose spaces: their examples are weighed for each vertex", "use --path cpu");
   }
   return gles3::Deformer::ssd;
 }

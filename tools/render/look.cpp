@@ -33,7 +33,7 @@ std::optional<DeformerPair> parse_pair(const std::string& text) {
       colon == std::string::npos ? std::nullopt : value_of(kDeformers, text.substr(colon + 1));
   if (!a || !b) {
     throw Failure(Exit::usage, "--heatmap", "", "\"" + text + "\" is not a pair of deformers",
-                  "give two of rigid, ssd and as, as in ssd:as");
+                  "give two of rigid, ssd, as, mwe and psd, as in ssd:as");
   }
   return DeformerPair{*a, *b};
 }

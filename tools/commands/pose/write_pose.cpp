@@ -86,6 +86,7 @@ void run_pose(const PoseArguments& a) {
   expect_writable(a.out);
   const bool obj = has_extension(a.out, ".obj");
   const LoadedFile loaded = load_mrw(a.in);
+  expect_deformer(a.in, loaded.file, a.deformer);
   const Chosen chosen = choose(a.in, loaded.file, a.choice, !a.outfits.empty());
   Character character(loaded.file);
   put_on(a.outfits, a.in, loaded.file, chosen.play, character);

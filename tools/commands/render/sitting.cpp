@@ -34,6 +34,9 @@ Sitting::Sitting(const RenderArguments& arguments)
       textures_(gl_, arguments.file, loaded_.file, places_of_cooked(arguments.file, arguments.images_from)),
       studio_(gl_, size_.first, size_.second),
       figure_(gl_, studio_.programs(), loaded_.file, &textures_, normals_, arguments.lod) {
+  for (const Deformer deformer :
+       {manner_.heat ? manner_.heat->first : manner_.deformer, manner_.heat ? manner_.heat->second : manner_.deformer})
+    expect_deformer(arguments.file, loaded_.file, deformer);
   for (const std::shared_ptr<Worn>& worn : character_.worn())
     worn_.push_back(std::make_unique<WornFigure>(gl_, studio_.programs(), *worn, arguments));
   if (manner_.path != SkinPath::crowd || manner_.heat) return;

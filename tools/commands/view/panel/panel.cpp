@@ -23,7 +23,7 @@ constexpr const char* kHelp =
 
 void deformers(const char* id, Deformer& chosen) {
   ImGui::PushID(id);
-  for (const auto& [name, deformer] : kDeformers) {
+  for (const auto& [name, deformer] : kGpuDeformers) {
     if (deformer != kDeformers[0].value) ImGui::SameLine();
     if (ImGui::RadioButton(name, chosen == deformer)) chosen = deformer;
   }
