@@ -1,21 +1,23 @@
 // Skinning ahead of drawing, by compute shader: reads the vertex buffers as words, an invocation a vertex.
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer MarrowSkinWords {
+layout(std430, binding = 0) restrict readonly buffer MarrowSkinWords {
   uint marrow_skin_words[];
 };
-layout(std430, binding = 1) readonly buffer MarrowSurfaceWords {
+layout(std430, binding = 1) restrict readonly buffer MarrowSurfaceWords {
   uint marrow_surface_words[];
 };
-layout(std430, binding = 2) readonly buffer MarrowMorphRows {
+layout(std430, binding = 2) restrict readonly buffer MarrowMorphRows {
   uint marrow_morph_rows[];
 };
-layout(std430, binding = 3) writeonly buffer MarrowSkinned {
+layout(std430, binding = 3) restrict writeonly buffer MarrowSkinned {
   float marrow_skinned[];
 };
 
 // In words: vertices; a vertex's stride; where its weights, tangent vectors and joints are; bytes of a joint; and of
 // the surface: a vertex's stride; where its normal and tangent are.
 uniform int marrow_vertex_layout[9];
+
+int marrow_at;  // the vertex's first word
 
 vec4 marrow_snorm(int at) {
   return vec4(unpackSnorm2x16(marrow_skin_words[at]), unpackSnorm2x16(marrow_skin_words[at + 1]));
@@ -31,32 +33,21 @@ uvec4 marrow_joints(int at, int group) {
   return uvec4(two, two >> 16, more, more >> 16) & 65535u;
 }
 
+#if MARROW_DEFORMER == 3
+// The vectors of an influence, read when they are wanted: all at once are more than registers hold.
+vec4 marrow_coordinate(int influence) {
+  return marrow_snorm(marrow_at + 2 * influence);
+}
+vec4 marrow_tangent(int which, int influence) {
+  return marrow_snorm(marrow_at + marrow_vertex_layout[3] + 8 * which + 2 * influence);
+}
+#endif
+
 // Fills in what are attributes elsewhere.
 void marrow_load(int vertex) {
   int at = vertex * marrow_vertex_layout[1];
-#if MARROW_DEFORMER == 3
-  in_coordinate0 = marrow_snorm(at);
-  in_coordinate1 = marrow_snorm(at + 2);
-  in_coordinate2 = marrow_snorm(at + 4);
-  in_coordinate3 = marrow_snorm(at + 6);
-#if MARROW_INFLUENCES == 8
-  in_coordinate4 = marrow_snorm(at + 8);
-  in_coordinate5 = marrow_snorm(at + 10);
-  in_coordinate6 = marrow_snorm(at + 12);
-  in_coordinate7 = marrow_snorm(at + 14);
-#endif
-#if MARROW_SURFACE_NORMALS
-  int tangents = at + marrow_vertex_layout[3];
-  in_first0 = marrow_snorm(tangents);
-  in_first1 = marrow_snorm(tangents + 2);
-  in_first2 = marrow_snorm(tangents + 4);
-  in_first3 = marrow_snorm(tangents + 6);
-  in_second0 = marrow_snorm(tangents + 8);
-  in_second1 = marrow_snorm(tangents + 10);
-  in_second2 = marrow_snorm(tangents + 12);
-  in_second3 = marrow_snorm(tangents + 14);
-#endif
-#else
+  marrow_at = at;
+#if MARROW_DEFORMER != 3
 #if MARROW_DEFORMER == 2
   in_position = marrow_snorm(at);
   int weights = at + marrow_vertex_layout[2];

@@ -23,7 +23,28 @@ precision highp int;
 #define MARROW_IN(Location) layout(location = Location) in
 #endif
 
-#if MARROW_DEFORMER == 3
+#if MARROW_DEFORMER == 3 && MARROW_COMPUTE
+// As the attributes below; the text of pre-skinning reads them, when they are wanted.
+vec4 marrow_coordinate(int influence);
+vec4 marrow_tangent(int which, int influence);
+#define in_coordinate0 marrow_coordinate(0)
+#define in_coordinate1 marrow_coordinate(1)
+#define in_coordinate2 marrow_coordinate(2)
+#define in_coordinate3 marrow_coordinate(3)
+#define in_coordinate4 marrow_coordinate(4)
+#define in_coordinate5 marrow_coordinate(5)
+#define in_coordinate6 marrow_coordinate(6)
+#define in_coordinate7 marrow_coordinate(7)
+#define in_first0 marrow_tangent(0, 0)
+#define in_first1 marrow_tangent(0, 1)
+#define in_first2 marrow_tangent(0, 2)
+#define in_first3 marrow_tangent(0, 3)
+#define in_second0 marrow_tangent(1, 0)
+#define in_second1 marrow_tangent(1, 1)
+#define in_second2 marrow_tangent(1, 2)
+#define in_second3 marrow_tangent(1, 3)
+uniform float marrow_coordinate_scale;
+#elif MARROW_DEFORMER == 3
 MARROW_IN(0) vec4 in_coordinate0;  // q of each influence: (x, y, z, w), Σ w = 1 / marrow_coordinate_scale
 MARROW_IN(1) vec4 in_coordinate1;
 MARROW_IN(2) vec4 in_coordinate2;
@@ -69,20 +90,23 @@ MARROW_IN(8) uvec4 in_joints0;  // palette entries; the largest weight comes fir
 #if MARROW_INFLUENCES == 8 && MARROW_DEFORMER != 1
 MARROW_IN(9) uvec4 in_joints1;
 #endif
-// Row r of matrix j of the palette is marrow_row(3 j + r); of the frame before's, marrow_previous_row(3 j + r).
+// Rows of a matrix of the palette: marrow_matrix(joint); of the frame before's, marrow_previous_matrix(joint).
+struct MarrowMatrix {
+  vec4 x, y, z;
+};
 #if MARROW_PALETTES == 0
 layout(std140) uniform MarrowPalette {
-  vec4 marrow_rows[3 * MARROW_PALETTE_JOINTS];
+  MarrowMatrix marrow_matrices[MARROW_PALETTE_JOINTS];
 };
-vec4 marrow_row(int i) {
-  return marrow_rows[i];
+MarrowMatrix marrow_matrix(uint joint) {
+  return marrow_matrices[joint];
 }
 #if MARROW_MOTION
 layout(std140) uniform MarrowPreviousPalette {
-  vec4 marrow_previous_rows[3 * MARROW_PALETTE_JOINTS];
+  MarrowMatrix marrow_previous_matrices[MARROW_PALETTE_JOINTS];
 };
-vec4 marrow_previous_row(int i) {
-  return marrow_previous_rows[i];
+MarrowMatrix marrow_previous_matrix(uint joint) {
+  return marrow_previous_matrices[joint];
 }
 #endif
 #else
@@ -95,21 +119,24 @@ vec4 marrow_previous_row(int i) {
 #endif
 uniform MarrowPalettes marrow_palettes;
 uniform ivec2 marrow_first_row;  // of the first instance; from one instance to the next
-ivec2 marrow_texel(int i) {
-#if MARROW_COMPUTE
-  int row = marrow_first_row.x + i;
-#else
-  int row = marrow_first_row.x + gl_InstanceID * marrow_first_row.y + i;
-#endif
-  return ivec2(row & 2047, row >> 11);
+vec4 marrow_row(MarrowPalettes palettes, int row) {
+  return marrow_floats(texelFetch(palettes, ivec2(row & 2047, row >> 11), 0));
 }
-vec4 marrow_row(int i) {
-  return marrow_floats(texelFetch(marrow_palettes, marrow_texel(i), 0));
+MarrowMatrix marrow_matrix_of(MarrowPalettes palettes, uint joint) {
+#if MARROW_COMPUTE
+  int row = marrow_first_row.x + 3 * int(joint);
+#else
+  int row = marrow_first_row.x + gl_InstanceID * marrow_first_row.y + 3 * int(joint);
+#endif
+  return MarrowMatrix(marrow_row(palettes, row), marrow_row(palettes, row + 1), marrow_row(palettes, row + 2));
+}
+MarrowMatrix marrow_matrix(uint joint) {
+  return marrow_matrix_of(marrow_palettes, joint);
 }
 #if MARROW_MOTION
 uniform MarrowPalettes marrow_previous_palettes;  // the same instances, at the same places
-vec4 marrow_previous_row(int i) {
-  return marrow_floats(texelFetch(marrow_previous_palettes, marrow_texel(i), 0));
+MarrowMatrix marrow_previous_matrix(uint joint) {
+  return marrow_matrix_of(marrow_previous_palettes, joint);
 }
 #endif
 #endif
@@ -171,29 +198,27 @@ struct MarrowVertex {
 };
 
 vec3 marrow_unit(vec3 v) {
-  return v * inversesqrt(max(dot(v, v), 1e-30));
+  return v * inversesqrt(max(dot(v, v), 1e-37));
 }
 
+// Of any length: only where morph targets add to it has it to be 1.
 vec3 marrow_from_octahedron(vec2 e) {
   vec3 v = vec3(e, 1.0 - abs(e.x) - abs(e.y));
-  float fold = max(-v.z, 0.0);
-  v.x += v.x >= 0.0 ? -fold : fold;
-  v.y += v.y >= 0.0 ? -fold : fold;
-  return marrow_unit(v);
+  float fold = max(-v.z, 0.0);  // at most as large as either of e
+  v.xy -= clamp(e, -fold, fold);
+#if MARROW_MORPH_TARGETS
+  v = marrow_unit(v);
+#endif
+  return v;
 }
 
 // The bind normal through the inverse transpose of the matrix with rows a, b, c, up to a positive factor: its cofactors,
-// turned round where it mirrors. Rows are brought to unit size first: cofactors of millimetre-sized matrices underflow.
+// turned round where it mirrors. Sizes of 1e-9 to 1e9 are safe from under- and overflow.
 // mirrored: -1 where the matrix mirrors, else 1; with it the triad of normal, tangent and bitangent changes hands.
 vec3 marrow_normal(vec3 a, vec3 b, vec3 c, vec3 normal, out float mirrored) {
-  float size = max(dot(a, a), max(dot(b, b), dot(c, c)));
-  float unit = inversesqrt(max(size, 1e-30));
-  a *= unit;
-  b *= unit;
-  c *= unit;
   vec3 bc = cross(b, c);
-  vec3 n = vec3(dot(bc, normal), dot(cross(c, a), normal), dot(cross(a, b), normal));
   mirrored = dot(a, bc) < 0.0 ? -1.0 : 1.0;
+  vec3 n = vec3(dot(bc, normal), dot(c, cross(a, normal)), -dot(b, cross(a, normal)));
   return mirrored * marrow_unit(n);
 }
 
@@ -221,50 +246,74 @@ void marrow_morph(inout vec3 position, inout vec3 normal, inout vec3 tangent) {
 }
 #endif
 
+#if MARROW_DEFORMER != 0
+vec3 marrow_times(MarrowMatrix m, vec4 q) {
+  return vec3(dot(m.x, q), dot(m.y, q), dot(m.z, q));
+}
+#endif
+
 #if MARROW_DEFORMER == 3
 // Adds one influence of animation space: M q to the position, w M to the matrix that normals and tangents go through.
 void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec3 y, inout vec3 z) {
-  int row = 3 * int(joint);
-  vec4 mx = marrow_row(row);
-  vec4 my = marrow_row(row + 1);
-  vec4 mz = marrow_row(row + 2);
-  position += vec3(dot(mx, q), dot(my, q), dot(mz, q));
-#if (MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS) && !MARROW_SURFACE_NORMALS
-  x += q.w * mx.xyz;
-  y += q.w * my.xyz;
-  z += q.w * mz.xyz;
+  MarrowMatrix m = marrow_matrix(joint);
+  position += marrow_times(m, q);
+#if MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS
+  x += q.w * m.x.xyz;
+  y += q.w * m.y.xyz;
+  z += q.w * m.z.xyz;
 #endif
 }
 
 #if MARROW_SURFACE_NORMALS
-vec3 marrow_vector(vec4 v, uint joint) {
-  int row = 3 * int(joint);
-  return vec3(dot(marrow_row(row), v), dot(marrow_row(row + 1), v), dot(marrow_row(row + 2), v));
+// Adds one influence of the position and of both tangents, so that rows are fetched once and live no longer than it.
+void marrow_add_surface(MarrowMatrix m, vec4 q, vec4 a, vec4 b, inout vec3 position, inout vec3 first,
+                        inout vec3 second, inout vec2 w) {
+  position += marrow_times(m, q);
+  first += marrow_times(m, a);
+  second += marrow_times(m, b);
+  w += vec2(a.w, b.w);
 }
 
-// Σ M τ, unit.
-vec3 marrow_surface_tangent(vec4 a, vec4 b, vec4 c, vec3 d) {
-  vec3 t = marrow_vector(a, in_joints0.x) + marrow_vector(b, in_joints0.y) + marrow_vector(c, in_joints0.z) +
-           marrow_vector(vec4(d, -(a.w + b.w + c.w)), in_joints0.w);
-  return marrow_unit(t);
+// Position, normal and tangent, of the deformed surface itself.
+void marrow_surface(inout MarrowVertex v) {
+  vec3 position = vec3(0.0);
+  vec3 first = vec3(0.0);
+  vec3 second = vec3(0.0);
+  vec2 left = vec2(0.0);  // what the last w are less than 0
+  MarrowMatrix m = marrow_matrix(in_joints0.x);
+  float mirrored = dot(m.x.xyz, cross(m.y.xyz, m.z.xyz)) < 0.0 ? -1.0 : 1.0;
+  marrow_add_surface(m, in_coordinate0, in_first0, in_second0, position, first, second, left);
+  m = marrow_matrix(in_joints0.y);
+  marrow_add_surface(m, in_coordinate1, in_first1, in_second1, position, first, second, left);
+  m = marrow_matrix(in_joints0.z);
+  marrow_add_surface(m, in_coordinate2, in_first2, in_second2, position, first, second, left);
+  m = marrow_matrix(in_joints0.w);
+  vec4 a = in_first3;
+  vec4 b = in_second3;
+  marrow_add_surface(m, in_coordinate3, vec4(a.xyz, -left.x), vec4(b.xyz, -left.y), position, first, second, left);
+  v.position = marrow_coordinate_scale * position;
+#if MARROW_NORMAL
+  v.normal = mirrored * marrow_unit(cross(first, second));
+#endif
+#if MARROW_TANGENT
+  v.tangent = vec4(marrow_unit(first), a.w < 0.0 ? -mirrored : mirrored);
+#endif
 }
 #endif
 #elif MARROW_DEFORMER != 0
 // Adds one influence of SSD to the blended matrix.
 void marrow_add(float weight, uint joint, inout vec4 x, inout vec4 y, inout vec4 z) {
-  int row = 3 * int(joint);
-  x += weight * marrow_row(row);
-  y += weight * marrow_row(row + 1);
-  z += weight * marrow_row(row + 2);
+  MarrowMatrix m = marrow_matrix(joint);
+  x += weight * m.x;
+  y += weight * m.y;
+  z += weight * m.z;
 }
 #endif
 
 #if MARROW_MOTION && MARROW_DEFORMER != 0
 // M q, by the palette of the frame before.
 vec3 marrow_was(vec4 q, uint joint) {
-  int row = 3 * int(joint);
-  return vec3(dot(marrow_previous_row(row), q), dot(marrow_previous_row(row + 1), q),
-              dot(marrow_previous_row(row + 2), q));
+  return marrow_times(marrow_previous_matrix(joint), q);
 }
 
 // Every deformer is a sum of M q here: q = w (p, 1) by SSD.
@@ -306,9 +355,7 @@ vec3 marrow_previous() {
 #endif
 
 MarrowVertex marrow_skin() {
-  MarrowVertex v;
-  v.normal = vec3(0.0);
-  v.tangent = vec4(0.0);
+  MarrowVertex v = MarrowVertex(vec3(0.0), vec3(0.0), vec4(0.0), vec3(0.0));
 #if MARROW_DEFORMER == 0
   v.position = in_position;
 #if MARROW_NORMAL
@@ -317,26 +364,25 @@ MarrowVertex marrow_skin() {
 #if MARROW_TANGENT
   v.tangent = in_tangent;
 #endif
+#elif MARROW_SURFACE_NORMALS
+  marrow_surface(v);
 #else
-
   vec3 change = vec3(0.0);  // of the bind position
   vec3 normal = vec3(0.0);
   vec3 tangent = vec3(0.0);
-#if MARROW_NORMAL && !MARROW_SURFACE_NORMALS
+#if MARROW_NORMAL
   normal = marrow_from_octahedron(in_normal);
 #endif
-#if MARROW_TANGENT && !MARROW_SURFACE_NORMALS
+#if MARROW_TANGENT
   tangent = marrow_from_octahedron(vec2(in_tangent.x, abs(in_tangent.y) * 2.0 - 1.0));
 #endif
+#if MARROW_DEFORMER == 3
 #if MARROW_MORPH_TARGETS
   marrow_morph(change, normal, tangent);
 #endif
-
-#if MARROW_DEFORMER == 3
   vec3 x = vec3(0.0);
   vec3 y = vec3(0.0);
   vec3 z = vec3(0.0);
-  v.position = vec3(0.0);
   marrow_add(in_coordinate0, in_joints0.x, v.position, x, y, z);
   marrow_add(in_coordinate1, in_joints0.y, v.position, x, y, z);
   marrow_add(in_coordinate2, in_joints0.z, v.position, x, y, z);
@@ -363,10 +409,10 @@ MarrowVertex marrow_skin() {
 #if MARROW_INFLUENCES == 8
   others += in_weights0.z + in_weights0.w + in_weights1.x + in_weights1.y;
 #endif
-  marrow_add(1.0 - others, in_joints0.x, x, y, z);
   marrow_add(in_position.w, in_joints0.y, x, y, z);
   marrow_add(in_weights0.x, in_joints0.z, x, y, z);
   marrow_add(in_weights0.y, in_joints0.w, x, y, z);
+  marrow_add(1.0 - others, in_joints0.x, x, y, z);
 #if MARROW_INFLUENCES == 8
   marrow_add(in_weights0.z, in_joints1.x, x, y, z);
   marrow_add(in_weights0.w, in_joints1.y, x, y, z);
@@ -374,31 +420,20 @@ MarrowVertex marrow_skin() {
   marrow_add(in_weights1.y, in_joints1.w, x, y, z);
 #endif
 #endif
+#if MARROW_MORPH_TARGETS
+  marrow_morph(change, normal, tangent);
+#endif
   vec4 p = vec4(in_position.xyz + change, 1.0);
   v.position = vec3(dot(x, p), dot(y, p), dot(z, p));
 #endif
 
   float mirrored = 1.0;
-#if MARROW_SURFACE_NORMALS
-#if MARROW_NORMAL || MARROW_TANGENT
-  vec3 first = marrow_surface_tangent(in_first0, in_first1, in_first2, in_first3.xyz);
-  vec3 second = marrow_surface_tangent(in_second0, in_second1, in_second2, in_second3.xyz);
-  int row = 3 * int(in_joints0.x);
-  mirrored = dot(marrow_unit(marrow_row(row).xyz),
-                 cross(marrow_unit(marrow_row(row + 1).xyz), marrow_unit(marrow_row(row + 2).xyz))) < 0.0 ? -1.0 : 1.0;
-  v.normal = mirrored * marrow_unit(cross(first, second));
-#endif
-#if MARROW_TANGENT
-  v.tangent = vec4(first, in_first3.w < 0.0 ? -mirrored : mirrored);
-#endif
-#else
 #if MARROW_NORMAL
   v.normal = marrow_normal(x.xyz, y.xyz, z.xyz, normal, mirrored);
 #endif
 #if MARROW_TANGENT
   v.tangent = vec4(marrow_unit(vec3(dot(x.xyz, tangent), dot(y.xyz, tangent), dot(z.xyz, tangent))),
                    in_tangent.y < 0.0 ? -mirrored : mirrored);
-#endif
 #endif
 #endif
 #if !MARROW_MOTION

@@ -68,14 +68,17 @@ TEST(SelfTest, TextsThatAreMiscompiled) {
     Verdict verdict;
   };
   const std::string half =
-      "vec4 r = marrow_rows[i]; return vec4(unpackHalf2x16(packHalf2x16(r.xy)), "
-      "unpackHalf2x16(packHalf2x16(r.zw)));";
+      "MarrowMatrix m = marrow_matrices[joint]; m.x = vec4(unpackHalf2x16(packHalf2x16(m.x.xy)), "
+      "unpackHalf2x16(packHalf2x16(m.x.zw))); return m;";
   const std::string nothing = "void main() { this is no language }";
   const Case cases[] = {
-      {"16 bits", {kTextOfUbo, "return marrow_rows[i];", half}, kUbo, Verdict::wrong},
-      {"256 vectors of a block", {kTextOfUbo, "marrow_rows[i]", "marrow_rows[i & 255]"}, kUbo, Verdict::wrong},
+      {"16 bits", {kTextOfUbo, "return marrow_matrices[joint];", half}, kUbo, Verdict::wrong},
+      {"256 vectors of a block",
+       {kTextOfUbo, "marrow_matrices[joint]", "marrow_matrices[joint % 85u]"},
+       kUbo,
+       Verdict::wrong},
       {"no instances", {kTextOfTexture, "gl_InstanceID * marrow", "0 * marrow"}, kTexture, Verdict::wrong},
-      {"no row", {kTextOfFeedback, "row + 2", "row + 1"}, kFeedback, Verdict::wrong},
+      {"no row", {kTextOfFeedback, "weight * m.z", "weight * m.y"}, kFeedback, Verdict::wrong},
       {"joints of 16 bits", {kTextOfCompute, "two >> 16", "two >> 15"}, kCompute, Verdict::wrong},
       {"influences 5 to 8", {kTextOfFeedback, "in_weights1.x", "in_weights1.y"}, kFeedback, Verdict::wrong},
       {"normals alone", {kTextOfFeedback, "cross(b, c)", "cross(c, b)"}, kFeedback, Verdict::wrong},
@@ -93,7 +96,7 @@ TEST(SelfTest, TextsThatAreMiscompiled) {
 }
 
 TEST(SelfTest, TheDeformersThatAreAskedFor) {
-  const Miscompiler how = {{"MARROW_DEFORMER 3"}, "q.w * mx.xyz", "mx.xyz"};
+  const Miscompiler how = {{"MARROW_DEFORMER 3"}, "q.w * m.x.xyz", "m.x.xyz"};
   const std::uint32_t on_gpu = kUbo | kTexture | kFeedback | kCompute;
   expect(run(miscompiling_api(how), gl().caps(), {}), on_gpu, Verdict::wrong, "both");
   expect(run(miscompiling_api(how), gl().caps(), one_deformer()), 0, Verdict::usable, "SSD");

@@ -23,8 +23,22 @@ namespace {
 
 constexpr unsigned kDebugOutput = 0x92E0, kDebugSynchronous = 0x8242;
 
-// surface.vert hands no tangent on; this goes before its main() and stands for what a game's vertex text does with one.
-constexpr const char* kTangentOut = "out vec4 tangent_scene;\n#define MARROW_COST_TANGENT tangent_scene = v.tangent;\n";
+// What surface.vert does not hand on, and a game's vertex text does: goes before its main(), and to the end of that.
+constexpr const char* kBefore = R"(#if MARROW_TANGENT
+out vec4 tangent_scene;
+#endif
+#if MARROW_MOTION
+out vec3 previous_scene;
+#endif
+)";
+constexpr const char* kAtEnd = R"(#if MARROW_TANGENT
+  tangent_scene = v.tangent;
+#endif
+#if MARROW_MOTION
+  previous_scene = v.previous_position;
+#endif
+}
+)";
 
 // Reads all that surface.vert may write, and nothing else: the vertex stage alone is looked at.
 constexpr const char* kFragment = R"(precision highp float;
@@ -34,6 +48,9 @@ in vec3 normal_scene;
 #endif
 #if MARROW_TANGENT
 in vec4 tangent_scene;
+#endif
+#if MARROW_MOTION
+in vec3 previous_scene;
 #endif
 #if MARROW_PALETTES == 2
 in vec4 vertex_colour;
@@ -46,6 +63,9 @@ void main() {
 #endif
 #if MARROW_TANGENT
   colour += tangent_scene;
+#endif
+#if MARROW_MOTION
+  colour.xyz += previous_scene;
 #endif
 #if MARROW_PALETTES == 2
   colour += vertex_colour;
@@ -62,6 +82,7 @@ constexpr Attributes kAttributes[] = {
     {"p", 0},
     {"pn", kNormals},
     {"pnt", kNormals | kTangents},
+    {"pn+motion", kNormals | kMotion},
     {"pn-surface", kNormals | kSurfaceNormals, true},
     {"pnt-surface", kNormals | kTangents | kSurfaceNormals, true},
 };
@@ -94,9 +115,7 @@ class Costs {
   Costs(const Api& api, const Caps& caps, const char* pattern)
       : api_(api), caps_(caps), wanted_(pattern, std::regex::extended) {
     const std::string surface = text(embedded::shader_surface_vert);
-    const std::size_t end = surface.rfind('}');
-    surface_ = "#if MARROW_TANGENT\n" + std::string(kTangentOut) + "#else\n#define MARROW_COST_TANGENT\n#endif\n" +
-               surface.substr(0, end) + "MARROW_COST_TANGENT\n}\n";
+    surface_ = kBefore + surface.substr(0, surface.rfind('}')) + kAtEnd;
   }
 
   void all() {
@@ -121,6 +140,7 @@ class Costs {
       draw("ubo", name, key, attributes);
       draw("texture", name, {deformer, influences, key.features, Palettes::texture}, attributes);
       if (morphs == 0) draw("crowd", name, {deformer, influences, 0, Palettes::crowd}, attributes);
+      if ((attributes.features & kMotion) != 0) continue;  // skinned ahead, the frame before is there
       preskin("feedback", Preskin::feedback, name, key, attributes);
       if (caps_.compute) preskin("compute", Preskin::compute, name, key, attributes);
     }
