@@ -59,9 +59,9 @@ void tell_device(std::string name) {
 #else
   const char* const kind = "GNU/Linux";
 #endif
-  std::printf("{\"name\": %s, \"cpu\": %s, \"system\": %s, \"machine\": %s, \"bits\": %zu}\n", quoted(name).c_str(),
+  std::printf("{\"name\": %s, \"cpu\": %s, \"system\": %s, \"machine\": %s}\n", quoted(name).c_str(),
               quoted(cpu_name()).c_str(), quoted(std::string(kind) + ", kernel " + system.release).c_str(),
-              quoted(system.machine).c_str(), 8 * sizeof(void*));
+              quoted(system.machine).c_str());
 }
 
 Newt load_newt(const char* path) {

@@ -95,8 +95,8 @@ double ns_per_vertex(const Screen& screen, const Newt& newt, SkinningPath path, 
   options.motion = (kind.features & gles3::kMotion) != 0;
   tools::AlignedBytes memory(gles3::skinner_bytes(newt.body, options));
   gles3::Skinner skinner;
-  const Status created = gles3::create_skinner(api, screen.caps, newt.body, options, programs,
-                                               {memory.data(), memory.size()}, skinner);
+  const Status created =
+      gles3::create_skinner(api, screen.caps, newt.body, options, programs, {memory.data(), memory.size()}, skinner);
   if (created != Status::ok) give_up(kind.name, std::string(to_string(created)) + " " + log.data());
   std::vector<SoaTransform> pose(newt.skeleton.soa_size());
   std::vector<Affine> joints(newt.skeleton.joint_count);
@@ -148,7 +148,8 @@ std::string row_of(const gles3::SelfTest& test, std::uint32_t index) {
          ", \"verdict\": " + quoted(why.empty() ? "usable" : why) +
          ", \"position_error\": " + number(double(result.position_error)) +
          ", \"normal_error\": " + number(double(result.normal_error)) +
-         ", \"ns\": " + number(double(result.ns_per_vertex)) + "}";
+         ", \"ns\": " + number(double(result.ns_per_vertex)) +
+         ", \"ns_per_pass\": " + number(double(result.ns_per_pass)) + "}";
 }
 
 }  // namespace
@@ -189,8 +190,8 @@ void bench_gpu(const Newt& newt, const std::string& name) {
   const Screen screen;
   std::string rows;
   for (const RowKind& kind : kKinds)
-    rows += (rows.empty() ? "\n  {\"name\": " : ",\n  {\"name\": ") + quoted(kind.name) + ", \"ns\": " +
-            number(ns_per_vertex(screen, newt, static_cast<SkinningPath>(path), kind)) + "}";
+    rows += (rows.empty() ? "\n  {\"name\": " : ",\n  {\"name\": ") + quoted(kind.name) +
+            ", \"ns\": " + number(ns_per_vertex(screen, newt, static_cast<SkinningPath>(path), kind)) + "}";
   std::printf("{\"rows\": [%s\n]}\n", rows.c_str());
 }
 
