@@ -21,18 +21,22 @@ run() {  # ABI NAME EMULATOR …
     { cat "$work/$abi.txt" >&2; exit 1; }
   mv "$work/kit/result.json" "$work/$abi.json"
 }
-run arm64 "an | emulated <!-- board" qemu-aarch64 -L "$mesa"
-# What a kit does about a driver that crashes: two paths of the self-test, one after the other, and one path's figures.
-cat >"$work/crash.sh" <<'END'
+run armv7 "a second" qemu-arm -L /usr/arm-linux-gnueabihf
+# What run.sh does about other bits, and about a driver that crashes: in the self-test on one path after the other.
+cat >"$work/stub.sh" <<'END'
 #!/bin/bash
-case "$2 $(cat trying.txt 2>/dev/null)" in
-  "self-test ") echo 1 >trying.txt && kill -SEGV $$ ;;
-  "self-test 1") echo 3 >trying.txt && kill -SEGV $$ ;;
-  "gpu "*) [ "$3" != compute ] || kill -SEGV $$ ;;
+case "${1##*/} ${2:-} ${3:-} $(cat trying.txt 2>/dev/null)" in
+  "marrow_bits "*) printf '    {"a, b", 0x1},  // not what is stored\n    {"c", 0x2},\nbits 00000000000000AB DIFFERS\n' && exit 1 ;;
+  "marrow_phone device "*) echo '{"name": "stub", "cpu": "none", "system": "none", "machine": "none"}' ;;
+  "marrow_phone self-test trying.txt ") echo 1 >trying.txt && kill -SEGV $$ ;;
+  "marrow_phone self-test trying.txt 1") echo 3 >trying.txt && kill -SEGV $$ ;;
+  "marrow_phone self-test trying.txt 3") echo '{"error": "tried thrice"}' ;;
+  "marrow_phone gpu compute "*) kill -SEGV $$ ;;
+  *) echo '{"error": "a stub"}' ;;
 esac
-exec qemu-arm -L /usr/arm-linux-gnueabihf "$@"
 END
-run armv7 "a second" bash "$work/crash.sh"
+run arm64 "" bash "$work/stub.sh" && mv "$work/arm64.json" "$work/stub.json"
+run arm64 "an | emulated <!-- board" qemu-aarch64 -L "$mesa"
 echo 3 >"$work/trying.txt"
 qemu-aarch64 -L "$mesa" "$work/kit/arm64/marrow_phone" self-test "$work/trying.txt" >"$work/crashed.json"
 python3 tools/phone/check_results.py "$work"

@@ -74,7 +74,9 @@ rm -rf "$out"/{arm64,armv7,newt.mrw,kit.txt,run.sh}
 cp -R $kit/. "$out/"
 echo "$out: for $kind" >&2
 if [ -n "$ndk" ]; then
-  echo "adb push $out /data/local/tmp/marrow && adb shell sh /data/local/tmp/marrow/run.sh && adb pull /data/local/tmp/marrow/result.json"
+  there=/data/local/tmp/marrow
+  echo "adb push $out/. $there && adb shell sh $there/run.sh && adb pull $there/result.json"
 else
-  echo "scp -r $out DEVICE:marrow && ssh DEVICE sh marrow/run.sh && scp DEVICE:marrow/result.json ."
+  echo "tar -C $out -c . | ssh DEVICE 'mkdir -p marrow-kit && tar -C marrow-kit -x && sh marrow-kit/run.sh' &&" \
+    "scp DEVICE:marrow-kit/result.json ."
 fi

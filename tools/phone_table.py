@@ -182,11 +182,12 @@ def section(result):
         lines += [f"{plain(test['renderer'])}; {plain(test['version'])}. `choose` takes "
                   + "; ".join(f"passes {c['passes']}, characters {c['characters']}: `{c['path']}`" for c in test["choice"])
                   + "."]
-    failed = [f"`{path}`: {plain(result['gpu'][path]['error'])}" for path in PATHS if "error" in result["gpu"][path]]
-    if len(failed) < len(PATHS) or "error" not in test:
+    errors = {path: result["gpu"][path]["error"] for path in PATHS if "error" in result["gpu"][path]}
+    if len(errors) < len(PATHS) or "error" not in test:
         lines += ["", *path_table(result)]
-        if failed:
-            lines += ["", "Not measured: " + "; ".join(failed) + "."]
+    failed = [f"`{path}`: {plain(why)}" for path, why in errors.items() if why != test.get("error")]
+    if failed:
+        lines += ["", "Not measured: " + "; ".join(failed) + "."]
     if "error" in cpu:
         lines += ["", f"On the CPU: {plain(cpu['error'])}."]
     else:

@@ -24,32 +24,26 @@ std::string contents(const char* path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// What stands behind `key` and a colon in a line of /proc/cpuinfo; "" if the line is another's.
-std::string value_of(const std::string& line, const std::string& key) {
-  const std::size_t colon = line.find(':');
-  if (line.compare(0, key.size(), key) != 0 || colon == std::string::npos) return "";
-  if (line.find_first_not_of(" \t", key.size()) != colon) return "";
-  const std::size_t begin = line.find_first_not_of(" \t", colon + 1);
-  return begin == std::string::npos ? "" : line.substr(begin);
-}
-
-// Chip and cores: "Qualcomm …, 4 × 0x41/0xd05, 4 × 0x41/0xd0a", with implementer and part of ARM's cores.
-std::string cpu_name() {
-  std::ifstream stream("/proc/cpuinfo");
+// Chip and cores of /proc/cpuinfo: "Qualcomm …, 4 x 0x41/0xd05, 4 x 0x41/0xd0a", implementer and part of ARM's cores.
+std::string cpu_name(std::istream& lines) {
   std::string chip, implementer;
-  std::map<std::string, int> cores;
-  for (std::string line; std::getline(stream, line);) {
-    if (const std::string hardware = value_of(line, "Hardware"); !hardware.empty()) chip = hardware + ", ";
-    if (const std::string maker = value_of(line, "CPU implementer"); !maker.empty()) implementer = maker;
-    if (const std::string part = value_of(line, "CPU part"); !part.empty()) ++cores[implementer + "/" + part];
-    if (const std::string model = value_of(line, "model name"); !model.empty() && implementer.empty()) ++cores[model];
+  std::map<std::string, int> parts, models;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = std::min(line.find(':'), line.size());
+    const std::string key = line.substr(0, line.find_last_not_of(" \t:", colon) + 1);
+    const std::string value = line.substr(std::min(colon + 2, line.size()));
+    if (key == "Hardware") chip = value + ", ";
+    if (key == "CPU implementer") implementer = value + "/";
+    if (key == "CPU part") ++parts[implementer + value];
+    if (key == "model name") ++models[value];
   }
   std::string out = chip;
-  for (const auto& [core, count] : cores) out += std::to_string(count) + " x " + core + ", ";
+  for (const auto& [core, count] : parts.empty() ? models : parts) out += std::to_string(count) + " x " + core + ", ";
   return out.empty() ? "unknown" : out.substr(0, out.size() - 2);
 }
 
 void tell_device(std::string name) {
+  std::ifstream cpuinfo("/proc/cpuinfo");
   utsname system = {};
   uname(&system);
   if (name.empty()) name = contents("/proc/device-tree/model").c_str();  // ends with a zero
@@ -60,7 +54,7 @@ void tell_device(std::string name) {
   const char* const kind = "GNU/Linux";
 #endif
   std::printf("{\"name\": %s, \"cpu\": %s, \"system\": %s, \"machine\": %s}\n", quoted(name).c_str(),
-              quoted(cpu_name()).c_str(), quoted(std::string(kind) + ", kernel " + system.release).c_str(),
+              quoted(cpu_name(cpuinfo)).c_str(), quoted(std::string(kind) + ", kernel " + system.release).c_str(),
               quoted(system.machine).c_str());
 }
 
