@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs on the device, out of the kit of tools/phone.sh: measures, and writes result.json beside itself. Some minutes.
+# Runs on the device, out of the kit of tools/phone.sh: measures, and writes result.json beside itself.
 # usage: sh run.sh [--abi arm64|armv7] [--name NAME]
 #   --abi     the programs to take; without, those that run, 64 bits first
 #   --name    what the device is called; without, what Android or the kernel calls it
