@@ -76,6 +76,11 @@ check_fbx() {
   [ $? -eq 3 ] && echo "SKIPPED: FBX, by Blender" >&2
 }
 
+check_phone() {
+  tools/check_phone.sh && return 0
+  [ $? -eq 3 ] && echo "SKIPPED: the kit for phones" >&2
+}
+
 fuzz() {
   tools/fuzz.sh 30 && return 0
   [ $? -eq 3 ] && echo "SKIPPED: libFuzzer" >&2
@@ -119,6 +124,7 @@ case "${1:-}" in
     timed "FBX, by Blender" check_fbx
     timed "WebGL 2, in Chromium" check_web
     timed "what phones' compilers say" tools/gpu_cost.sh
+    timed "the kit for phones" check_phone
     timed "installed, in a game" tools/check_install.sh
     timed "libFuzzer, 30 s a target" fuzz
     ;;

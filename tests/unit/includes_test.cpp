@@ -138,6 +138,7 @@ TEST(Includes, LibrariesOfTheToolsPointOneWayAndToNoCommand) {
       {"render", {"text", "common", "cook", "image", "pose"}},
       {"sizes", {}},
       {"gpu_cost", {"text", "common"}},
+      {"phone", {"common"}},
   };
   for (const auto& entry : fs::directory_iterator(kTools)) {
     if (!entry.is_directory()) continue;
