@@ -3,27 +3,32 @@
 # Adreno and VideoCore under qemu, which believe in a kernel that Mesa's "drm-shim" libraries play. Tells cycles,
 # instructions, registers, threads and spills; exits with 1 where they are worse than in tools/gpu_cost/table.json:
 # a new spill, fewer threads, or 5 % more of anything.
-# usage: tools/gpu_cost.sh [PATTERN] [--gpu=PATTERN] [--json | --update]
+# usage: tools/gpu_cost.sh [PATTERN] [--gpu=PATTERN] [--json | --update | --if-changed]
 #   PATTERN    only programs whose names fit, as `grep -E` would have it: ^ubo/as/4/
 #   --gpu=…    only these GPUs: --gpu='G5|V3D'
 #   --json     an array of rows on standard output, and nothing else
 #   --update   writes the table, and the one in docs/performance.md
+#   --if-changed  does nothing where the shaders are still those that the table is of
 # A name is path/deformer/influences/attributes/pass. How to read the figures: docs/performance.md, "What phones'
 # compilers say". They are the compilers' static models, not times. All comes from Debian's packages and stays in
 # build/gpu-cost; where they cannot be had it says so and exits with 0.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-usage() { sed -n '6,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 1; }
+usage() { sed -n '6,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 1; }
 pattern="" mode="" gpu=()
 for argument in "$@"; do
   case $argument in
-    --json | --update) [ -z "$mode" ] || usage; mode=$argument ;;
+    --json | --update | --if-changed) [ -z "$mode" ] || usage; mode=$argument ;;
     --gpu=*) gpu=("$argument") ;;
     -*) usage ;;
     *) [ -z "$pattern" ] || usage; pattern=$argument ;;
   esac
 done
 [ "$mode" != --update ] || [ -z "$pattern${gpu[*]}" ] || { echo "gpu_cost: --update is of all rows" >&2; exit 1; }
+if [ "$mode" = --if-changed ] && python3 tools/gpu_cost/costs.py --unchanged; then
+  echo "gpu_cost: the shaders are those of the table" >&2
+  exit 0
+fi
 skip() { echo "SKIPPED: what phones' compilers say: $1" >&2; exit 0; }
 
 tools/install.sh tools/packages/build.txt tools/packages/gpu-cost.txt || skip "some packages cannot be installed"

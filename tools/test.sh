@@ -123,7 +123,7 @@ case "${1:-}" in
     timed "same bits everywhere" compare_bits
     timed "FBX, by Blender" check_fbx
     timed "WebGL 2, in Chromium" check_web
-    timed "what phones' compilers say" tools/gpu_cost.sh
+    timed "what phones' compilers say" tools/gpu_cost.sh --if-changed
     timed "the kit for phones" check_phone
     timed "installed, in a game" tools/check_install.sh
     timed "libFuzzer, 30 s a target" fuzz

@@ -15,7 +15,8 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 TABLE = HERE / "table.json"
-DOCS = HERE.parents[1] / "docs" / "performance.md"
+ROOT = HERE.parents[1]
+DOCS = ROOT / "docs" / "performance.md"
 FIGURES = ("cycles", "instructions", "registers", "threads", "spills")
 MOST = 1.05  # of what the table has
 
@@ -155,6 +156,16 @@ def tell(costs):
         print(name.ljust(width), *cells)
 
 
+def texts():
+    """What the programs are made of, as a hash: of shaders, and of the sources that put them together."""
+    made_of = hashlib.sha256()
+    sources = ["runtime/gles3/program.cpp", "runtime/gles3/preskin.cpp", "runtime/gles3/crowd.cpp", "tools/gpu_cost/gpu_cost.cpp"]
+    shaders = ["skin.glsl", "preskin.vert", "preskin.comp", "crowd.vert", "crowd.frag", "surface.vert", "depth.vert", "depth.frag"]
+    for name in sources + [f"shaders/{name}" for name in shaders]:
+        made_of.update((ROOT / name).read_bytes())
+    return made_of.hexdigest()
+
+
 def load():
     if not TABLE.exists():
         return None, {}
@@ -199,7 +210,7 @@ def update(costs, mesa):
         return [values and [values[figure] for figure in FIGURES] for values in of_gpus]
 
     lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(line(name), separators=(',', ':'))}" for name in names_of(costs))
-    head = f'"mesa": "{mesa}",\n"gpus": {json.dumps(list(costs))},\n"figures": {json.dumps(FIGURES)},\n"programs": {{\n'
+    head = f'"mesa": "{mesa}",\n"texts": "{texts()}",\n"gpus": {json.dumps(list(costs))},\n"figures": {json.dumps(FIGURES)},\n"programs": {{\n'
     TABLE.write_text("{\n" + head + lines + "\n}}\n")
     text = DOCS.read_text()
     begin, end = "<!-- gpu_cost -->\n", "<!-- /gpu_cost -->"
@@ -258,4 +269,6 @@ def main(folder, program, *rest):
 
 
 if __name__ == "__main__":
+    if sys.argv[1:] == ["--unchanged"]:
+        sys.exit(json.loads(TABLE.read_text()).get("texts") != texts())
     sys.exit(main(*sys.argv[1:]))
