@@ -327,12 +327,21 @@ vec3 marrow_previous() {
   }
 #endif
 #if MARROW_DEFORMER == 3
-#define MARROW_WAS(Coordinate, Joint) marrow_was(Coordinate + vec4(Coordinate.w * change, 0.0), Joint)
-  vec3 p = MARROW_WAS(in_coordinate0, in_joints0.x) + MARROW_WAS(in_coordinate1, in_joints0.y) +
-           MARROW_WAS(in_coordinate2, in_joints0.z) + MARROW_WAS(in_coordinate3, in_joints0.w);
+#if MARROW_MORPH_TARGETS
+#define MARROW_WAS(Coordinate, Joint) p += marrow_was(Coordinate + vec4(Coordinate.w * change, 0.0), Joint)
+#else
+#define MARROW_WAS(Coordinate, Joint) p += marrow_was(Coordinate, Joint)
+#endif
+  vec3 p = vec3(0.0);
+  MARROW_WAS(in_coordinate0, in_joints0.x);
+  MARROW_WAS(in_coordinate1, in_joints0.y);
+  MARROW_WAS(in_coordinate2, in_joints0.z);
+  MARROW_WAS(in_coordinate3, in_joints0.w);
 #if MARROW_INFLUENCES == 8
-  p += MARROW_WAS(in_coordinate4, in_joints1.x) + MARROW_WAS(in_coordinate5, in_joints1.y) +
-       MARROW_WAS(in_coordinate6, in_joints1.z) + MARROW_WAS(in_coordinate7, in_joints1.w);
+  MARROW_WAS(in_coordinate4, in_joints1.x);
+  MARROW_WAS(in_coordinate5, in_joints1.y);
+  MARROW_WAS(in_coordinate6, in_joints1.z);
+  MARROW_WAS(in_coordinate7, in_joints1.w);
 #endif
   return marrow_coordinate_scale * p;
 #else
@@ -356,6 +365,9 @@ vec3 marrow_previous() {
 
 MarrowVertex marrow_skin() {
   MarrowVertex v = MarrowVertex(vec3(0.0), vec3(0.0), vec4(0.0), vec3(0.0));
+#if MARROW_MOTION && MARROW_DEFORMER != 0
+  v.previous_position = marrow_previous();
+#endif
 #if MARROW_DEFORMER == 0
   v.position = in_position;
 #if MARROW_NORMAL
@@ -440,8 +452,6 @@ MarrowVertex marrow_skin() {
   v.previous_position = v.position;
 #elif MARROW_DEFORMER == 0
   v.previous_position = in_previous_position;
-#else
-  v.previous_position = marrow_previous();
 #endif
   return v;
 }
