@@ -29,9 +29,9 @@ check_text() {  # FILE
     glslangValidator -V -R --auto-map-bindings --auto-map-locations --set-default-uniform-block MarrowUniforms 0 5 \
       -S "$stage" -o "$text.spv" "$text.310" &&
     spirv-val --target-env vulkan1.0 "$text.spv" &&
-    spirv-cross "$text.spv" --es --version $version --output "$text.es" &&
+    spirv-cross "$text.spv" --es --version "$version" --output "$text.es" &&
     glslangValidator -S "$stage" "$text.es" &&
-    spirv-cross "$text.spv" --msl --output "$text.metal" &&
+    spirv-cross "$text.spv" --msl --msl-decoration-binding --output "$text.metal" &&
     rm "$text.310"
 }
 check_quietly() {
@@ -43,6 +43,12 @@ all=$(find "$work/texts" -type f | wc -l)
 passed=$(find "$work/texts" -type f -print0 | xargs -0 -P2 -n1 bash -c 'check_quietly "$0"' | wc -l)
 echo "$all texts, $passed passed: OpenGL ES → SPIR-V for Vulkan → OpenGL ES, Metal's language"
 [ "$all" -gt 0 ] && [ "$passed" = "$all" ] || exit 1
+
+# What the manual shows is what runs.
+if sed -n '/^```cpp/,/^```$/p' docs/other_apis.md | grep -v '^```' | grep -vxFf tests/vulkan/skin_test.cpp >&2; then
+  echo "check_spirv: docs/other_apis.md: these lines are not in tests/vulkan/skin_test.cpp" >&2
+  exit 1
+fi
 
 code=0
 "$programs/marrow_vulkan_skin" "$work/texts" || code=$?

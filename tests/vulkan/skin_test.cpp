@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,14 +32,14 @@ constexpr double kMostNormalDeg = 1;
 constexpr Run kFourInfluences[] = {{801, 1}, {802, 2}, {803, 3}, {804, 4}};
 constexpr Run kEightInfluences[] = {{401, 1}, {402, 2}, {403, 3}, {404, 4}, {405, 5}, {406, 6}, {407, 7}, {409, 8}};
 
-struct Vertices {
-  std::vector<float> positions, normals, tangents;
-  explicit Vertices(const Geometry& g)
-      : positions(std::size_t{3} * g.slot_count),
-        normals(g.normals != nullptr ? positions.size() : 0),
-        tangents(g.tangents != nullptr ? std::size_t{4} * g.slot_count : 0) {}
-  SkinOutput output() { return {positions, normals, tangents}; }
-};
+// The blocks of an engine's vertex buffer, mapped: positions of every slot, then normals, then tangents.
+SkinOutput blocks_in(float* mapped, const Geometry& g) {
+  const std::size_t n = g.slot_count;
+  SkinOutput out{.positions = {mapped, 3 * n}};
+  if (g.normals != nullptr) out.normals = {mapped + 3 * n, 3 * n};
+  if (g.tangents != nullptr) out.tangents = {mapped + 6 * n, 4 * n};
+  return out;
+}
 
 // Noise in memory that lasts as long as this.
 struct ProbeMesh {
@@ -71,9 +72,9 @@ double distance(const float* a, const float* b) {
   return std::sqrt(squared);
 }
 
-double diagonal_of(const std::vector<float>& positions) {
+double diagonal_of(Span<float> positions) {
   float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size; ++i) {
     low[i % 3] = std::min(low[i % 3], positions[i]);
     high[i % 3] = std::max(high[i % 3], positions[i]);
   }
@@ -85,11 +86,11 @@ void raise(double& worst, double value) {
   worst = value >= 0 ? std::max(worst, value) : 1e30;
 }
 
-Worst compare(const Vertices& got, const Vertices& want) {
+Worst compare(const SkinOutput& got, const SkinOutput& want) {
   Worst out;
   constexpr double kDegrees = 57.29577951308232;
   const double diagonal = diagonal_of(want.positions);
-  out.vertices = want.positions.size() / 3;
+  out.vertices = want.positions.size / 3;
   for (std::size_t slot = 0; slot < out.vertices; ++slot) {
     raise(out.position, distance(&got.positions[3 * slot], &want.positions[3 * slot]) / diagonal);
     // Unit vectors: the chord, as good as the angle where it is small.
@@ -105,7 +106,7 @@ Worst compare(const Vertices& got, const Vertices& want) {
 bool skin_by_cpu(const Mesh& mesh, Deformer deformer, Span<const Affine> palette, const SkinOutput& out) {
   if (deformer == Deformer::rigid) return skin_rigid(mesh, palette, out) == Status::ok;
   if (deformer == Deformer::ssd) return skin_ssd(mesh, palette, out) == Status::ok;
-  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));  // a game makes them once a mesh
   return as_coordinates(mesh.geometry, coordinates) == Status::ok &&
          skin_as(mesh, coordinates, palette, out) == Status::ok;
 }
@@ -118,51 +119,69 @@ std::vector<std::uint32_t> read_spirv(const std::string& path) {
   return words;
 }
 
-// What Marrow has recorded for OpenGL ES, by Vulkan.
-bool skin_by_vulkan(VulkanCompute& vulkan, const std::vector<std::uint32_t>& spirv, Span<const Affine> palette,
-                    Vertices& out) {
-  Recorder& from = recorder();
-  std::vector<ComputeBuffer> buffers(6);
-  for (unsigned i = 0; i < 4; ++i) buffers[i].bytes = from.buffers[from.bindings[i]];
-  buffers[4] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, std::vector<std::byte>(gles3::kPaletteBlockBytes)};
-  std::memcpy(buffers[4].bytes.data(), palette.data, palette.size * sizeof(Affine));
-  buffers[5] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, pack_uniforms(find_uniform_block(spirv), from.uniforms)};
-  if (!vulkan.run(spirv, from.groups, buffers)) return false;
-  const std::byte* at = buffers[3].bytes.data();
-  for (std::vector<float>* block : {&out.positions, &out.normals, &out.tangents}) {
-    std::memcpy(block->data(), at, 4 * block->size());
-    at += 4 * block->size();
-  }
-  return true;
-}
+// What an engine keeps of a mesh.
+struct EngineMesh {
+  std::vector<Affine> bind;      // for its palettes, in the place of Mesh::inverse_bind
+  std::vector<std::byte> in[3];  // storage buffers, bindings 0 … 2
+  std::size_t out_bytes = 0;     // of the storage buffer at binding 3
+  std::map<std::string, std::vector<std::uint32_t>> uniforms;
+  unsigned groups = 0;  // to dispatch
+};
 
-// One mesh in one pose, by one deformer.
-bool run_one(VulkanCompute& vulkan, const std::string& folder, const Mesh& mesh, Deformer deformer, int features,
-             std::uint32_t frame, Worst& worst) {
+// Once a mesh: marrow::gles3 over a driver that only keeps what it is given.
+bool make_engine_mesh(const Mesh& mesh, const gles3::ProgramKey& key, EngineMesh& out) {
   recorder() = {};
   const gles3::Api api = recording_api();
   gles3::Caps caps;
   caps.compute = true;
   std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh));
-  std::vector<Affine> bind(mesh.joint_count), scene(mesh.joint_count), palette(mesh.palette_size());
+  out.bind.resize(mesh.joint_count);
   gles3::GpuMesh gpu;
   gles3::SkinnedMesh skinned;
   gles3::Program program;
-  if (prepare(api, caps, mesh, {}, scratch, bind, gpu) != Status::ok) return false;
-  const gles3::ProgramKey key{deformer, gpu.influences, static_cast<std::uint8_t>(features)};
-  gles3::pose_probe(frame, 0, scene);
-  const Span<const std::uint16_t> joints(mesh.joints, mesh.joint_count);
-  if (create_skinned(api, gpu, skinned) != Status::ok ||
+  if (prepare(api, caps, mesh, {}, scratch, out.bind, gpu) != Status::ok ||
+      create_skinned(api, gpu, skinned) != Status::ok ||
       build_preskin(api, caps, key, gles3::Preskin::compute, 0, program) != Status::ok ||
-      build_palette(joints, bind, scene, palette) != Status::ok ||
-      preskin(api, gpu, deformer, program, skinned) != Status::ok)
+      preskin(api, gpu, key.deformer, program, skinned) != Status::ok)
     return false;
+  Recorder& from = recorder();
+  for (unsigned i = 0; i < 3; ++i) out.in[i] = from.buffers[from.bindings[i]];
+  out.out_bytes = from.buffers[from.bindings[3]].size();
+  out.uniforms = from.uniforms;
+  out.groups = from.groups;
+  return true;
+}
+
+// Every frame.
+bool skin_by_vulkan(VulkanCompute& vulkan, const std::vector<std::uint32_t>& spirv, const EngineMesh& mesh,
+                    Span<const Affine> palette, std::vector<float>& out) {
+  std::vector<ComputeBuffer> buffers(6);
+  for (std::size_t i = 0; i < 3; ++i) buffers[i].bytes = mesh.in[i];
+  buffers[3].bytes.resize(mesh.out_bytes);
+  buffers[4] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, std::vector<std::byte>(gles3::kPaletteBlockBytes)};
+  std::memcpy(buffers[4].bytes.data(), palette.data, palette.size * sizeof(Affine));
+  buffers[5] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, pack_uniforms(find_uniform_block(spirv), mesh.uniforms)};
+  if (mesh.out_bytes != 4 * out.size() || !vulkan.run(spirv, mesh.groups, buffers)) return false;
+  std::memcpy(out.data(), buffers[3].bytes.data(), mesh.out_bytes);
+  return true;
+}
+
+// One mesh in one pose, by one deformer.
+bool run_one(VulkanCompute& vulkan, const std::string& folder, const Mesh& mesh, const gles3::ProgramKey& key,
+             std::uint32_t frame, Worst& worst) {
+  const Geometry& g = mesh.geometry;
+  const std::size_t floats = (g.normals != nullptr ? 6u : 3u) + (g.tangents != nullptr ? 4u : 0u);
+  std::vector<float> got(floats * g.slot_count), want(floats * g.slot_count);
+  std::vector<Affine> scene(mesh.joint_count), palette(mesh.palette_size());
   const std::vector<std::uint32_t> spirv = read_spirv(folder + "/compute-" + name_of(key) + ".comp.spv");
-  Vertices got(mesh.geometry), want(mesh.geometry);
-  if (spirv.empty() || !skin_by_vulkan(vulkan, spirv, palette, got)) return false;
-  if (build_palette(mesh, scene, palette) != Status::ok || !skin_by_cpu(mesh, deformer, palette, want.output()))
+  EngineMesh engine;
+  gles3::pose_probe(frame, 0, scene);
+  if (spirv.empty() || !make_engine_mesh(mesh, key, engine) ||
+      build_palette({mesh.joints, mesh.joint_count}, engine.bind, scene, palette) != Status::ok ||
+      !skin_by_vulkan(vulkan, spirv, engine, palette, got) || build_palette(mesh, scene, palette) != Status::ok ||
+      !skin_by_cpu(mesh, key.deformer, palette, blocks_in(want.data(), g)))
     return false;
-  const Worst one = compare(got, want);
+  const Worst one = compare(blocks_in(got.data(), g), blocks_in(want.data(), g));
   worst.position = std::max(worst.position, one.position);
   worst.normal_deg = std::max(worst.normal_deg, one.normal_deg);
   worst.tangent_deg = std::max(worst.tangent_deg, one.tangent_deg);
@@ -176,9 +195,11 @@ bool run_deformer(VulkanCompute& vulkan, const std::string& folder, Deformer def
   for (const Span<const Run> runs : {Span<const Run>(kFourInfluences), Span<const Run>(kEightInfluences)})
     for (const int features : {0, int{gles3::kNormals}, gles3::kNormals | gles3::kTangents}) {
       // Joints in a byte each, and in two.
-      const ProbeMesh probe(runs, runs.size == 4 ? 9 : gles3::kPaletteJoints, features);
+      const bool four = runs.size == 4;
+      const ProbeMesh probe(runs, four ? 9 : gles3::kPaletteJoints, features);
+      const gles3::ProgramKey key{deformer, static_cast<std::uint8_t>(four ? 4 : 8), static_cast<std::uint8_t>(features)};
       for (std::uint32_t frame = 0; frame < 3; ++frame)
-        if (!run_one(vulkan, folder, probe.mesh, deformer, features, frame, worst)) {
+        if (!run_one(vulkan, folder, probe.mesh, key, frame, worst)) {
           std::fprintf(stderr, "marrow_vulkan_skin: %s: a call has failed, or SPIR-V is missing\n", name);
           return false;
         }
