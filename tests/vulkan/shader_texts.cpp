@@ -147,7 +147,9 @@ class Texts {
     if (status != Status::ok) give_up(name);
     for (const auto& [type, whole] : recorder().texts) {
       const char* const ending = type == 0x8B31 ? ".vert" : type == 0x8B30 ? ".frag" : ".comp";
-      if (!seen_.insert(ending + whole).second) continue;
+      // A text that asks for nothing is the same whatever is defined before it.
+      const std::size_t from = whole.find("#if") == std::string::npos ? whole.rfind("#define") : 0;
+      if (!seen_.insert(ending + whole.substr(from)).second) continue;
       std::ofstream file(folder_ + "/" + name + ending, std::ios::binary);
       if (!(file << whole).flush()) give_up(name);
     }

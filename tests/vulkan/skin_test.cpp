@@ -197,7 +197,8 @@ bool run_deformer(VulkanCompute& vulkan, const std::string& folder, Deformer def
       // Joints in a byte each, and in two.
       const bool four = runs.size == 4;
       const ProbeMesh probe(runs, four ? 9 : gles3::kPaletteJoints, features);
-      const gles3::ProgramKey key{deformer, static_cast<std::uint8_t>(four ? 4 : 8), static_cast<std::uint8_t>(features)};
+      const gles3::ProgramKey key{deformer, static_cast<std::uint8_t>(four ? 4 : 8),
+                                  static_cast<std::uint8_t>(features)};
       for (std::uint32_t frame = 0; frame < 3; ++frame)
         if (!run_one(vulkan, folder, probe.mesh, key, frame, worst)) {
           std::fprintf(stderr, "marrow_vulkan_skin: %s: a call has failed, or SPIR-V is missing\n", name);
