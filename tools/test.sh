@@ -125,6 +125,7 @@ case "${1:-}" in
     timed "WebGL 2, in Chromium" check_web
     timed "what phones' compilers say" tools/gpu_cost.sh --if-changed
     timed "the kit for phones" check_phone
+    timed "SPIR-V, Vulkan and Metal" tools/check_spirv.sh
     timed "installed, in a game" tools/check_install.sh
     timed "libFuzzer, 30 s a target" fuzz
     ;;
