@@ -71,7 +71,8 @@ TEST_F(CliRoad, InfoSaysWhatIsInside) {
   const Ran text = run_marrow({"info", mrw()});
   EXPECT_EQ(text.code, 0);
   EXPECT_EQ(text.err, "");
-  for (const char* word : {"arm", "hat", "wave", "point"}) EXPECT_NE(text.out.find(word), std::string::npos) << word;
+  for (const char* word : {"arm", "hat", "wave", "point", "cycles of a Mali-G57"})
+    EXPECT_NE(text.out.find(word), std::string::npos) << word;
   const Ran json = run_marrow({"info", mrw(), "--json"});
   ASSERT_EQ(json.code, 0);
   const auto j = nlohmann::json::parse(json.out);
@@ -79,6 +80,10 @@ TEST_F(CliRoad, InfoSaysWhatIsInside) {
   EXPECT_EQ(j.at("skeletons").at(0).at("joints"), 3);
   EXPECT_EQ(j.at("meshes").at(0).at("vertices"), 24);
   EXPECT_EQ(j.at("meshes").at(1).at("triangles"), 4);
+  // The surface's own normals cost more than the blend's.
+  const nlohmann::json& gpu = j.at("meshes").at(0).at("gpu");
+  for (const char* const figure : {"mali_cycles", "adreno_instructions", "videocore_instructions"})
+    EXPECT_GT(gpu.at("as").at(figure), gpu.at("ssd").at(figure)) << figure;
   EXPECT_EQ(j.at("clips").at(0).at("name"), "wave");
   EXPECT_EQ(j.at("clips").at(0).at("duration_s"), 1.25);
 }

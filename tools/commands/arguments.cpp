@@ -26,8 +26,8 @@ void add_choice(CLI::App* command, Choice& choice) {
       ->check(finite("seconds"));
 }
 
-void add_deformer(CLI::App* command, Deformer& to) {
-  add_one_of(command, "--deformer", kDeformers, to, "how vertices follow joints");
+void add_deformer(CLI::App* command, Deformer& to, std::span<const Named<Deformer>> deformers) {
+  add_one_of(command, "--deformer", deformers, to, "how vertices follow joints");
 }
 
 CLI::Validator finite(const std::string& unit) {

@@ -16,7 +16,7 @@ void add_input(CLI::App* command, std::string& to);
 void add_outfits(CLI::App* command, std::vector<std::string>& to);
 
 void add_choice(CLI::App* command, Choice& choice);
-void add_deformer(CLI::App* command, Deformer& to);
+void add_deformer(CLI::App* command, Deformer& to, std::span<const Named<Deformer>> deformers = kDeformers);
 
 // For CLI::Option::check.
 CLI::Validator finite(const std::string& unit);

@@ -14,10 +14,11 @@ void add_skin_path(CLI::App* command, SkinPath& to, std::span<const NamedSkinPat
 
 }  // namespace
 
-void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath> paths) {
+void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath> paths,
+              std::span<const Named<Deformer>> deformers) {
   add_input(command, a.file);
   add_choice(command, a.choice);
-  add_deformer(command, a.deformer);
+  add_deformer(command, a.deformer, deformers);
   add_skin_path(command, a.path, paths);
   add_one_of(command, "--normals", kAsNormals, a.normals,
              "in animation space: of the deformed surface, through its tangents, or, cheaper, through the blended "

@@ -10,7 +10,8 @@
 namespace marrow::tools {
 
 // paths: what --path offers.
-void add_look(CLI::App* command, LookArguments& arguments, std::span<const NamedSkinPath> paths);
+void add_look(CLI::App* command, LookArguments& arguments, std::span<const NamedSkinPath> paths,
+              std::span<const Named<Deformer>> deformers = kDeformers);
 
 // --ik and what goes with it.
 void add_reach(CLI::App* command, ReachArguments& arguments);

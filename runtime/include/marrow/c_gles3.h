@@ -936,7 +936,8 @@ mrw_status mrw_gles3_crowd_on_context_restored(const mrw_gles3_api* api, const m
 //
 // Every path skins two small meshes, by each deformer asked for, as two characters in two frames. Each vertex is drawn
 // as a point into a texture of integers and read back, so that no path is needed to see what another does, and compared
-// with skin_ssd() and skin_as(). The conventions are those of gles3.h.
+// with skin_ssd() and skin_as(). Motion vectors (kMotion) and crowds are not tried. The conventions are those of
+// gles3.h.
 
 // What the self-test says of a path.
 typedef uint8_t mrw_gles3_verdict;

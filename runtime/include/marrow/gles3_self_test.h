@@ -6,7 +6,8 @@
 //
 // Every path skins two small meshes, by each deformer asked for, as two characters in two frames. Each vertex is drawn
 // as a point into a texture of integers and read back, so that no path is needed to see what another does, and compared
-// with skin_ssd() and skin_as(). The conventions are those of gles3.h.
+// with skin_ssd() and skin_as(). Motion vectors (kMotion) and crowds are not tried. The conventions are those of
+// gles3.h.
 #pragma once
 
 #include "marrow/api.h"

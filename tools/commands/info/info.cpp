@@ -50,6 +50,11 @@ std::string springs_of(const ordered_json& skeleton) {
                      skeleton["spring_colliders"].get<int>());
 }
 
+constexpr const char* kGpuLegend =
+    "GPU: what a vertex with all that its mesh has costs, by compilers: cycles of a Mali-G57, instructions of an "
+    "Adreno "
+    "660 and of a V3D 4.2";
+
 // What a vertex costs phones' GPUs, or nothing where that is not known.
 std::string gpu_cost_of(const ordered_json& mesh) {
   const ordered_json& gpu = mesh["gpu"];
@@ -59,7 +64,7 @@ std::string gpu_cost_of(const ordered_json& mesh) {
     return fmt::format("{:.0f}/{:.0f}/{:.0f}", cost["mali_cycles"].get<double>(),
                        cost["adreno_instructions"].get<double>(), cost["videocore_instructions"].get<double>());
   };
-  return fmt::format(", Mali/Adreno/V3D {} by SSD, {} by AS", words("ssd"), words("as"));
+  return fmt::format(", GPU {} by SSD, {} by AS", words("ssd"), words("as"));
 }
 
 // Branches in the order in which they are added; a branch's leaves are added behind it.
@@ -190,6 +195,7 @@ void run_info(const InfoArguments& a) {
     fmt::print("{}\n", description.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     Tree(description, source).print();
+    if (!description["meshes"].empty()) fmt::print("{}\n", kGpuLegend);
     print_looks(description);
     print_nodes(description);
   }

@@ -85,9 +85,6 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   const float duration_s = actor.plays()[s.clip].play.duration_s;
   s.playback.time_s = static_cast<double>(std::clamp(arguments.choice.time_s, 0.0f, duration_s));
   s.playing = !arguments.held;
-  if (*name_of(kGpuDeformers, arguments.deformer) == '\0')
-    throw Failure(Exit::unsupported, "--deformer", "", "the window draws what every path of the GPU has",
-                  "marrow render draws it with --path cpu; --heatmap shows it here");
   s.deformer = arguments.deformer;
   s.path = arguments.path;
   s.normals = arguments.normals;

@@ -8,7 +8,7 @@ namespace marrow::tools {
 void add_view(CLI::App& app, int&) {
   static ViewArguments a;  // as long as the options that point at it
   CLI::App* const command = app.add_subcommand("view", "Show a character in a window, with a panel for all of it");
-  add_look(command, a, kPosedPaths);
+  add_look(command, a, kPosedPaths, kGpuDeformers);
   command->get_option("file")->description("the cooked file, or glTF, which is cooked in memory");
   add_reach(command, a.reach);
   command->add_flag("--bones", a.bones, "draw the skeleton over it, as --show bones");
