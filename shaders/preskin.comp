@@ -14,8 +14,8 @@ layout(std430, binding = 3) restrict writeonly buffer MarrowSkinned {
 };
 
 // In words: vertices; a vertex's stride; where its weights, tangent vectors and joints are; bytes of a joint; and of
-// the surface: a vertex's stride; where its normal and tangent are.
-uniform int marrow_vertex_layout[9];
+// the surface: a vertex's stride; where its normal and tangent are; and where its first change by an example is.
+uniform int marrow_vertex_layout[10];
 
 int marrow_at;  // the vertex's first word
 
@@ -76,6 +76,9 @@ void marrow_load(int vertex) {
 #endif
 #if MARROW_MORPH_TARGETS
   in_morph_row = marrow_morph_rows[vertex];
+#endif
+#if MARROW_POSE_SPACE
+  in_examples = marrow_skin_words[at + marrow_vertex_layout[9]];
 #endif
 }
 

@@ -2,6 +2,7 @@
 //
 // The host puts `#version` and the MARROW_* defines before this text and a role's main() after it (runtime/gles3/program.cpp).
 //   MARROW_DEFORMER        0 none (already skinned on the CPU), 1 rigid, 2 SSD, 3 animation space
+//   MARROW_POSE_SPACE      1: SSD of what the examples of a pose space have moved
 //   MARROW_INFLUENCES      4 or 8
 //   MARROW_NORMAL, _TANGENT, _UV, _COLOUR  0 or 1: which attributes the mesh has
 //   MARROW_MORPH_TARGETS   how many morph targets may count at a time; 0: none, the mesh has none
@@ -189,6 +190,18 @@ uniform int marrow_previous_count;
 #endif
 #endif
 
+#if MARROW_POSE_SPACE
+MARROW_IN(15) uint in_examples;  // one more than the vertex's first change; 0: no example moves it
+uniform highp isampler2D marrow_examples;  // 2048 wide; a change, and one more than its example; of the last one less 0
+uniform float marrow_example_step;
+// 2048 wide; for each palette entry what is to be weighed and then exponentiated: of the bind pose, then of each example
+uniform highp sampler2D marrow_distances;
+uniform int marrow_distance_row[3];  // texels: of the first instance; from one instance, from one entry to the next
+#if MARROW_MOTION
+uniform highp sampler2D marrow_previous_distances;
+#endif
+#endif
+
 // Scene space. What the mesh lacks is zero.
 struct MarrowVertex {
   vec3 position;
@@ -243,6 +256,54 @@ void marrow_morph(inout vec3 position, inout vec3 normal, inout vec3 tangent) {
     tangent += target.w * marrow_change(texel + 2);
 #endif
   }
+}
+#endif
+
+#if MARROW_POSE_SPACE
+vec4 marrow_distance(highp sampler2D distances, int first, uint joint) {
+  int texel = first + marrow_distance_row[2] * int(joint);
+  return texelFetch(distances, ivec2(texel & 2047, texel >> 11), 0);
+}
+
+// How near the pose is to four examples. first: their texel of palette entry 0.
+vec4 marrow_phi(highp sampler2D distances, int first) {
+  vec4 largest = marrow_distance(distances, first, in_joints0.x);
+  vec4 sum = largest;
+  sum += in_position.w * (marrow_distance(distances, first, in_joints0.y) - largest);
+  sum += in_weights0.x * (marrow_distance(distances, first, in_joints0.z) - largest);
+  sum += in_weights0.y * (marrow_distance(distances, first, in_joints0.w) - largest);
+#if MARROW_INFLUENCES == 8
+  sum += in_weights0.z * (marrow_distance(distances, first, in_joints1.x) - largest);
+  sum += in_weights0.w * (marrow_distance(distances, first, in_joints1.y) - largest);
+  sum += in_weights1.x * (marrow_distance(distances, first, in_joints1.z) - largest);
+  sum += in_weights1.y * (marrow_distance(distances, first, in_joints1.w) - largest);
+#endif
+  return exp(sum);
+}
+
+// What the examples change of the bind position.
+vec3 marrow_pose_change(highp sampler2D distances) {
+  vec3 change = vec3(0.0);
+  if (in_examples == 0u) return change;
+#if MARROW_COMPUTE
+  int first = marrow_distance_row[0];
+#else
+  int first = marrow_distance_row[0] + gl_InstanceID * marrow_distance_row[1];
+#endif
+  vec4 phi = marrow_phi(distances, first);
+  float scale = marrow_example_step * (1.0 - phi.x);
+  int four = 0;  // examples that phi is of
+  for (int texel = int(in_examples) - 1, i = 0; i < 32; ++i, ++texel) {
+    ivec4 change_by = texelFetch(marrow_examples, ivec2(texel & 2047, texel >> 11), 0);
+    int example = abs(change_by.w);
+    if (example >> 2 != four) {
+      four = example >> 2;
+      phi = marrow_phi(distances, first + four);
+    }
+    change += phi[example & 3] * vec3(change_by.xyz);
+    if (change_by.w <= 0) break;
+  }
+  return scale * change;
 }
 #endif
 
@@ -325,6 +386,9 @@ vec3 marrow_previous() {
     vec4 target = marrow_previous_targets[i];
     change += target.y * marrow_change(int(target.x) + row);
   }
+#endif
+#if MARROW_POSE_SPACE
+  change += marrow_pose_change(marrow_previous_distances);
 #endif
 #if MARROW_DEFORMER == 3
 #if MARROW_MORPH_TARGETS
@@ -434,6 +498,9 @@ MarrowVertex marrow_skin() {
 #endif
 #if MARROW_MORPH_TARGETS
   marrow_morph(change, normal, tangent);
+#endif
+#if MARROW_POSE_SPACE
+  change += marrow_pose_change(marrow_distances);
 #endif
   vec4 p = vec4(in_position.xyz + change, 1.0);
   v.position = vec3(dot(x, p), dot(y, p), dot(z, p));

@@ -255,6 +255,31 @@ mrw_status mrw_gles3_set_previous_morphs(const mrw_gles3_api* api, const mrw_mes
   return code(marrow::gles3::set_previous_morphs(of<gles3::Api>(api), of<Mesh>(mesh), of<gles3::GpuMesh>(gpu), span<const float>(weights, weight_count), of<gles3::Program>(program)));
 }
 
+uint32_t mrw_gles3_distance_matrices(const mrw_geometry* geometry) {
+  MRW_NEEDS(leads_to<Geometry>(geometry), 0);
+  return marrow::gles3::distance_matrices(of<Geometry>(geometry));
+}
+
+mrw_status mrw_gles3_pack_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count,
+    mrw_affine* out, size_t out_count) {
+  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list<Affine>(palette, palette_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::pack_distances(of<Geometry>(geometry), span<const Affine>(palette, palette_count), span<Affine>(out, out_count)));
+}
+
+mrw_status mrw_gles3_bind_examples(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
+    const mrw_gles3_palette_texture* distances, uint32_t first, uint32_t texture_unit,
+    const mrw_gles3_program* program) {
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::PaletteTexture>(distances) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::bind_examples(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), of<gles3::PaletteTexture>(distances), first, texture_unit, of<gles3::Program>(program)));
+}
+
+mrw_status mrw_gles3_bind_previous_distances(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
+    const mrw_gles3_palette_texture* distances, uint32_t first, bool kept, uint32_t texture_unit,
+    const mrw_gles3_program* program) {
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::PaletteTexture>(distances) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::bind_previous_distances(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), of<gles3::PaletteTexture>(distances), first, kept, texture_unit, of<gles3::Program>(program)));
+}
+
 mrw_status mrw_gles3_draw_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
     const mrw_gles3_program* program, uint32_t instances) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);

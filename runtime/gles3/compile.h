@@ -23,7 +23,12 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
 
 // Whether vertices are skinned by it.
 constexpr bool skins(Deformer deformer) {
-  return deformer != Deformer::none && deformer <= Deformer::as;
+  return deformer != Deformer::none && deformer <= Deformer::psd;
+}
+
+// Whether crowds are: they know no distances to examples.
+constexpr bool in_crowds(Deformer deformer) {
+  return skins(deformer) && deformer != Deformer::psd;
 }
 
 // Empties it, where there is any.

@@ -172,7 +172,7 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
 Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
                             std::uint8_t features, ProgramSet& programs) {
   MARROW_MARK;
-  MARROW_REQUIRE(skins(deformer));
+  MARROW_REQUIRE(in_crowds(deformer));
   MARROW_REQUIRE_GOOD(check_roles(programs));
   Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
   for (std::uint32_t role = 0; role < programs.role_count && status == Status::ok; ++role)

@@ -213,7 +213,7 @@ void to_octahedron(const float unit[3], float out[2]) {
   out[1] = unit[2] >= 0 ? y : (1 - std::fabs(x)) * (y >= 0 ? 1.0f : -1.0f);
 }
 
-VertexLayout make_layout(const Mesh& mesh, bool as_tangents) {
+VertexLayout make_layout(const Mesh& mesh, bool as_tangents, bool psd) {
   const Geometry& g = mesh.geometry;
   VertexLayout layout;
   for (const Run& run : g.runs) {
@@ -223,6 +223,10 @@ VertexLayout make_layout(const Mesh& mesh, bool as_tangents) {
   layout.ssd_weights = 8;
   layout.ssd_joints = layout.ssd_weights + 2 * (layout.influences - 2);
   layout.ssd_stride = layout.ssd_joints + layout.joint_bytes * layout.influences;
+  if (psd && !g.pose_space.examples.empty()) {
+    layout.example_row = layout.ssd_stride;
+    layout.ssd_stride += 4;
+  }
   layout.surface_normals = as_tangents && layout.influences == 4 && g.normals != nullptr && g.targets.empty();
   layout.as_tangents = 8 * layout.influences;
   layout.as_joints = layout.as_tangents + (layout.surface_normals ? 64 : 0);

@@ -12,14 +12,14 @@ struct Quantisation {
   std::int32_t coordinate_one = 32767;  // integer that stands for 1 in animation-space coordinates
 };
 
-// One pass over the uvs when the mesh has any. as_tangents: whether there are any.
-VertexLayout make_layout(const Mesh& mesh, bool as_tangents);
+// One pass over the uvs when the mesh has any. as_tangents: whether there are any. psd: as PrepareOptions::psd.
+VertexLayout make_layout(const Mesh& mesh, bool as_tangents, bool psd);
 
 // Box and room for residuals, see prepare(). One pass over the vertices when the mesh has residuals.
 Quantisation make_quantisation(const Geometry& geometry);
 
 // Each writes slot_count × stride bytes. Within a vertex the influence with the largest weight comes first; unused ones
-// have weight 0 and repeat its joint.
+// have weight 0 and repeat its joint. The row of examples is left as it is.
 void encode_ssd(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation, std::byte* out);
 // tangents: from as_tangents(), where the layout has them.
 void encode_as(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation,

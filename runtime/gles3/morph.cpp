@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "core/mark.h"
+#include "gles3/changes.h"
 #include "gles3/gl_constants.h"
 #include "gles3/gl_size.h"
 #include "gles3/texture.h"
@@ -27,37 +28,15 @@ std::uint32_t texels_per_row(const Geometry& g) {
   return (all & kMorphsTangents) != 0 ? 3 : (all & kMorphsNormals) != 0 ? 2 : 1;
 }
 
-std::uint32_t block_at(const Geometry& g, std::uint32_t i) {
-  return g.index_bytes == 2 ? static_cast<const std::uint16_t*>(g.target_blocks)[i]
-                            : static_cast<const std::uint32_t*>(g.target_blocks)[i];
-}
-
-bool moves_lane(const std::int16_t* records, std::uint32_t count, std::uint32_t lane) {
-  for (std::uint32_t i = 0; i < 3 * count; ++i)
-    if (records[4 * i + lane] != 0) return true;
-  return false;
-}
-
-std::uint32_t record_count(const MorphTarget& t) {
-  return (t.attributes & 1u) + (t.attributes >> 1 & 1u) + (t.attributes >> 2);
-}
-
-// Calls visit(slot, records, lane) for every slot that a target moves, with its block's records.
-template <class Visit>
-void for_each_moved(const Geometry& g, const MorphTarget& t, const Visit& visit) {
-  const std::uint32_t count = record_count(t);
-  for (std::uint32_t i = 0; i < t.block_count; ++i) {
-    const std::int16_t* const records = g.target_records + std::size_t{12} * (t.first_record + std::size_t{i} * count);
-    for (std::uint32_t lane = 0; lane < 4; ++lane)
-      if (moves_lane(records, count, lane)) visit(4 * block_at(g, t.first_block + i) + lane, records, lane);
-  }
+Changes changes_of(const Geometry& g) {
+  return {g.target_blocks, g.index_bytes == 4, g.target_records};
 }
 
 // rows[slot]: 0, or one more than its row.
 std::uint32_t number_rows(const Geometry& g, std::uint32_t* rows) {
   std::memset(rows, 0, std::size_t{4} * g.slot_count);
   for (const MorphTarget& t : g.targets)
-    for_each_moved(g, t, [&](std::uint32_t slot, const std::int16_t*, std::uint32_t) { rows[slot] = 1; });
+    for_each_moved(changes_of(g), t, [&](std::uint32_t slot, const std::int16_t*, std::uint32_t) { rows[slot] = 1; });
   std::uint32_t count = 0;
   for (std::uint32_t slot = 0; slot < g.slot_count; ++slot)
     if (rows[slot] != 0) rows[slot] = ++count;
@@ -66,7 +45,7 @@ std::uint32_t number_rows(const Geometry& g, std::uint32_t* rows) {
 
 void fill_rectangle(const Geometry& g, const MorphTarget& t, const std::uint32_t* rows, std::uint32_t per_row,
                     std::int16_t* texels) {
-  for_each_moved(g, t, [&](std::uint32_t slot, const std::int16_t* records, std::uint32_t lane) {
+  for_each_moved(changes_of(g), t, [&](std::uint32_t slot, const std::int16_t* records, std::uint32_t lane) {
     std::int16_t* texel = texels + std::size_t{4} * per_row * (rows[slot] - 1);
     for (std::uint32_t attribute = 0; attribute < per_row; ++attribute, texel += 4) {
       if ((t.attributes >> attribute & 1u) == 0) continue;

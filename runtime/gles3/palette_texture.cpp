@@ -19,6 +19,11 @@ void upload(const Api& api, std::uint32_t y, std::uint32_t width, std::uint32_t 
 }  // namespace
 
 Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out) {
+  return make_palette_texture(api, caps, joints, "marrow: palettes", out);
+}
+
+Status make_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, const char* name,
+                            PaletteTexture& out) {
   MARROW_REQUIRE(joints > 0);
   const std::uint64_t height = (std::uint64_t{3} * joints + kPaletteTextureWidth - 1) / kPaletteTextureWidth;
   if (caps.texture_size < kPaletteTextureWidth || height > caps.texture_size) return Status::unsupported;
@@ -33,7 +38,7 @@ Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t jo
     destroy(api, made);
     return Status::gl_error;
   }
-  for (const std::uint32_t texture : made.textures) label(api, kGlTexture, texture, {"marrow: palettes"});
+  for (const std::uint32_t texture : made.textures) label(api, kGlTexture, texture, {name});
   out = made;
   return Status::ok;
 }

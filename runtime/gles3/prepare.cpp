@@ -10,6 +10,7 @@
 #include "gles3/gl_size.h"
 #include "gles3/label.h"
 #include "gles3/morph.h"
+#include "gles3/pose_space.h"
 #include "marrow/gles3.h"
 #include "marrow/skin.h"
 #include "math/finite.h"
@@ -65,11 +66,17 @@ std::uint32_t begin_array(const Api& api, const GpuMesh& mesh) {
   return array;
 }
 
-void make_ssd(const Api& api, const Geometry& g, const VertexLayout& layout, const Quantisation& q,
-              Span<std::byte> scratch, GpuMesh& mesh) {
+Status make_ssd(const Api& api, const Geometry& g, const VertexLayout& layout, const Quantisation& q,
+                Span<std::byte> scratch, GpuMesh& mesh) {
+  const std::size_t bytes = std::size_t{layout.ssd_stride} * g.slot_count;
   encode_ssd(g, layout, q, scratch.data);
+  if (layout.example_row != 0) {
+    const Status status =
+        make_examples(api, g, q.half_extent, scratch.data, {scratch.data + bytes, scratch.size - bytes}, mesh);
+    if (status != Status::ok) return status;
+  }
   mesh.ssd_array = begin_array(api, mesh);
-  mesh.ssd_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.ssd_stride} * g.slot_count);
+  mesh.ssd_buffer = upload(api, kGlArrayBuffer, scratch.data, bytes);
   attribute(api, kPositionLocation, 4, kGlShort, true, layout.ssd_stride, 0);
   if (layout.influences == 4) {
     attribute(api, kWeightsLocation, 2, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights);
@@ -78,7 +85,13 @@ void make_ssd(const Api& api, const Geometry& g, const VertexLayout& layout, con
     attribute(api, kWeightsLocation + 1, 2, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights + 8);
   }
   describe_joints(api, layout, layout.ssd_stride, layout.ssd_joints);
+  if (layout.example_row != 0) {
+    api.EnableVertexAttribArray(kExampleRowLocation);
+    api.VertexAttribIPointer(kExampleRowLocation, 1, kGlUnsignedInt, static_cast<int>(layout.ssd_stride),
+                             at(layout.example_row));
+  }
   describe_surface(api, g, layout, true, mesh);
+  return Status::ok;
 }
 
 void make_as(const Api& api, const Geometry& g, const VertexLayout& layout, const Quantisation& q,
@@ -137,6 +150,7 @@ void label_mesh(const Api& api, const Mesh& mesh, const GpuMesh& gpu) {
   label(api, kGlBuffer, gpu.index_buffer, {name, ": indices"});
   label(api, kGlBuffer, gpu.morph_buffer, {name, ": morph rows"});
   label(api, kGlTexture, gpu.morph_texture, {name, ": morph targets"});
+  label(api, kGlTexture, gpu.example_texture, {name, ": pose space"});
 }
 
 }  // namespace
@@ -146,15 +160,19 @@ BadCall check_mesh(const Mesh& mesh, const PrepareOptions& options) {
   MARROW_CHECK(g.slot_count > 0 && mesh.joint_count > 0);
   MARROW_CHECK(all_finite(g.box_min, 3) && all_finite(g.box_max, 3));
   MARROW_CHECK(options.as_tangents.empty() || holds(options.as_tangents, as_tangent_count(g)));
+  MARROW_CHECK(!options.psd || g.pose_space.examples.size <= kMaxPoseExamples);
   return {};
 }
 
 std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options) {
-  const VertexLayout layout = make_layout(mesh, !options.as_tangents.empty());
+  const Geometry& g = mesh.geometry;
+  const VertexLayout layout = make_layout(mesh, !options.as_tangents.empty(), options.psd);
   std::size_t stride = layout.surface_stride;
-  if (options.ssd) stride = larger(stride, layout.ssd_stride);
   if (options.as) stride = larger(stride, layout.as_stride);
-  return larger(stride * mesh.geometry.slot_count, morph_scratch_bytes(mesh.geometry));
+  std::size_t bytes = larger(stride * g.slot_count, morph_scratch_bytes(g));
+  if (options.ssd)
+    bytes = larger(bytes, std::size_t{layout.ssd_stride} * g.slot_count + (options.psd ? example_scratch_bytes(g) : 0));
+  return bytes;
 }
 
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
@@ -165,7 +183,7 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
   MARROW_REQUIRE(holds(bind, mesh.joint_count));
   MARROW_REQUIRE(holds(scratch, prepare_scratch_bytes(mesh, options)));
   const Span<const float> tangents = options.as_tangents;
-  const VertexLayout layout = make_layout(mesh, !tangents.empty());
+  const VertexLayout layout = make_layout(mesh, !tangents.empty(), options.psd);
   // Eight influences in animation space need locations up to the last.
   if (caps.vertex_attributes <= kSurfaceLocations[7]) return Status::unsupported;
 
@@ -184,13 +202,13 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
     encode_surface(g, layout, scratch.data);
     made.surface_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.surface_stride} * g.slot_count);
   }
-  if (options.ssd) make_ssd(api, g, layout, quantisation, scratch, made);
-  if (options.as) make_as(api, g, layout, quantisation, scratch, tangents.data, made);
+  const Status status = options.ssd ? make_ssd(api, g, layout, quantisation, scratch, made) : Status::ok;
+  if (options.as && status == Status::ok) make_as(api, g, layout, quantisation, scratch, tangents.data, made);
   api.BindVertexArray(0);
   api.BindBuffer(kGlArrayBuffer, 0);
-  if (api.GetError() != kGlNoError) {
+  if (status != Status::ok || api.GetError() != kGlNoError) {
     destroy(api, made);
-    return Status::gl_error;
+    return status != Status::ok ? status : Status::gl_error;
   }
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i) bind[i] = dequantising_bind(mesh.inverse_bind[i], quantisation);
   label_mesh(api, mesh, made);
@@ -204,7 +222,8 @@ void destroy(const Api& api, GpuMesh& mesh) {
                                    mesh.morph_buffer};
   api.DeleteVertexArrays(2, arrays);
   api.DeleteBuffers(5, buffers);
-  api.DeleteTextures(1, &mesh.morph_texture);
+  const std::uint32_t textures[] = {mesh.morph_texture, mesh.example_texture};
+  api.DeleteTextures(2, textures);
   mesh = {};
 }
 
@@ -214,6 +233,7 @@ Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Progra
                               : deformer == Deformer::none ? 0
                                                            : mesh.ssd_array;
   MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");
+  MARROW_REQUIRE((deformer != Deformer::psd || mesh.example_texture != 0) && "prepared for this deformer");
   if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
   api.BindVertexArray(array);
   const auto count = static_cast<int>(mesh.index_count);

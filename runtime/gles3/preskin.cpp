@@ -43,11 +43,12 @@ void by_compute(const Api& api, const GpuMesh& mesh, bool as, const Program& pro
   const std::uint32_t bytes[] = {as ? layout.as_stride : layout.ssd_stride, layout.ssd_weights, layout.as_tangents,
                                  as ? layout.as_joints : layout.ssd_joints};
   const std::uint32_t surface[] = {layout.surface_stride, layout.normal, layout.tangent};
-  int values[9] = {static_cast<int>(mesh.slot_count)};
+  int values[10] = {static_cast<int>(mesh.slot_count)};
   for (std::size_t i = 0; i < 4; ++i) values[1 + i] = static_cast<int>(bytes[i] / 4);
   values[5] = static_cast<int>(layout.joint_bytes);
   for (std::size_t i = 0; i < 3; ++i) values[6 + i] = static_cast<int>(surface[i] / 4);
-  api.Uniform1iv(program.vertex_layout, 9, values);
+  values[9] = static_cast<int>(layout.example_row / 4);
+  api.Uniform1iv(program.vertex_layout, 10, values);
   // A block that the program has must be bound to something, whatever it reads.
   const std::uint32_t skin = as ? mesh.as_buffer : mesh.ssd_buffer;
   const std::uint32_t buffers[] = {skin, mesh.surface_buffer != 0 ? mesh.surface_buffer : skin,
@@ -94,6 +95,7 @@ Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Pro
   const bool as = deformer == Deformer::as;
   const std::uint32_t array = as ? mesh.as_array : mesh.ssd_array;
   MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");
+  MARROW_REQUIRE((deformer != Deformer::psd || mesh.example_texture != 0) && "prepared for this deformer");
   MARROW_REQUIRE(to.slot_count == mesh.slot_count);
   if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
   if (program.vertex_layout >= 0) {

@@ -41,7 +41,9 @@ Text preamble(const ProgramKey& key, bool compute) {
   Text text;
   text.add(compute ? "#version 310 es\n" : "#version 300 es\n");
   text.define("MARROW_COMPUTE", compute ? 1 : 0);
-  text.define("MARROW_DEFORMER", static_cast<std::uint32_t>(key.deformer));
+  const bool psd = key.deformer == Deformer::psd;
+  text.define("MARROW_DEFORMER", static_cast<std::uint32_t>(psd ? Deformer::ssd : key.deformer));
+  text.define("MARROW_POSE_SPACE", psd ? 1 : 0);
   text.define("MARROW_INFLUENCES", key.influences);
   text.define("MARROW_NORMAL", (key.features & kNormals) != 0 ? 1 : 0);
   text.define("MARROW_TANGENT", (key.features & kTangents) != 0 ? 1 : 0);
@@ -103,7 +105,7 @@ std::uint32_t link(const Api& api, const std::uint32_t* shaders, std::size_t cou
 }
 
 void label_program(const Api& api, const ProgramKey& key, const char* role, std::uint32_t program) {
-  constexpr const char* kDeformers[] = {"", ", rigid", ", ssd", ", as"};
+  constexpr const char* kDeformers[] = {"", ", rigid", ", ssd", ", as", ", psd"};
   constexpr const char* kPlaces[] = {"", ", palettes in a texture", ", palettes of a crowd"};
   label(api, kGlProgram, program,
         {"marrow: ", role, kDeformers[static_cast<std::size_t>(key.deformer)],
@@ -168,6 +170,11 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   made.previous_palettes = find("marrow_previous_palettes");
   made.previous_targets = find("marrow_previous_targets");
   made.previous_count = find("marrow_previous_count");
+  made.examples = find("marrow_examples");
+  made.example_step = find("marrow_example_step");
+  made.distances = find("marrow_distances");
+  made.distance_row = find("marrow_distance_row");
+  made.previous_distances = find("marrow_previous_distances");
   label_program(api, key, texts.role, made.id);
   out = made;
   return Status::ok;
@@ -180,10 +187,10 @@ Status build_program(const Api& api, const ProgramKey& key, const ProgramSource&
   clear(log);
   MARROW_REQUIRE(source.vertex != nullptr && source.fragment != nullptr);
   MARROW_REQUIRE(key.influences == 4 || key.influences == 8);
-  MARROW_REQUIRE(key.deformer <= Deformer::as && key.palettes <= Palettes::crowd);
+  MARROW_REQUIRE(key.deformer <= Deformer::psd && key.palettes <= Palettes::crowd);
   MARROW_REQUIRE(holds(source.feedback_varyings));
   const bool crowd = key.palettes == Palettes::crowd;
-  MARROW_REQUIRE(!crowd || (key.deformer != Deformer::none && (key.features & kMorphs) == 0));
+  MARROW_REQUIRE(!crowd || (in_crowds(key.deformer) && (key.features & kMorphs) == 0));
   return compile_program(api, key, {source.vertex, source.fragment, nullptr, source.feedback_varyings}, palette_binding,
                          out, log);
 }

@@ -13,6 +13,7 @@
 #include "gles3/prepare.h"
 #include "gles3/program_set.h"
 #include "gles3/skinned.h"
+#include "gles3/texture.h"
 #include "marrow/morph.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
@@ -26,7 +27,13 @@ bool skins_once(SkinningPath path) {
 
 PrepareOptions prepare_options(const SkinnerOptions& options) {
   const bool on_gpu = options.path != SkinningPath::cpu, as = options.deformer == Deformer::as;
-  return {on_gpu && !as, on_gpu && as, as && on_gpu ? options.as_tangents : Span<const float>()};
+  const bool psd = options.deformer == Deformer::psd;
+  return {on_gpu && !as, on_gpu && as, as && on_gpu ? options.as_tangents : Span<const float>(), on_gpu && psd};
+}
+
+// Without examples it is SSD's.
+bool has_pose_space(const Mesh& mesh, const SkinnerOptions& options) {
+  return options.deformer == Deformer::psd && !mesh.geometry.pose_space.examples.empty();
 }
 
 bool has_ring(SkinningPath path) {
@@ -52,6 +59,8 @@ void lay_out(Memory& memory, Skinner& s, Span<std::byte>& morphed) {
   const Geometry& g = s.mesh.geometry;
   const std::size_t count = s.options.instances;
   s.palettes = memory.take<Affine>(count * s.mesh.palette_size());
+  if (has_pose_space(s.mesh, s.options))
+    s.distances = memory.take<Affine>((s.options.path == SkinningPath::cpu ? 1 : count) * distance_matrices(g));
   s.bind = memory.take<Affine>(s.mesh.joint_count);
   s.weights = memory.take<float>(count * g.targets.size);
   s.offsets = memory.take<std::uint32_t>(count);
@@ -104,6 +113,9 @@ Status make_objects(const Api& api, const Caps& caps, Skinner& s) {
   const std::uint32_t joints = o.instances * s.mesh.palette_size();
   if (status == Status::ok && o.path == SkinningPath::texture)
     status = create_palette_texture(api, caps, joints, s.texture);
+  if (status == Status::ok && s.gpu.distances != 0)
+    status = make_palette_texture(api, caps, o.instances * s.gpu.distances, "marrow: distances of poses",
+                                  s.distance_texture);
   if (status == Status::ok && has_ring(o.path)) status = create_palette_ring(api, caps, joints, o.instances, s.ring);
   if (status == Status::ok && o.motion && o.path == SkinningPath::ubo)
     status = create_palette_ring(api, caps, joints, o.instances, s.motion.ring);
@@ -117,6 +129,7 @@ void destroy_objects(const Api& api, Skinner& s) {
   for (const Span<SkinnedMesh> all : {s.skinned, s.motion.skinned})
     for (SkinnedMesh& skinned : all) destroy(api, skinned);
   destroy(api, s.texture);
+  destroy(api, s.distance_texture);
   destroy(api, s.motion.ring);
   destroy(api, s.ring);
   destroy(api, s.gpu);
@@ -148,10 +161,16 @@ Status skin_on_cpu(const Api& api, Skinner& s, std::uint32_t instance) {
   }
   const SkinOutput to{s.positions, s.normals, s.tangents};
   const Span<const Affine> palette = palette_of(s, instance);
-  const Status status = s.options.deformer == Deformer::as
-                            ? skin_as(mesh, s.coordinates, palette, to, s.options.as_tangents)
-                        : s.options.deformer == Deformer::ssd ? skin_ssd(mesh, palette, to)
-                                                              : skin_rigid(mesh, palette, to);
+  Status status = Status::ok;
+  if (!s.distances.empty()) {
+    const Span<float> distances(s.distances.data->rows[0], psd_distance_count(mesh.geometry));
+    status = psd_distances(mesh.geometry, palette, distances);
+    if (status == Status::ok) status = skin_psd(mesh, distances, palette, to);
+  } else {
+    status = s.options.deformer == Deformer::as    ? skin_as(mesh, s.coordinates, palette, to, s.options.as_tangents)
+             : s.options.deformer == Deformer::ssd ? skin_ssd(mesh, palette, to)
+                                                   : skin_rigid(mesh, palette, to);
+  }
   return status == Status::ok ? upload_skinned(api, s.skinned[instance], to) : status;
 }
 
@@ -167,6 +186,12 @@ Status upload_palettes(const Api& api, Skinner& s, std::uint32_t count) {
   if (count == 0) return Status::ok;
   api.ActiveTexture(kGlTexture0 + s.options.texture_unit);
   return upload_palettes(api, s.texture, {s.palettes.data, std::size_t{count} * s.mesh.palette_size()});
+}
+
+Status upload_distances(const Api& api, Skinner& s, std::uint32_t count) {
+  if (count == 0 || s.gpu.distances == 0) return Status::ok;
+  api.ActiveTexture(kGlTexture0 + s.options.texture_unit);
+  return upload_palettes(api, s.distance_texture, {s.distances.data, std::size_t{count} * s.gpu.distances});
 }
 
 template <class T>
@@ -206,6 +231,11 @@ Status bind_motion(const Api& api, const Skinner& s, const ProgramSet& programs,
     bind_palette(api, still ? s.ring : m.ring, still ? s.offsets[first] : m.offsets[first],
                  programs.palette_binding + 1);
   }
+  if (s.gpu.distances != 0) {
+    const Status status = bind_previous_distances(api, s.gpu, s.distance_texture, first * s.gpu.distances, !still,
+                                                  s.options.texture_unit + 5, program);
+    if (status != Status::ok) return status;
+  }
   if (m.weights.empty()) return Status::ok;
   const std::size_t targets = s.mesh.geometry.targets.size;
   const Span<const float> weights((still ? m.sent_weights : m.weights).data + first * targets, targets);
@@ -218,7 +248,7 @@ bool may_draw(const Skinner& s, const Program& program) {
   if (program.motion && !s.options.motion) return false;
   if (s.options.path == SkinningPath::texture && (program.reads != Palettes::texture || program.palettes < 0))
     return false;
-  return s.weights.empty() || program.morph_changes >= 0;
+  return (s.weights.empty() || program.morph_changes >= 0) && (s.gpu.distances == 0 || program.examples >= 0);
 }
 
 // How many characters from `first` on one draw call draws.
@@ -246,6 +276,8 @@ Status draw_together(const Api& api, const Skinner& s, const ProgramSet& program
   }
   if (status == Status::ok && !s.weights.empty())
     status = set_morphs(api, s.mesh, s.gpu, weights_of(s, first), unit + 1, program);
+  if (status == Status::ok && s.gpu.distances != 0)
+    status = bind_examples(api, s.gpu, s.distance_texture, first * s.gpu.distances, unit + 3, program);
   if (status == Status::ok && program.motion) status = bind_motion(api, s, programs, program, first, count);
   return status == Status::ok ? draw(api, s.gpu, s.options.deformer, program, count) : status;
 }
@@ -258,6 +290,8 @@ Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint
     bind_palette(api, s.ring, s.offsets[i], binding);
     if (!s.weights.empty())
       status = set_morphs(api, s.mesh, s.gpu, weights_of(s, i), s.options.texture_unit + 1, program);
+    if (status == Status::ok && s.gpu.distances != 0)
+      status = bind_examples(api, s.gpu, s.distance_texture, i * s.gpu.distances, s.options.texture_unit + 3, program);
     if (status == Status::ok) status = preskin(api, s.gpu, s.options.deformer, program, s.skinned[i]);
   }
   return status;
@@ -295,6 +329,7 @@ Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const 
   Skinner made;
   made.mesh = mesh;
   made.options = options;
+  if (options.deformer == Deformer::psd && !has_pose_space(mesh, options)) made.options.deformer = Deformer::ssd;
   Memory pieces{memory.data};
   Span<std::byte> morphed;
   lay_out(pieces, made, morphed);
@@ -328,8 +363,12 @@ Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_jo
                                       : Span<const Affine>(s.bind);
   for (std::size_t t = 0; t < s.mesh.geometry.targets.size; ++t)
     s.weights[instance * s.mesh.geometry.targets.size + t] = weights[t];
-  return build_palette({s.mesh.joints, s.mesh.joint_count}, bind, scene_from_joint, palette_of(s, instance),
-                       s.mesh.half_joints);
+  const Span<Affine> palette = palette_of(s, instance);
+  const Status status =
+      build_palette({s.mesh.joints, s.mesh.joint_count}, bind, scene_from_joint, palette, s.mesh.half_joints);
+  if (status != Status::ok || s.distances.empty() || s.options.path == SkinningPath::cpu) return status;
+  const std::size_t size = distance_matrices(s.mesh.geometry);
+  return pack_distances(s.mesh.geometry, palette, {s.distances.data + instance * size, size});
 }
 
 Status reset_motion(Skinner& s, std::uint32_t instance) {
@@ -347,7 +386,8 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
       MARROW_REQUIRE(s.weights[i] - s.weights[i] == 0 && "weights are finite");
   if (s.options.motion) take_turns(s, count);
   s.updated = 0;
-  Status status = Status::ok;
+  Status status = upload_distances(api, s, count);
+  if (status != Status::ok) return status;
   switch (s.options.path) {
     case SkinningPath::ubo:
       status = push_palettes(api, s, count);
@@ -394,7 +434,7 @@ Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const 
 void on_context_lost(Skinner& s) {
   s.gpu = {};
   s.ring = s.motion.ring = {};
-  s.texture = {};
+  s.texture = s.distance_texture = {};
   for (const Span<SkinnedMesh> all : {s.skinned, s.motion.skinned})
     for (SkinnedMesh& skinned : all) skinned = {};
   s.updated = 0;

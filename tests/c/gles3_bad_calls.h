@@ -134,6 +134,23 @@ static int call_gles3_set_previous_morphs(const Round* r) {
   (void)r;
   return mrw_gles3_set_previous_morphs(ready(r, 0), at(r, 1), at(r, 2), list(r, 3), count(r), at(r, 4));
 }
+static int call_gles3_distance_matrices(const Round* r) {
+  (void)r;
+  (void)mrw_gles3_distance_matrices(at(r, 0));
+  return -1;
+}
+static int call_gles3_pack_distances(const Round* r) {
+  (void)r;
+  return mrw_gles3_pack_distances(at(r, 0), list(r, 1), count(r), list(r, 2), count(r));
+}
+static int call_gles3_bind_examples(const Round* r) {
+  (void)r;
+  return mrw_gles3_bind_examples(ready(r, 0), at(r, 1), at(r, 2), (uint32_t)whole(r), (uint32_t)whole(r), at(r, 5));
+}
+static int call_gles3_bind_previous_distances(const Round* r) {
+  (void)r;
+  return mrw_gles3_bind_previous_distances(ready(r, 0), at(r, 1), at(r, 2), (uint32_t)whole(r), whole(r) != 0, (uint32_t)whole(r), at(r, 6));
+}
 static int call_gles3_draw_mesh(const Round* r) {
   (void)r;
   return mrw_gles3_draw_mesh(ready(r, 0), at(r, 1), (mrw_gles3_deformer)whole(r), at(r, 3), (uint32_t)whole(r));
@@ -447,6 +464,10 @@ static const Row rows[] = {
     {"mrw_gles3_bind_previous_palette", call_gles3_bind_previous_palette, 1, 0},
     {"mrw_gles3_set_morphs", call_gles3_set_morphs, 1, 1},
     {"mrw_gles3_set_previous_morphs", call_gles3_set_previous_morphs, 1, 1},
+    {"mrw_gles3_distance_matrices", call_gles3_distance_matrices, 1, 0},
+    {"mrw_gles3_pack_distances", call_gles3_pack_distances, 1, 1},
+    {"mrw_gles3_bind_examples", call_gles3_bind_examples, 1, 0},
+    {"mrw_gles3_bind_previous_distances", call_gles3_bind_previous_distances, 1, 0},
     {"mrw_gles3_draw_mesh", call_gles3_draw_mesh, 1, 0},
     {"mrw_gles3_skinned_mesh_init", call_gles3_skinned_mesh_init, 0, 0},
     {"mrw_gles3_create_skinned", call_gles3_create_skinned, 1, 0},

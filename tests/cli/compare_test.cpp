@@ -37,7 +37,7 @@ TEST(Compare, TheCylinder) {
     EXPECT_EQ(rows[name].at("ns_per_vertex").is_number(), is_cooked) << name;
     for (const char* const field : {"influences", "palette_entries"})
       EXPECT_EQ(rows[name].at(field).is_number(), is_cooked) << name << " " << field;
-    const bool on_gpu = is_cooked && std::string(name) != "mwe" && std::string(name) != "psd";
+    const bool on_gpu = is_cooked && std::string(name) != "mwe";
     for (const char* const field : {"mali_cycles", "adreno_instructions", "videocore_instructions"})
       EXPECT_EQ(rows[name].at(field).is_number(), on_gpu) << name << " " << field;
     // Counted only where the processor's counter can be read; a kernel takes some tens.

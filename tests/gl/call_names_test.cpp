@@ -45,6 +45,9 @@ TEST_F(GlesCallNames, OfMeshesAndPrograms) {
   REFUSED(bind_previous_palette, api_, texture, 0, 1, true, 0, program_);
   REFUSED(set_morphs, api_, mesh_, gpu_, {}, 0, program_);
   REFUSED(set_previous_morphs, api_, mesh_, gpu_, {}, program_);
+  REFUSED(pack_distances, {}, {}, {});
+  REFUSED(bind_examples, api_, gpu_, texture, 0, 0, program_);
+  REFUSED(bind_previous_distances, api_, gpu_, texture, 0, true, 0, program_);
   REFUSED(draw, api_, gpu_, Deformer::ssd, program_);
   REFUSED(build_preskin, api_, caps_, {.deformer = Deformer::none}, Preskin::feedback, 0, program_);
   REFUSED(preskin, api_, gpu_, Deformer::none, program_, skinned);

@@ -85,7 +85,7 @@ TEST(Encode, AnyFiniteNumbersAreEncoded) {
     }
     const TestMesh source({run}, std::vector<Map>(3), true);
     const Mesh mesh = with_box(source);
-    const gles3::VertexLayout layout = gles3::make_layout(mesh, false);
+    const gles3::VertexLayout layout = gles3::make_layout(mesh, false, false);
     const gles3::Quantisation q = gles3::make_quantisation(mesh.geometry);
     std::vector<std::byte> out(4 * std::max(layout.ssd_stride, layout.as_stride));
     gles3::encode_ssd(mesh.geometry, layout, q, out.data());

@@ -138,6 +138,7 @@ const tools::Gl& gl() {
 Feedback::Feedback(const Mesh& mesh, Span<const float> tangents) : mesh_(mesh), bind_(mesh.joint_count) {
   gles3::PrepareOptions options;
   options.as_tangents = tangents;
+  options.psd = true;
   std::vector<std::byte> scratch(gles3::prepare_scratch_bytes(mesh, options));
   // The least that GLES 3.0 promises, whatever this driver can do.
   gles3::Caps caps;
@@ -146,6 +147,9 @@ Feedback::Feedback(const Mesh& mesh, Span<const float> tangents) : mesh_(mesh), 
   if (!ok()) return;
   EXPECT_EQ(gles3::create_palette_ring(gl(), caps, 2 * mesh.palette_size(), 2, ring_), Status::ok);
   EXPECT_EQ(gles3::create_palette_texture(gl(), caps, mesh.palette_size() + 3, texture_), Status::ok);
+  if (gpu_.distances != 0) {
+    EXPECT_EQ(gles3::create_palette_texture(gl(), caps, gpu_.distances + 3, distances_), Status::ok);
+  }
   EXPECT_EQ(gles3::create_skinned(gl(), gpu_, skinned_), Status::ok);
   // A draw call wants a complete framebuffer even if nothing is rasterised.
   colour_ = tools::GlRenderbuffer(gl());
@@ -164,6 +168,7 @@ Feedback::~Feedback() {
   gles3::destroy(gl(), gpu_);
   gles3::destroy(gl(), ring_);
   gles3::destroy(gl(), texture_);
+  gles3::destroy(gl(), distances_);
   gles3::destroy(gl(), skinned_);
 }
 
@@ -210,6 +215,12 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
   if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
   if (!mesh_.geometry.targets.empty()) {
     EXPECT_EQ(gles3::set_morphs(gl(), mesh_, gpu_, weights, 2, with), Status::ok);
+  }
+  if (deformer == gles3::Deformer::psd) {
+    std::vector<Affine> distances(3 + gpu_.distances);
+    EXPECT_EQ(gles3::pack_distances(mesh_.geometry, palette, {distances.data() + 3, gpu_.distances}), Status::ok);
+    EXPECT_EQ(gles3::upload_palettes(gl(), distances_, distances), Status::ok);
+    EXPECT_EQ(gles3::bind_examples(gl(), gpu_, distances_, 3, 4, with), Status::ok);
   }
   gl().BindFramebuffer(GL_FRAMEBUFFER, target_);
 

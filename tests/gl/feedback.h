@@ -64,7 +64,7 @@ class Feedback {
   Mesh mesh_;
   gles3::GpuMesh gpu_;
   gles3::PaletteRing ring_;
-  gles3::PaletteTexture texture_;
+  gles3::PaletteTexture texture_, distances_;
   gles3::SkinnedMesh skinned_;
   std::vector<Affine> bind_, two_palettes_;
   tools::GlBuffer capture_;

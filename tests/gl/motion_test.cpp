@@ -11,6 +11,7 @@
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
+#include "support/family.h"
 #include "support/places.h"
 #include "support/rig.h"
 
@@ -83,8 +84,11 @@ struct Actor {
       moved.geometry = morphed.geometry;
     }
     const SkinOutput to{out, {}, {}};
+    std::vector<float> distances(psd_distance_count(mesh.geometry));
+    EXPECT_EQ(psd_distances(mesh.geometry, palette, distances), Status::ok);
     EXPECT_EQ(deformer == gles3::Deformer::rigid ? skin_rigid(moved, palette, to)
               : deformer == gles3::Deformer::ssd ? skin_ssd(moved, palette, to)
+              : deformer == gles3::Deformer::psd ? skin_psd(moved, distances, palette, to)
                                                  : skin_as(moved, coordinates, palette, to),
               Status::ok);
     return out;
@@ -242,9 +246,13 @@ void play(Player& player) {
 }
 
 std::size_t play_all(const char* what, const Actor& actor) {
+  using gles3::Deformer;
+  const bool examples = !actor.mesh.geometry.pose_space.examples.empty();
+  const std::vector<Deformer> deformers =
+      examples ? std::vector{Deformer::psd} : std::vector{Deformer::rigid, Deformer::ssd, Deformer::as};
   std::size_t played = 0;
   for (int path = 0; path < static_cast<int>(gles3::kPathCount); ++path) {
-    for (const gles3::Deformer deformer : {gles3::Deformer::rigid, gles3::Deformer::ssd, gles3::Deformer::as}) {
+    for (const gles3::Deformer deformer : deformers) {
       Player player(actor, static_cast<SkinningPath>(path), deformer);
       if (player.status == Status::unsupported) continue;
       EXPECT_EQ(player.status, Status::ok) << player.log.data();
@@ -282,6 +290,10 @@ TEST(Motion, EveryPathKnowsTheFrameBefore) {
   const TestCharacter eight = make_character(40, 40, 13, true), many = make_character(700, 700, 13, true);
   EXPECT_EQ(play_all("noise", {with_box(eight.mesh), eight.skeleton.view(), eight.clip.view()}), 3 * paths);
   EXPECT_EQ(play_all("700 joints", {with_box(many.mesh), many.skeleton.view(), many.clip.view()}), 3u * 2);
+  Actor posed{with_box(eight.mesh), eight.skeleton.view(), eight.clip.view()};
+  const TestPoseSpace space(41, posed.mesh, 9);
+  space.put(posed.mesh.geometry);
+  EXPECT_EQ(play_all("pose space", posed), paths);
 }
 
 // In one draw call where palettes lie in a texture, but for characters without a frame before.

@@ -230,6 +230,30 @@ TEST_F(Picture, ShowsWhatACrowdShows) {
             0);
 }
 
+// Of the file's vertices the pose space moves some by enough to be seen.
+TEST_F(Picture, ShowsAPoseSpaceOnEveryPath) {
+  ASSERT_EQ(run("cook " + newt_glb() + " -o " + path("posed.mrw") + " --psd 8 --mwe --truth dqs", "exec 2>/dev/null;"),
+            0);
+  const auto shoot = [&](const std::string& deformer, const std::string& way) {
+    return run("render " + path("posed.mrw") + " --clip walk --time 0.4 --size 400x320 --deformer " + deformer +
+                   " --path " + way + " -o " + path(deformer + way + ".png"),
+               "exec 2>/dev/null;");
+  };
+  ASSERT_EQ(shoot("psd", "cpu"), 0);
+  ASSERT_EQ(shoot("ssd", "cpu"), 0);
+  const double moved = difference(pixels("ssdcpu.png"), pixels("psdcpu.png"));
+  EXPECT_GT(moved, 0.005);
+  std::vector<std::string> ways = {"ubo", "texture", "feedback"};
+  if (gl().caps().compute) ways.emplace_back("compute");
+  for (const std::string& way : ways) {
+    ASSERT_EQ(shoot("psd", way), 0) << way;
+    EXPECT_LE(difference(pixels("psdcpu.png"), pixels("psd" + way + ".png")), std::min(0.002, moved / 4)) << way;
+  }
+  EXPECT_EQ(shoot("psd", "crowd"), 4);
+  for (const char* const way : {"ubo", "crowd"}) EXPECT_EQ(shoot("mwe", way), 4);
+  EXPECT_FALSE(fs::exists(path("mweubo.png")));
+}
+
 TEST_F(Picture, OfACrowdIsRefusedWhereCrowdsCannot) {
   const auto shoot = [&](const std::string& cook, const std::string& options) {
     EXPECT_EQ(run("cook " + cook + " -o " + path("other.mrw"), "exec 2>/dev/null;"), 0) << cook;

@@ -12,6 +12,7 @@
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
+#include "support/family.h"
 #include "support/places.h"
 
 namespace marrow::test {
@@ -28,6 +29,8 @@ constexpr std::uint32_t kCharacters = 3;
 constexpr SkinningPath kPaths[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback,
                                    SkinningPath::compute, SkinningPath::cpu};
 static_assert(std::size(kPaths) == gles3::kPathCount);
+constexpr gles3::Deformer kDeformers[] = {gles3::Deformer::rigid, gles3::Deformer::ssd, gles3::Deformer::as,
+                                          gles3::Deformer::psd};
 
 // Colours by normal, so that pictures tell more than outlines. The camera looks along -z at a box of its own.
 constexpr const char* kVertex = R"(
@@ -53,6 +56,10 @@ struct Scene {
     for (std::uint32_t m = 0; m < model->file.mesh_count(); ++m)
       if (model->file.mesh(m).geometry.slot_count > mesh.geometry.slot_count) mesh = model->file.mesh(index = m);
     weights.assign(mesh.targets.size, 0.5f);
+    space.emplace(5, mesh, 9, mesh.geometry.index_bytes == 4);
+    const float size = mesh.geometry.box_max[0] - mesh.geometry.box_min[0];
+    for (MorphTarget& example : space->examples) example.position_step *= 0.1f * size;
+    space->put(mesh.geometry);
   }
   std::vector<Affine> joints(std::uint32_t character) const {
     const Skeleton skeleton = model->file.skeleton(mesh.skeleton);
@@ -72,6 +79,7 @@ struct Scene {
   std::uint32_t index = 0;
   Mesh mesh;
   std::vector<float> weights;
+  std::optional<TestPoseSpace> space;
 };
 
 struct Player {
@@ -134,6 +142,15 @@ std::size_t different(const std::vector<std::uint8_t>& a, const std::vector<std:
   return out;
 }
 
+std::vector<std::pair<SkinningPath, gles3::Deformer>> every_path_of(std::initializer_list<gles3::Deformer> deformers,
+                                                                    const gles3::Caps& caps) {
+  std::vector<std::pair<SkinningPath, gles3::Deformer>> out;
+  for (const SkinningPath way : kPaths)
+    for (const gles3::Deformer deformer : deformers)
+      if (way != SkinningPath::compute || caps.compute) out.emplace_back(way, deformer);
+  return out;
+}
+
 const std::string kFace = in_golden("face.gltf");
 
 TEST(Skinner, EveryPathDrawsTheSame) {
@@ -142,7 +159,7 @@ TEST(Skinner, EveryPathDrawsTheSame) {
     int pictures = 0;
     for (const std::string& path : {model_paths().front(), kFace}) {
       const Scene scene(path);
-      for (const gles3::Deformer deformer : {gles3::Deformer::rigid, gles3::Deformer::ssd, gles3::Deformer::as}) {
+      for (const gles3::Deformer deformer : kDeformers) {
         std::vector<std::uint8_t> first;
         for (const SkinningPath way : kPaths) {
           if (way == SkinningPath::compute && !stage.caps().compute) continue;
@@ -162,20 +179,19 @@ TEST(Skinner, EveryPathDrawsTheSame) {
         }
       }
     }
-    EXPECT_EQ(pictures, stage.caps().compute ? 30 : 24);
+    EXPECT_EQ(pictures, stage.caps().compute ? 40 : 32);
   });
 }
 
-// 48 bytes a joint go up, no object is made, nothing compiled or asked.
+// 48 bytes a joint go up, as many again of a pose space of nine, no object is made, nothing compiled or asked.
 TEST(Skinner, AFrameUploadsPalettesAlone) {
   on_a_thread([] {
     const Stage stage;
     const Scene scene(model_paths().front());
     int paths = 0;
-    for (const SkinningPath way : kPaths) {
-      if (way == SkinningPath::compute && !stage.caps().compute) continue;
+    for (const auto& [way, deformer] : every_path_of({gles3::Deformer::ssd, gles3::Deformer::psd}, stage.caps())) {
       const gles3::Api api = faulty_api(stage.real());
-      Player player(api, stage.caps(), scene, {way});
+      Player player(api, stage.caps(), scene, {way, deformer});
       ASSERT_EQ(player.status, Status::ok);
       player.pose_all();
       EXPECT_EQ(player.frame(api), Status::ok);
@@ -185,7 +201,8 @@ TEST(Skinner, AFrameUploadsPalettesAlone) {
       const std::int64_t slots = scene.mesh.geometry.slot_count;
       EXPECT_EQ(driver().uploaded_bytes,
                 kCharacters * (way == SkinningPath::cpu ? slots * (scene.mesh.geometry.tangents != nullptr ? 40 : 24)
-                                                        : std::int64_t{48} * scene.mesh.palette_size()));
+                                                        : (deformer == gles3::Deformer::psd ? 96 : 48) *
+                                                              std::int64_t{scene.mesh.palette_size()}));
       for (const char* const name : {"Gen", "Delete", "CreateShader", "CreateProgram", "CompileShader", "LinkProgram",
                                      "GetIntegerv", "GetProgramiv", "GetShaderiv", "GetString", "ObjectLabel"})
         EXPECT_EQ(driver().count[name], 0) << name << " on " << to_string(way);
@@ -194,7 +211,7 @@ TEST(Skinner, AFrameUploadsPalettesAlone) {
       EXPECT_EQ(driver().live, 0) << to_string(way);
       ++paths;
     }
-    EXPECT_GE(paths, 4);
+    EXPECT_GE(paths, 8);
   });
 }
 
@@ -257,7 +274,7 @@ TEST(Skinner, LabelsEveryObjectOnce) {
     std::set<std::string> texts;
     for (const SkinningPath way : kPaths) {
       if (way == SkinningPath::compute && !stage.caps().compute) continue;
-      for (const gles3::Deformer deformer : {gles3::Deformer::ssd, gles3::Deformer::as}) {
+      for (const gles3::Deformer deformer : kDeformers) {
         gles3::Api api = faulty_api(stage.real());
         record_labels(api);
         Player player(api, stage.caps(), scene, {way, deformer});
@@ -275,12 +292,13 @@ TEST(Skinner, LabelsEveryObjectOnce) {
         EXPECT_EQ(driver().live, 0);
       }
     }
-    for (const char* const role :
-         {"skin", "animation space", "surface", "indices", "morph rows", "morph targets", "skinned vertices"})
+    for (const char* const role : {"skin", "animation space", "surface", "indices", "morph rows", "morph targets",
+                                   "pose space", "skinned vertices"})
       EXPECT_EQ(texts.count(std::string(scene.mesh.name) + ": " + role), 1u) << role;
-    for (const char* const text : {"marrow: palettes", "marrow: drawing", "marrow: drawing, ssd, morph targets",
-                                   "marrow: pre-skinning by feedback, as, morph targets",
-                                   "marrow: drawing, as, morph targets, palettes in a texture"})
+    for (const char* const text :
+         {"marrow: palettes", "marrow: distances of poses", "marrow: drawing", "marrow: drawing, psd, morph targets",
+          "marrow: drawing, ssd, morph targets", "marrow: pre-skinning by feedback, as, morph targets",
+          "marrow: drawing, as, morph targets, palettes in a texture"})
       EXPECT_EQ(texts.count(text), 1u) << text;
   });
 }
@@ -323,13 +341,12 @@ TEST(Skinner, CausesNoErrorOnAnyPath) {
     const Stage stage;
     for (const std::string& path : {model_paths().front(), kFace}) {
       const Scene scene(path);
-      for (const SkinningPath way : kPaths) {
-        if (way == SkinningPath::compute && !stage.caps().compute) continue;
+      for (const auto& [way, deformer] : every_path_of({gles3::Deformer::as, gles3::Deformer::psd}, stage.caps())) {
         std::vector<Report> reports;
         gles3::ErrorWatch watch = watch_into(reports);
         gles3::Api api = stage.real();
         gles3::watch_errors(api, &watch);
-        Player player(api, stage.caps(), scene, {way, gles3::Deformer::as});
+        Player player(api, stage.caps(), scene, {way, deformer});
         ASSERT_EQ(player.status, Status::ok);
         player.pose_all();
         for (int frame = 0; frame < 4; ++frame) EXPECT_EQ(player.frame(api), Status::ok);
@@ -348,11 +365,10 @@ TEST(Skinner, SurvivesTheLossOfTheContextAnywhere) {
   on_a_thread([] {
     const Scene scene(model_paths().front());
     int losses = 0;
-    for (const SkinningPath way : kPaths) {
-      auto stage = std::make_unique<Stage>();
-      if (way == SkinningPath::compute && !stage->caps().compute) continue;
+    auto stage = std::make_unique<Stage>();
+    for (const auto& [way, deformer] : every_path_of({gles3::Deformer::as, gles3::Deformer::psd}, stage->caps())) {
       gles3::Api api = faulty_api(stage->real());
-      Player player(api, stage->caps(), scene, {way, gles3::Deformer::as});
+      Player player(api, stage->caps(), scene, {way, deformer});
       ASSERT_EQ(player.status, Status::ok);
       player.pose_all();
       stage->clear();
@@ -382,7 +398,7 @@ TEST(Skinner, SurvivesTheLossOfTheContextAnywhere) {
       gles3::destroy(api, player.programs);
       EXPECT_EQ(driver().live, 0) << to_string(way);
     }
-    EXPECT_GE(losses, 4 * kLossesOfAPath);
+    EXPECT_GE(losses, 8 * kLossesOfAPath);
     std::printf("%d losses\n", losses);
   });
 }

@@ -125,6 +125,7 @@ class Costs {
       for (const auto influences : {std::uint8_t{4}, std::uint8_t{8}}) {
         of_deformer("ssd", Deformer::ssd, influences, attributes);
         of_deformer("as", Deformer::as, influences, attributes);
+        of_deformer("psd", Deformer::psd, influences, attributes);
       }
     }
     Program program;
@@ -134,12 +135,15 @@ class Costs {
  private:
   void of_deformer(const char* name, Deformer deformer, std::uint8_t influences, const Attributes& attributes) {
     if (attributes.as_only && (deformer != Deformer::as || influences != 4)) return;
+    const bool psd = deformer == Deformer::psd;  // SSD and a loop: one row of each path says what that adds
+    if (psd && attributes.features != kNormals) return;
     for (const int morphs : {0, int{kMorphs}}) {
+      if (psd && morphs != 0) continue;
       if (morphs != 0 && attributes.features != kNormals) continue;  // their cost is the same beside other attributes
       const ProgramKey key{deformer, influences, static_cast<std::uint8_t>(morphs)};
       draw("ubo", name, key, attributes);
       draw("texture", name, {deformer, influences, key.features, Palettes::texture}, attributes);
-      if (morphs == 0) draw("crowd", name, {deformer, influences, 0, Palettes::crowd}, attributes);
+      if (morphs == 0 && !psd) draw("crowd", name, {deformer, influences, 0, Palettes::crowd}, attributes);
       if ((attributes.features & kMotion) != 0) continue;  // skinned ahead, the frame before is there
       preskin("feedback", Preskin::feedback, name, key, attributes);
       if (caps_.compute) preskin("compute", Preskin::compute, name, key, attributes);

@@ -39,7 +39,7 @@ std::uint32_t most_influences(const Geometry& g) {
 // The program of the fewest influences that has as many; null: none.
 const json* find_program(const char* path, GpuDeformer deformer, std::uint32_t influences,
                          const std::string& attributes) {
-  constexpr const char* kNames[] = {"rigid", "ssd", "as"};
+  constexpr const char* kNames[] = {"rigid", "ssd", "as", "psd"};
   for (std::uint32_t n = deformer == GpuDeformer::rigid ? 1 : std::max(influences, 4u); n <= 8; ++n) {
     const std::string name =
         fmt::format("{}/{}/{}/{}/colour", path, kNames[static_cast<std::size_t>(deformer)], n, attributes);
@@ -70,6 +70,10 @@ std::optional<VertexCost> vertex_cost(const Geometry& geometry, GpuDeformer defo
   // Programs that morph are compiled with normals alone.
   std::string attributes = attributes_of(geometry, surface);
   if (attributes == "pnt+morphs" || attributes == "p+morphs") attributes = "pn+morphs";
+  if (deformer == GpuDeformer::psd) {
+    if (geometry.pose_space.examples.empty()) return std::nullopt;
+    attributes = "pn";
+  }
   VertexCost out;
   bool spills[3] = {};
   bool found = false;

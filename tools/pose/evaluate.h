@@ -24,7 +24,7 @@ inline constexpr Named<Deformer> kDeformers[] = {{"rigid", Deformer::rigid},
                                                  {"as", Deformer::as},
                                                  {"mwe", Deformer::mwe},
                                                  {"psd", Deformer::psd}};
-// Those that every path of the GPU has: the first three.
+// Those that a window offers for any file: the first three.
 inline constexpr std::span<const Named<Deformer>> kGpuDeformers(kDeformers, 3);
 
 // Throws Failure (unsupported) if the file, of this path, has nothing that the deformer needs: multi-weights, a pose

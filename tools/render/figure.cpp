@@ -20,8 +20,7 @@ gles3::Deformer gpu_deformer(Deformer deformer) {
                     "no path of the GPU has multi-weights: they are 192 bytes a vertex, more than attributes hold",
                     "use --path cpu");
     case Deformer::psd:
-      throw Failure(Exit::unsupported, "--deformer psd", "",
-                    "no path of the GPU has pose spaces: their examples are weighed for each vertex", "use --path cpu");
+      return gles3::Deformer::psd;
   }
   return gles3::Deformer::ssd;
 }
@@ -155,6 +154,10 @@ Drawable Figure::drawable(std::uint32_t index, const Character& character) const
 }
 
 std::unique_ptr<BakedPlay> Figure::bake(const std::string& path, const Play& play, Deformer deformer) const {
+  if (deformer == Deformer::psd)
+    throw Failure(Exit::unsupported, "--deformer psd", "",
+                  "crowds have no pose spaces: how near a pose is to their examples is not baked",
+                  "use another --path");
   auto baked = std::make_unique<BakedPlay>(gl_, programs_, path, file_, play, level_, tangents_);
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i)
     check_made(

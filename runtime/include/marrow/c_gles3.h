@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0xa21bd4cfu
+#define MRW_GLES3_ABI 0xb6c0d393u
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -47,7 +47,7 @@ void mrw_gles3_error_watch_init(mrw_gles3_error_watch* out);
 //   once a context   load_api, query_caps, create_palette_ring, build_program
 //   once a mesh      prepare: compact attributes, and the bind matrices that undo their quantisation
 //   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints, …) → push_palette →
-//                    set_morphs, if it has morph targets → draw
+//                    set_morphs, if it has morph targets → bind_examples, for its pose space → draw
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
 // the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
@@ -67,6 +67,7 @@ enum {
   MRW_GLES3_DEFORMER_RIGID = 1,  // the joint with the largest weight
   MRW_GLES3_DEFORMER_SSD = 2,
   MRW_GLES3_DEFORMER_AS = 3,
+  MRW_GLES3_DEFORMER_PSD = 4,  // SSD of what the mesh's pose space has moved, see skin_psd() in skin.h
 };
 
 // Where a program finds its palettes.
@@ -74,7 +75,7 @@ typedef uint8_t mrw_gles3_palettes;
 enum {
   MRW_GLES3_PALETTES_UNIFORM_BLOCK = 0,  // PaletteRing: one palette a draw call
   MRW_GLES3_PALETTES_TEXTURE = 1,  // PaletteTexture: of any size; one draw call may draw many characters
-  // CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+  // CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none, psd or kMorphs
   MRW_GLES3_PALETTES_CROWD = 2,
 };
 
@@ -101,6 +102,7 @@ enum {
 #define MRW_GLES3_UV_LOCATION 12u
 #define MRW_GLES3_COLOUR_LOCATION 13u
 #define MRW_GLES3_MORPH_ROW_LOCATION 14u
+#define MRW_GLES3_EXAMPLE_ROW_LOCATION 15u
 
 // Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 #define MRW_GLES3_MORPH_TARGETS 64u
@@ -135,6 +137,7 @@ struct mrw_gles3_vertex_layout {
   uint32_t ssd_stride;
   uint32_t ssd_weights;
   uint32_t ssd_joints;
+  uint32_t example_row;  // in SSD's stream; 0: there is none
   uint32_t as_stride;
   uint32_t as_tangents;
   uint32_t as_joints;
@@ -155,6 +158,7 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //              weight of the second influence        snorm16
 //              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
 //              joints                                u8×4, or ×8; u16 above 256 entries
+//              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 //   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
 //              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
 //              joints                                as SSD's
@@ -168,7 +172,8 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //   4 influences       16    36                    100                         4
 //   8 influences       28    72                      -                         4
 //
-// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
+// holds 8 B for each example and vertex that it moves.
 typedef struct mrw_gles3_gpu_mesh mrw_gles3_gpu_mesh;
 struct mrw_gles3_gpu_mesh {
   uint32_t ssd_array;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
@@ -178,6 +183,7 @@ struct mrw_gles3_gpu_mesh {
   uint32_t surface_buffer;  // 0 for a mesh of bare positions
   uint32_t morph_buffer;  // 0 for a mesh without morph targets
   uint32_t morph_texture;  // likewise
+  uint32_t example_texture;  // 0 without PrepareOptions::psd, or examples
   uint32_t index_buffer;
   uint32_t index_count;
   uint32_t index_type;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
@@ -191,6 +197,9 @@ struct mrw_gles3_gpu_mesh {
   uint8_t morph_shift;  // the texture's width is 1 << morph_shift
   uint32_t morph_texels;  // of a target
   float morph_unit;  // 1 / half-extent, see prepare()
+  float example_step;  // of changes, in half-extents
+  uint32_t distances;  // distance_matrices() of the mesh, where it has examples here
+  uint32_t distance_texels;  // of them, a palette entry
   float coordinate_scale;  // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   mrw_gles3_vertex_layout layout;
 };
@@ -206,6 +215,7 @@ struct mrw_gles3_prepare_options {
   // normals cannot.
   const float* as_tangents;
   size_t as_tangent_count;
+  bool psd;  // With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
 };
 void mrw_gles3_prepare_options_init(mrw_gles3_prepare_options* out);
 
@@ -271,6 +281,11 @@ struct mrw_gles3_program {
   int32_t previous_palettes;
   int32_t previous_targets;
   int32_t previous_count;
+  int32_t examples;
+  int32_t example_step;
+  int32_t distances;
+  int32_t distance_row;
+  int32_t previous_distances;
 };
 void mrw_gles3_program_init(mrw_gles3_program* out);
 
@@ -323,7 +338,7 @@ void mrw_gles3_watch_errors(mrw_gles3_api* api, mrw_gles3_error_watch* watch);
 // Errors: unsupported below OpenGL ES 3.0; gl_error.
 mrw_status mrw_gles3_query_caps(const mrw_gles3_api* api, mrw_gles3_caps* caps) MRW_NODISCARD;
 
-// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers, with `psd` and all changes.
 // May be null: options.
 size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_options* options);
 
@@ -335,10 +350,10 @@ size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_pre
 //
 // bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
 // free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-// targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
-// are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
-// unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
-// mesh.
+// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
+// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
+// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+// passes over the vertices; once a mesh.
 // May be null: options.
 mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_prepare_options* options, void* scratch, size_t scratch_bytes, mrw_affine* bind, size_t bind_count,
@@ -413,6 +428,31 @@ mrw_status mrw_gles3_set_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, 
 // The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
 mrw_status mrw_gles3_set_previous_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
     const float* weights, size_t weight_count, const mrw_gles3_program* program) MRW_NODISCARD;
+
+// Room that pack_distances() wants, in matrices of 12 floats: about a third of one for each palette entry and four
+// examples. 0 without examples.
+uint32_t mrw_gles3_distance_matrices(const mrw_geometry* geometry);
+
+// How far a pose is from the examples, as Deformer::psd reads it: psd_distances() in another order. It goes up with
+// those of other characters as palettes do, by upload_palettes() into a PaletteTexture of its own, on every path.
+// palette: built with the bind matrices of prepare(), or those of the mesh; no matter which. out: distance_matrices().
+// Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
+mrw_status mrw_gles3_pack_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count,
+    mrw_affine* out, size_t out_count) MRW_NODISCARD;
+
+// `program`, which must be in use and of Deformer::psd, deforms by the mesh's examples and by distances that begin at
+// matrix `first` of what was uploaded, its instance i by those GpuMesh::distances · i behind. Leaves `texture_unit` and
+// the next one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind,
+// distances that reach beyond what was uploaded).
+mrw_status mrw_gles3_bind_examples(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
+    const mrw_gles3_palette_texture* distances, uint32_t first, uint32_t texture_unit,
+    const mrw_gles3_program* program) MRW_NODISCARD;
+
+// The distances of the frame before, for a program with kMotion, after bind_examples(). kept and errors: as in
+// bind_previous_palette(). Leaves `texture_unit` active and the texture bound to it.
+mrw_status mrw_gles3_bind_previous_distances(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
+    const mrw_gles3_palette_texture* distances, uint32_t first, bool kept, uint32_t texture_unit,
+    const mrw_gles3_program* program) MRW_NODISCARD;
 
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
 // `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
@@ -544,9 +584,10 @@ void mrw_gles3_program_set_init(mrw_gles3_program_set* out);
 typedef struct mrw_gles3_skinner_options mrw_gles3_skinner_options;
 struct mrw_gles3_skinner_options {
   mrw_gles3_skinning_path path;
-  mrw_gles3_deformer deformer;  // rigid, ssd or as
+  mrw_gles3_deformer deformer;  // rigid, ssd, as or psd, which is ssd for a mesh without examples
   uint32_t instances;  // characters, at most
   // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+  // A pose space takes the fourth and fifth, with `motion` the sixth.
   uint32_t texture_unit;
   uint8_t features;  // what programs are to read of what the mesh has and their role reads
   // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
@@ -584,12 +625,15 @@ struct mrw_gles3_skinner {
   mrw_gles3_gpu_mesh gpu;
   mrw_gles3_palette_ring ring;
   mrw_gles3_palette_texture texture;
+  mrw_gles3_palette_texture distance_texture;
   uint32_t updated;
   bool lost;
   mrw_affine* bind;
   size_t bind_count;
   mrw_affine* palettes;
   size_t palette_count;
+  mrw_affine* distances;
+  size_t distance_count;
   float* weights;
   size_t weight_count;
   uint32_t* offsets;
@@ -644,7 +688,8 @@ mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const m
 mrw_status mrw_gles3_reset_motion(mrw_gles3_skinner* skinner, uint32_t instance) MRW_NODISCARD;
 
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
-// and nothing else; on path cpu the vertices.
+// and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
+// vertices.
 // Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
 mrw_status mrw_gles3_update(const mrw_gles3_api* api, mrw_gles3_skinner* skinner, const mrw_gles3_program_set* programs,
     uint32_t count) MRW_NODISCARD;

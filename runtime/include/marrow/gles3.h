@@ -3,7 +3,7 @@
 //   once a context   load_api, query_caps, create_palette_ring, build_program
 //   once a mesh      prepare: compact attributes, and the bind matrices that undo their quantisation
 //   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints, …) → push_palette →
-//                    set_morphs, if it has morph targets → draw
+//                    set_morphs, if it has morph targets → bind_examples, for its pose space → draw
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
 // the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
@@ -65,6 +65,7 @@ enum class Deformer : std::uint8_t {
   rigid,  // the joint with the largest weight
   ssd,
   as,
+  psd,  // SSD of what the mesh's pose space has moved, see skin_psd() in skin.h
 };
 
 // Which attributes a mesh has and a program reads.
@@ -89,6 +90,7 @@ inline constexpr std::uint32_t kTangentLocation = 11;
 inline constexpr std::uint32_t kUvLocation = 12;
 inline constexpr std::uint32_t kColourLocation = 13;
 inline constexpr std::uint32_t kMorphRowLocation = 14;
+inline constexpr std::uint32_t kExampleRowLocation = 15;
 inline constexpr std::uint32_t kSurfaceLocations[8] = {4, 5, 6, 7, 9, 10, 11, 15};  // four vectors of each tangent
 
 // Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
@@ -103,6 +105,7 @@ struct VertexLayout {
   std::uint32_t influences = 4;   // 4 or 8
   std::uint32_t joint_bytes = 1;  // 1 or 2
   std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;
+  std::uint32_t example_row = 0;  // in SSD's stream; 0: there is none
   std::uint32_t as_stride = 0, as_tangents = 0, as_joints = 0;
   bool surface_normals = false;  // there are tangents, and room for them
   std::uint32_t surface_stride = 0, normal = 0, tangent = 0, uv = 0, colour = 0;
@@ -117,6 +120,7 @@ struct VertexLayout {
 //              weight of the second influence        snorm16
 //              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
 //              joints                                u8×4, or ×8; u16 above 256 entries
+//              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 //   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
 //              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
 //              joints                                as SSD's
@@ -131,28 +135,33 @@ struct VertexLayout {
 //   8 influences       28    72                      -                         4
 // clang-format on
 //
-// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
+// holds 8 B for each example and vertex that it moves.
 struct GpuMesh {
   std::uint32_t ssd_array = 0;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
   std::uint32_t as_array = 0;
   std::uint32_t ssd_buffer = 0;
   std::uint32_t as_buffer = 0;
-  std::uint32_t surface_buffer = 0;  // 0 for a mesh of bare positions
-  std::uint32_t morph_buffer = 0;    // 0 for a mesh without morph targets
-  std::uint32_t morph_texture = 0;   // likewise
+  std::uint32_t surface_buffer = 0;   // 0 for a mesh of bare positions
+  std::uint32_t morph_buffer = 0;     // 0 for a mesh without morph targets
+  std::uint32_t morph_texture = 0;    // likewise
+  std::uint32_t example_texture = 0;  // 0 without PrepareOptions::psd, or examples
   std::uint32_t index_buffer = 0;
   std::uint32_t index_count = 0;
   std::uint32_t index_type = 0;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
   std::uint32_t primitive = 4;   // what the indices draw: GL_TRIANGLES
   std::uint32_t slot_count = 0;
-  std::uint32_t joint_count = 0;   // matrices in its palette
-  std::uint32_t vertex_bytes = 0;  // all vertex buffers together
-  std::uint8_t influences = 4;     // 4 or 8
-  std::uint8_t features = 0;       // kNormals | …
-  std::uint8_t morph_per_row = 1;  // texels a vertex: positions, normals, tangents
-  std::uint8_t morph_shift = 0;    // the texture's width is 1 << morph_shift
-  std::uint32_t morph_texels = 0;  // of a target
-  float morph_unit = 1;            // 1 / half-extent, see prepare()
+  std::uint32_t joint_count = 0;      // matrices in its palette
+  std::uint32_t vertex_bytes = 0;     // all vertex buffers together
+  std::uint8_t influences = 4;        // 4 or 8
+  std::uint8_t features = 0;          // kNormals | …
+  std::uint8_t morph_per_row = 1;     // texels a vertex: positions, normals, tangents
+  std::uint8_t morph_shift = 0;       // the texture's width is 1 << morph_shift
+  std::uint32_t morph_texels = 0;     // of a target
+  float morph_unit = 1;               // 1 / half-extent, see prepare()
+  float example_step = 1;             // of changes, in half-extents
+  std::uint32_t distances = 0;        // distance_matrices() of the mesh, where it has examples here
+  std::uint32_t distance_texels = 0;  // of them, a palette entry
   // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   float coordinate_scale = 1;
   VertexLayout layout = {};
@@ -166,9 +175,11 @@ struct PrepareOptions {
   // vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
   // normals cannot.
   Span<const float> as_tangents = {};
+  // With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
+  bool psd = false;
 };
 
-// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers, with `psd` and all changes.
 MARROW_API std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options = {});
 
 // Uploads a mesh, and writes the bind matrices to build its palettes with:
@@ -179,10 +190,10 @@ MARROW_API std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOpti
 //
 // bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
 // free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-// targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
-// are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
-// unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
-// mesh.
+// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
+// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
+// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+// passes over the vertices; once a mesh.
 MARROW_API Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                           Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);
 
@@ -193,7 +204,7 @@ MARROW_API void destroy(const Api& api, GpuMesh& mesh);
 enum class Palettes : std::uint8_t {
   uniform_block,  // PaletteRing: one palette a draw call
   texture,        // PaletteTexture: of any size; one draw call may draw many characters
-  crowd,          // CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+  crowd,  // CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none, psd or kMorphs
 };
 
 // What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
@@ -245,6 +256,7 @@ struct Program {
   std::int32_t vertex_layout = -1;  // of pre-skinning by compute shaders
   std::int32_t morph_changes = -1, morph_targets = -1, morph_count = -1, morph_shift = -1, morph_per_row = -1;
   std::int32_t previous_palettes = -1, previous_targets = -1, previous_count = -1;
+  std::int32_t examples = -1, example_step = -1, distances = -1, distance_row = -1, previous_distances = -1;
 };
 
 // Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
@@ -331,6 +343,29 @@ MARROW_API Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gp
 // The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
 MARROW_API Status set_previous_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                                       const Program& program);
+
+// Room that pack_distances() wants, in matrices of 12 floats: about a third of one for each palette entry and four
+// examples. 0 without examples.
+MARROW_API std::uint32_t distance_matrices(const Geometry& geometry);
+
+// How far a pose is from the examples, as Deformer::psd reads it: psd_distances() in another order. It goes up with
+// those of other characters as palettes do, by upload_palettes() into a PaletteTexture of its own, on every path.
+// palette: built with the bind matrices of prepare(), or those of the mesh; no matter which. out: distance_matrices().
+// Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
+MARROW_API Status pack_distances(const Geometry& geometry, Span<const Affine> palette, Span<Affine> out);
+
+// `program`, which must be in use and of Deformer::psd, deforms by the mesh's examples and by distances that begin at
+// matrix `first` of what was uploaded, its instance i by those GpuMesh::distances · i behind. Leaves `texture_unit` and
+// the next one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind,
+// distances that reach beyond what was uploaded).
+MARROW_API Status bind_examples(const Api& api, const GpuMesh& mesh, const PaletteTexture& distances,
+                                std::uint32_t first, std::uint32_t texture_unit, const Program& program);
+
+// The distances of the frame before, for a program with kMotion, after bind_examples(). kept and errors: as in
+// bind_previous_palette(). Leaves `texture_unit` active and the texture bound to it.
+MARROW_API Status bind_previous_distances(const Api& api, const GpuMesh& mesh, const PaletteTexture& distances,
+                                          std::uint32_t first, bool kept, std::uint32_t texture_unit,
+                                          const Program& program);
 
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
 // `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to

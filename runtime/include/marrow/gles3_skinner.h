@@ -69,9 +69,10 @@ struct SkinnerMotion {
 
 struct SkinnerOptions {
   SkinningPath path = SkinningPath::ubo;
-  Deformer deformer = Deformer::ssd;  // rigid, ssd or as
+  Deformer deformer = Deformer::ssd;  // rigid, ssd, as or psd, which is ssd for a mesh without examples
   std::uint32_t instances = 1;        // characters, at most
   // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+  // A pose space takes the fourth and fifth, with `motion` the sixth.
   std::uint32_t texture_unit = 0;
   std::uint8_t features = 255;  // what programs are to read of what the mesh has and their role reads
   // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
@@ -88,12 +89,14 @@ struct Skinner {
   GpuMesh gpu = {};
   PaletteRing ring = {};
   PaletteTexture texture = {};
-  std::uint32_t updated = 0;  // characters that the last update() brought up
+  PaletteTexture distance_texture = {};  // of pose spaces
+  std::uint32_t updated = 0;             // characters that the last update() brought up
   bool lost = false;
 
   // In the caller's memory.
   Span<Affine> bind = {};            // what palettes are built with
   Span<Affine> palettes = {};        // characters after each other
+  Span<Affine> distances = {};       // of pose spaces, characters after each other; path cpu: one character's
   Span<float> weights = {};          // of morph targets, characters after each other
   Span<std::uint32_t> offsets = {};  // in the ring, a character each
   Span<SkinnedMesh> skinned = {};    // a character each, of paths that skin once a frame
@@ -130,7 +133,8 @@ MARROW_API Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affi
 MARROW_API Status reset_motion(Skinner& skinner, std::uint32_t instance);
 
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
-// and nothing else; on path cpu the vertices.
+// and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
+// vertices.
 // Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
 MARROW_API Status update(const Api& api, Skinner& skinner, const ProgramSet& programs, std::uint32_t count);
 

@@ -4,6 +4,7 @@
 #include "gl/misuse/paper_driver.h"
 #include "marrow/gles3_crowd.h"
 #include "marrow/gles3_self_test.h"
+#include "support/family.h"
 #include "support/morphs.h"
 #include "unit/misuse/misuse.h"
 
@@ -13,12 +14,13 @@ std::vector<MisuseRow> rows_of_gl_meshes();
 std::vector<MisuseRow> rows_of_skinners();
 std::vector<MisuseRow> rows_of_crowds();
 
-// A mesh with morph targets, prepared, and a character of it.
+// A mesh with morph targets and a pose space, prepared, and a character of it.
 struct GlStage {
   GlStage();
   gles3::Api api = paper_api();
   gles3::Caps caps;
   TestMorphs morphs;
+  TestPoseSpace space;
   std::vector<MeshTarget> targets;
   Mesh mesh;
   std::vector<Affine> bind;

@@ -21,6 +21,7 @@ Program program_of(Misuse& m) {
   Program program = gl_stage().program;
   program.reads = m.kind(program.reads);
   program.morph_targets = static_cast<std::int32_t>(m.index(1));
+  program.examples = static_cast<std::int32_t>(m.index(1));
   return program;
 }
 
@@ -184,6 +185,27 @@ std::vector<MisuseRow> rows_of_palettes() {
          m.returned(
              set_morphs(gl_stage().api, mesh, m.either(gl_stage().gpu, GpuMesh{}), weights, m.index(1), program_of(m)));
        }},
+      {"distance_matrices",
+       [](Misuse& m) {
+         EXPECT_LE(distance_matrices(gl_mesh_of(m).geometry), 3 * stage().palette.size());
+         m.returned_ok();
+       }},
+      {"pack_distances",
+       [](Misuse& m) {
+         const Mesh mesh = gl_mesh_of(m);
+         const Span<const Affine> palette = m.in(stage().palette);
+         m.returned(pack_distances(mesh.geometry, palette, m.out<Affine>(distance_matrices(gl_stage().mesh.geometry))));
+       }},
+      {"bind_examples",
+       [](Misuse& m) {
+         m.returned(bind_examples(gl_stage().api, m.either(gl_stage().gpu, GpuMesh{}), texture_of(m), m.index(0),
+                                  m.index(1), program_of(m)));
+       }},
+      {"bind_previous_distances",
+       [](Misuse& m) {
+         m.returned(bind_previous_distances(gl_stage().api, m.either(gl_stage().gpu, GpuMesh{}), texture_of(m),
+                                            m.index(0), m.truth(true), m.index(1), program_of(m)));
+       }},
       {"draw",
        [](Misuse& m) {
          m.returned(draw(gl_stage().api, m.either(gl_stage().gpu, GpuMesh{}), m.kind(Deformer::ssd), program_of(m),
@@ -228,19 +250,23 @@ std::vector<MisuseRow> rows_of_palettes() {
   };
 }
 
+constexpr PrepareOptions kWithPoseSpace = {true, true, {}, true};
+
 }  // namespace
 
 GlStage::GlStage()
     : morphs(3, stage().mesh.geometry.slot_count, 6),
       targets(6),
+      space(4, stage().mesh, 6, !morphs.blocks.empty()),
       mesh(with_box(stage().creature.mesh)),
       bind(stage().mesh.palette_size()) {
   morphs.put(mesh.geometry);
+  space.put(mesh.geometry);
   mesh.targets = targets;
   EXPECT_EQ(query_caps(api, caps), Status::ok);
-  std::vector<Affine> scratch(prepare_scratch_bytes(mesh) / sizeof(Affine) + 1);
+  std::vector<Affine> scratch(prepare_scratch_bytes(mesh, kWithPoseSpace) / sizeof(Affine) + 1);
   const Span<std::byte> bytes(reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * sizeof(Affine));
-  EXPECT_EQ(prepare(api, caps, mesh, {}, bytes, bind, gpu), Status::ok);
+  EXPECT_EQ(prepare(api, caps, mesh, kWithPoseSpace, bytes, bind, gpu), Status::ok);
   EXPECT_EQ(build_program(api, {.influences = 8}, {"vertex", "fragment", {}}, 0, program), Status::ok);
 }
 
@@ -258,7 +284,7 @@ Mesh gl_mesh_of(Misuse& m) {
 
 PrepareOptions prepare_options_of(Misuse& m) {
   static const std::vector<float> tangents(as_tangent_count(gl_stage().mesh.geometry), 0.25f);
-  return {m.truth(true), m.truth(true), m.truth(true) ? Span<const float>() : m.in(tangents)};
+  return {m.truth(true), m.truth(true), m.truth(true) ? Span<const float>() : m.in(tangents), m.truth(true)};
 }
 
 Caps caps_of(Misuse& m) {

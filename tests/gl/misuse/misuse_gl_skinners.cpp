@@ -10,17 +10,21 @@ namespace {
 
 using namespace gles3;
 
+Deformer deformer_of(Misuse& m) {
+  return m.round() % 3 == 0 ? Deformer::psd : Deformer::ssd;
+}
+
 // Skinners that will not compile, or have no room, are part of it.
 SkinnerOptions skinner_options(Misuse& m, SkinningPath path) {
-  return {m.kind(path), m.kind(Deformer::ssd), m.index(2) % 5, m.index(0), static_cast<std::uint8_t>(m.index(255)),
+  return {m.kind(path), m.kind(deformer_of(m)), m.index(2) % 5, m.index(0), static_cast<std::uint8_t>(m.index(255)),
           {},           m.truth(true)};
 }
 
 // A skinner in good order, in memory that stays as long as it.
 struct Dressed {
-  explicit Dressed(SkinningPath path, bool motion = true) {
+  explicit Dressed(SkinningPath path, bool motion = true, Deformer deformer = Deformer::ssd) {
     programs.roles[0] = {"vertex", "fragment", {}};
-    const SkinnerOptions options{.path = path, .instances = 2, .motion = motion};
+    const SkinnerOptions options{.path = path, .deformer = deformer, .instances = 2, .motion = motion};
     memory.resize(skinner_bytes(gl_stage().mesh, options) / sizeof(Affine) + 1);
     EXPECT_EQ(create_skinner(gl_stage().api, gl_stage().caps, gl_stage().mesh, options, programs,
                              {reinterpret_cast<std::byte*>(memory.data()), memory.size() * sizeof(Affine)}, skinner),
@@ -128,7 +132,7 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"destroy",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
+         Dressed dressed(path_of(m), true, deformer_of(m));
          destroy(gl_stage().api, dressed.skinner);
          destroy(gl_stage().api, dressed.skinner);
          destroy(gl_stage().api, dressed.programs);
@@ -136,31 +140,31 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"pose",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
+         Dressed dressed(path_of(m), true, deformer_of(m));
          const Span<const Affine> joints = m.in(stage().joints);
          m.returned(pose(dressed.skinner, m.index(1), joints, m.in(gl_stage().morphs.weights)));
        }},
       {"reset_motion",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), m.truth(true));
+         Dressed dressed(path_of(m), m.truth(true), deformer_of(m));
          m.returned(reset_motion(dressed.skinner, m.index(1)));
        }},
       {"update",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
+         Dressed dressed(path_of(m), true, deformer_of(m));
          const ProgramSet none;
          m.returned(update(gl_stage().api, dressed.skinner, m.either(dressed.programs, none), m.index(2)));
        }},
       {"program_of",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
+         Dressed dressed(path_of(m), true, deformer_of(m));
          const ProgramSet none;
          (void)program_of(dressed.skinner, m.either(dressed.programs, none), m.index(0));
          m.returned_ok();
        }},
       {"draw",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), m.round() % 2 == 0);
+         Dressed dressed(path_of(m), m.round() % 2 == 0, deformer_of(m));
          Program program = program_of(dressed.skinner, dressed.programs, 0);
          program.motion = m.truth(program.motion);
          const ProgramSet none;
@@ -169,7 +173,7 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"on_context_lost",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
+         Dressed dressed(path_of(m), true, deformer_of(m));
          on_context_lost(dressed.skinner);
          on_context_lost(dressed.programs);
          destroy(gl_stage().api, dressed.skinner);
@@ -177,14 +181,14 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"on_context_restored",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
+         Dressed dressed(path_of(m), true, deformer_of(m));
          on_context_lost(dressed.skinner);
          on_context_lost(dressed.programs);
          m.returned(on_context_restored(gl_stage().api, caps_of(m), dressed.programs));
        }},
       {"on_context_restored",
        [](Misuse& m) {
-         Dressed dressed(path_of(m));
+         Dressed dressed(path_of(m), true, deformer_of(m));
          if (m.truth(true)) on_context_lost(dressed.skinner);
          m.returned(on_context_restored(gl_stage().api, caps_of(m), dressed.skinner));
        }},

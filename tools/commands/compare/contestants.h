@@ -29,7 +29,7 @@ struct Contestant {
   std::string name;
   std::function<Trained(const Study& study, const Round& round, const cook::LearnOptions& options)> train;
   cook::LearnOptions cooked;  // how `marrow cook` makes it
-  enum class Kernel { rigid, ssd, as, mwe, psd } kernel = Kernel::ssd;
+  enum class Kernel { rigid, ssd, as, psd, mwe } kernel = Kernel::ssd;
   bool can_be_cooked = true;
 };
 

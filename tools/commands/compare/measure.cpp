@@ -158,7 +158,8 @@ void measure_round(const Shape& shape, const Trained& trained, const deform::Def
 
 static_assert(static_cast<int>(GpuDeformer::rigid) == static_cast<int>(Contestant::Kernel::rigid) &&
               static_cast<int>(GpuDeformer::ssd) == static_cast<int>(Contestant::Kernel::ssd) &&
-              static_cast<int>(GpuDeformer::as) == static_cast<int>(Contestant::Kernel::as));
+              static_cast<int>(GpuDeformer::as) == static_cast<int>(Contestant::Kernel::as) &&
+              static_cast<int>(GpuDeformer::psd) == static_cast<int>(Contestant::Kernel::psd));
 
 // A kernel on the mesh's primitives, in the rest pose.
 class KernelRun {
@@ -201,7 +202,7 @@ class KernelRun {
   // The mean over vertices, each drawn with normals; zeros where no path of the GPU has the kernel.
   VertexCost gpu_cost() const {
     VertexCost out;
-    if (kernel_ > Contestant::Kernel::as) return out;
+    if (kernel_ > Contestant::Kernel::psd) return out;
     const auto deformer = static_cast<GpuDeformer>(kernel_);
     for (const Part& p : parts_) {
       const std::optional<VertexCost> cost = vertex_cost(p.mesh.geometry, deformer);

@@ -64,7 +64,8 @@ std::string gpu_cost_of(const ordered_json& mesh) {
     return fmt::format("{:.0f}/{:.0f}/{:.0f}", cost["mali_cycles"].get<double>(),
                        cost["adreno_instructions"].get<double>(), cost["videocore_instructions"].get<double>());
   };
-  return fmt::format(", GPU {} by SSD, {} by AS", words("ssd"), words("as"));
+  const std::string psd = gpu["psd"].is_null() ? "" : fmt::format(", {} by PSD", words("psd"));
+  return fmt::format(", GPU {} by SSD, {} by AS{}", words("ssd"), words("as"), psd);
 }
 
 // Branches in the order in which they are added; a branch's leaves are added behind it.

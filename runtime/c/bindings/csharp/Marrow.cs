@@ -2531,6 +2531,10 @@ public enum Gles3Deformer : byte {
     Rigid = 1,
     Ssd = 2,
     As = 3,
+    /// <summary>
+    /// SSD of what the mesh's pose space has moved, see skin_psd() in skin.h
+    /// </summary>
+    Psd = 4,
 }
 
 /// <summary>
@@ -2546,7 +2550,7 @@ public enum Gles3Palettes : byte {
     /// </summary>
     Texture = 1,
     /// <summary>
-    /// CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+    /// CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none, psd or kMorphs
     /// </summary>
     Crowd = 2,
 }
@@ -2590,6 +2594,10 @@ public unsafe struct Gles3VertexLayout {
     public uint ssd_stride;
     public uint ssd_weights;
     public uint ssd_joints;
+    /// <summary>
+    /// in SSD's stream; 0: there is none
+    /// </summary>
+    public uint example_row;
     public uint as_stride;
     public uint as_tangents;
     public uint as_joints;
@@ -2621,6 +2629,7 @@ public unsafe struct Gles3VertexLayout {
 ///              weight of the second influence        snorm16
 ///              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
 ///              joints                                u8×4, or ×8; u16 above 256 entries
+///              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 ///   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
 ///              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
 ///              joints                                as SSD's
@@ -2634,7 +2643,8 @@ public unsafe struct Gles3VertexLayout {
 ///   4 influences       16    36                    100                         4
 ///   8 influences       28    72                      -                         4
 ///
-/// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+/// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
+/// holds 8 B for each example and vertex that it moves.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3GpuMesh {
@@ -2657,6 +2667,10 @@ public unsafe struct Gles3GpuMesh {
     /// likewise
     /// </summary>
     public uint morph_texture;
+    /// <summary>
+    /// 0 without PrepareOptions::psd, or examples
+    /// </summary>
+    public uint example_texture;
     public uint index_buffer;
     public uint index_count;
     /// <summary>
@@ -2701,6 +2715,18 @@ public unsafe struct Gles3GpuMesh {
     /// </summary>
     public float morph_unit;
     /// <summary>
+    /// of changes, in half-extents
+    /// </summary>
+    public float example_step;
+    /// <summary>
+    /// distance_matrices() of the mesh, where it has examples here
+    /// </summary>
+    public uint distances;
+    /// <summary>
+    /// of them, a palette entry
+    /// </summary>
+    public uint distance_texels;
+    /// <summary>
     /// Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
     /// </summary>
     public float coordinate_scale;
@@ -2730,6 +2756,10 @@ public unsafe struct Gles3PrepareOptions {
     /// </summary>
     public float* as_tangents;
     public UIntPtr as_tangent_count;
+    /// <summary>
+    /// With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
+    /// </summary>
+    public byte psd;
     public static Gles3PrepareOptions New() {
         Gles3PrepareOptions made;
         Marrow.Gles3PrepareOptionsInit(&made);
@@ -2823,6 +2853,11 @@ public unsafe struct Gles3Program {
     public int previous_palettes;
     public int previous_targets;
     public int previous_count;
+    public int examples;
+    public int example_step;
+    public int distances;
+    public int distance_row;
+    public int previous_distances;
     public static Gles3Program New() {
         Gles3Program made;
         Marrow.Gles3ProgramInit(&made);
@@ -2978,7 +3013,7 @@ public unsafe struct Gles3ProgramSet {
     /// </summary>
     public byte* log;
     public UIntPtr log_bytes;
-    public fixed uint entries[3456];
+    public fixed uint entries[4416];
     public uint count;
     public static Gles3ProgramSet New() {
         Gles3ProgramSet made;
@@ -2991,7 +3026,7 @@ public unsafe struct Gles3ProgramSet {
 public unsafe struct Gles3SkinnerOptions {
     public Gles3SkinningPath path;
     /// <summary>
-    /// rigid, ssd or as
+    /// rigid, ssd, as or psd, which is ssd for a mesh without examples
     /// </summary>
     public Gles3Deformer deformer;
     /// <summary>
@@ -3000,6 +3035,7 @@ public unsafe struct Gles3SkinnerOptions {
     public uint instances;
     /// <summary>
     /// Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+    /// A pose space takes the fourth and fifth, with `motion` the sixth.
     /// </summary>
     public uint texture_unit;
     /// <summary>
@@ -3051,12 +3087,15 @@ public unsafe struct Gles3Skinner {
     public Gles3GpuMesh gpu;
     public Gles3PaletteRing ring;
     public Gles3PaletteTexture texture;
+    public Gles3PaletteTexture distance_texture;
     public uint updated;
     public byte lost;
     public Affine* bind;
     public UIntPtr bind_count;
     public Affine* palettes;
     public UIntPtr palette_count;
+    public Affine* distances;
+    public UIntPtr distance_count;
     public float* weights;
     public UIntPtr weight_count;
     public uint* offsets;
@@ -3448,7 +3487,7 @@ public static unsafe class Marrow {
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0x3b879ba9;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0xa21bd4cf;
+    public const uint Gles3AbiNumber = 0xb6c0d393;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3606,6 +3645,11 @@ public static unsafe class Marrow {
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
     /// </summary>
     public const uint Gles3MorphRowLocation = 14;
+    /// <summary>
+    /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+    /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// </summary>
+    public const uint Gles3ExampleRowLocation = 15;
     /// <summary>
     /// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
     /// </summary>
@@ -5079,7 +5123,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_query_caps", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3QueryCaps(Gles3Api* api, Gles3Caps* caps);
     /// <summary>
-    /// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+    /// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers, with `psd` and all changes.
     /// May be null: options.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_prepare_scratch_bytes", CallingConvention = CallingConvention.Cdecl)]
@@ -5093,10 +5137,10 @@ public static unsafe class Marrow {
     ///
     /// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
     /// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-    /// targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
-    /// are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
-    /// unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
-    /// mesh.
+    /// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
+    /// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
+    /// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+    /// passes over the vertices; once a mesh.
     /// May be null: options.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_prepare", CallingConvention = CallingConvention.Cdecl)]
@@ -5195,6 +5239,34 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_set_previous_morphs", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3SetPreviousMorphs(Gles3Api* api, Mesh* mesh, Gles3GpuMesh* gpu, float* weights, UIntPtr weight_count, Gles3Program* program);
+    /// <summary>
+    /// Room that pack_distances() wants, in matrices of 12 floats: about a third of one for each palette entry and four
+    /// examples. 0 without examples.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_distance_matrices", CallingConvention = CallingConvention.Cdecl)]
+    public static extern uint Gles3DistanceMatrices(Geometry* geometry);
+    /// <summary>
+    /// How far a pose is from the examples, as Deformer::psd reads it: psd_distances() in another order. It goes up with
+    /// those of other characters as palettes do, by upload_palettes() into a PaletteTexture of its own, on every path.
+    /// palette: built with the bind matrices of prepare(), or those of the mesh; no matter which. out: distance_matrices().
+    /// Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_pack_distances", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3PackDistances(Geometry* geometry, Affine* palette, UIntPtr palette_count, Affine* @out, UIntPtr out_count);
+    /// <summary>
+    /// `program`, which must be in use and of Deformer::psd, deforms by the mesh's examples and by distances that begin at
+    /// matrix `first` of what was uploaded, its instance i by those GpuMesh::distances · i behind. Leaves `texture_unit` and
+    /// the next one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind,
+    /// distances that reach beyond what was uploaded).
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bind_examples", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BindExamples(Gles3Api* api, Gles3GpuMesh* mesh, Gles3PaletteTexture* distances, uint first, uint texture_unit, Gles3Program* program);
+    /// <summary>
+    /// The distances of the frame before, for a program with kMotion, after bind_examples(). kept and errors: as in
+    /// bind_previous_palette(). Leaves `texture_unit` active and the texture bound to it.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_gles3_bind_previous_distances", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status Gles3BindPreviousDistances(Gles3Api* api, Gles3GpuMesh* mesh, Gles3PaletteTexture* distances, uint first, byte kept, uint texture_unit, Gles3Program* program);
     /// <summary>
     /// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
     /// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
@@ -5313,7 +5385,8 @@ public static unsafe class Marrow {
     public static extern Status Gles3ResetMotion(Gles3Skinner* skinner, uint instance);
     /// <summary>
     /// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
-    /// and nothing else; on path cpu the vertices.
+    /// and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
+    /// vertices.
     /// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_update", CallingConvention = CallingConvention.Cdecl)]
@@ -5691,26 +5764,26 @@ public static unsafe class Marrow {
             sizeof(Gles3ErrorWatch) == 32 &&
             sizeof(Gles3Api) == 1776 &&
             sizeof(Gles3Caps) == 20 &&
-            sizeof(Gles3VertexLayout) == 60 &&
-            sizeof(Gles3GpuMesh) == 132 &&
-            sizeof(Gles3PrepareOptions) == 24 &&
+            sizeof(Gles3VertexLayout) == 64 &&
+            sizeof(Gles3GpuMesh) == 152 &&
+            sizeof(Gles3PrepareOptions) == 32 &&
             sizeof(Gles3ProgramKey) == 4 &&
             sizeof(Gles3ProgramSource) == 32 &&
-            sizeof(Gles3Program) == 64 &&
+            sizeof(Gles3Program) == 84 &&
             sizeof(Gles3PaletteRing) == 16 &&
             sizeof(Gles3PaletteTexture) == 28 &&
             sizeof(Gles3SkinnedMesh) == 16 &&
-            sizeof(Gles3ProgramSetEntry) == 72 &&
-            sizeof(Gles3ProgramSet) == 13992 &&
+            sizeof(Gles3ProgramSetEntry) == 92 &&
+            sizeof(Gles3ProgramSet) == 17832 &&
             sizeof(Gles3SkinnerOptions) == 40 &&
             sizeof(Gles3SkinnerMotion) == 112 &&
-            sizeof(Gles3Skinner) == 1392 &&
+            sizeof(Gles3Skinner) == 1456 &&
             sizeof(Gles3CrowdSource) == 152 &&
             sizeof(Gles3CrowdClip) == 16 &&
             sizeof(Gles3CrowdFrames) == 40 &&
             sizeof(Gles3CrowdPlay) == 24 &&
             sizeof(Gles3CrowdInstance) == 128 &&
-            sizeof(Gles3CrowdMesh) == 632 &&
+            sizeof(Gles3CrowdMesh) == 664 &&
             sizeof(Gles3Crowd) == 40 &&
             sizeof(Gles3PathResult) == 20 &&
             sizeof(Gles3SelfTest) == 112 &&

@@ -6,7 +6,7 @@ use std::os::raw::{c_char, c_void};
 /// What abi() must give.
 pub const ABI: u32 = 0x3b879ba9;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0xa21bd4cf;
+pub const GLES3_ABI: u32 = 0xb6c0d393;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -2549,6 +2549,8 @@ impl Gles3Deformer {
     pub const RIGID: Self = Self(1);
     pub const SSD: Self = Self(2);
     pub const AS: Self = Self(3);
+    /// SSD of what the mesh's pose space has moved, see skin_psd() in skin.h
+    pub const PSD: Self = Self(4);
 }
 
 /// Where a program finds its palettes.
@@ -2560,7 +2562,7 @@ impl Gles3Palettes {
     pub const UNIFORM_BLOCK: Self = Self(0);
     /// PaletteTexture: of any size; one draw call may draw many characters
     pub const TEXTURE: Self = Self(1);
-    /// CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+    /// CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none, psd or kMorphs
     pub const CROWD: Self = Self(2);
 }
 
@@ -2620,6 +2622,10 @@ pub const GLES3_COLOUR_LOCATION: u32 = 13;
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
 pub const GLES3_MORPH_ROW_LOCATION: u32 = 14;
 
+/// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
+/// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+pub const GLES3_EXAMPLE_ROW_LOCATION: u32 = 15;
+
 /// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 pub const GLES3_MORPH_TARGETS: u32 = 64;
 
@@ -2672,6 +2678,8 @@ pub struct Gles3VertexLayout {
     pub ssd_stride: u32,
     pub ssd_weights: u32,
     pub ssd_joints: u32,
+    /// in SSD's stream; 0: there is none
+    pub example_row: u32,
     pub as_stride: u32,
     pub as_tangents: u32,
     pub as_joints: u32,
@@ -2695,7 +2703,7 @@ impl Default for Gles3VertexLayout {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 60);
+const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 64);
 
 /// A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
 ///
@@ -2704,6 +2712,7 @@ const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 60);
 ///              weight of the second influence        snorm16
 ///              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
 ///              joints                                u8×4, or ×8; u16 above 256 entries
+///              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 ///   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
 ///              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
 ///              joints                                as SSD's
@@ -2717,7 +2726,8 @@ const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 60);
 ///   4 influences       16    36                    100                         4
 ///   8 influences       28    72                      -                         4
 ///
-/// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+/// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
+/// holds 8 B for each example and vertex that it moves.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3GpuMesh {
@@ -2732,6 +2742,8 @@ pub struct Gles3GpuMesh {
     pub morph_buffer: u32,
     /// likewise
     pub morph_texture: u32,
+    /// 0 without PrepareOptions::psd, or examples
+    pub example_texture: u32,
     pub index_buffer: u32,
     pub index_count: u32,
     /// GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
@@ -2755,6 +2767,12 @@ pub struct Gles3GpuMesh {
     pub morph_texels: u32,
     /// 1 / half-extent, see prepare()
     pub morph_unit: f32,
+    /// of changes, in half-extents
+    pub example_step: f32,
+    /// distance_matrices() of the mesh, where it has examples here
+    pub distances: u32,
+    /// of them, a palette entry
+    pub distance_texels: u32,
     /// Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
     pub coordinate_scale: f32,
     pub layout: Gles3VertexLayout,
@@ -2769,7 +2787,7 @@ impl Default for Gles3GpuMesh {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3GpuMesh>() == 132);
+const _: () = assert!(std::mem::size_of::<Gles3GpuMesh>() == 152);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -2784,6 +2802,8 @@ pub struct Gles3PrepareOptions {
     /// normals cannot.
     pub as_tangents: *const f32,
     pub as_tangent_count: usize,
+    /// With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
+    pub psd: bool,
 }
 impl Default for Gles3PrepareOptions {
     fn default() -> Self {
@@ -2795,7 +2815,7 @@ impl Default for Gles3PrepareOptions {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3PrepareOptions>() == 24);
+const _: () = assert!(std::mem::size_of::<Gles3PrepareOptions>() == 32);
 
 /// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
 /// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
@@ -2886,6 +2906,11 @@ pub struct Gles3Program {
     pub previous_palettes: i32,
     pub previous_targets: i32,
     pub previous_count: i32,
+    pub examples: i32,
+    pub example_step: i32,
+    pub distances: i32,
+    pub distance_row: i32,
+    pub previous_distances: i32,
 }
 impl Default for Gles3Program {
     fn default() -> Self {
@@ -2897,7 +2922,7 @@ impl Default for Gles3Program {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3Program>() == 64);
+const _: () = assert!(std::mem::size_of::<Gles3Program>() == 84);
 
 /// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
 /// contents are orphaned, so the CPU never waits for the GPU.
@@ -3021,7 +3046,7 @@ impl Default for Gles3ProgramSetEntry {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 72);
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 92);
 
 /// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
 #[repr(C)]
@@ -3051,17 +3076,18 @@ impl Default for Gles3ProgramSet {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 13992);
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 17832);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SkinnerOptions {
     pub path: Gles3SkinningPath,
-    /// rigid, ssd or as
+    /// rigid, ssd, as or psd, which is ssd for a mesh without examples
     pub deformer: Gles3Deformer,
     /// characters, at most
     pub instances: u32,
     /// Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+    /// A pose space takes the fourth and fifth, with `motion` the sixth.
     pub texture_unit: u32,
     /// what programs are to read of what the mesh has and their role reads
     pub features: u8,
@@ -3119,12 +3145,15 @@ pub struct Gles3Skinner {
     pub gpu: Gles3GpuMesh,
     pub ring: Gles3PaletteRing,
     pub texture: Gles3PaletteTexture,
+    pub distance_texture: Gles3PaletteTexture,
     pub updated: u32,
     pub lost: bool,
     pub bind: *mut Affine,
     pub bind_count: usize,
     pub palettes: *mut Affine,
     pub palette_count: usize,
+    pub distances: *mut Affine,
+    pub distance_count: usize,
     pub weights: *mut f32,
     pub weight_count: usize,
     pub offsets: *mut u32,
@@ -3150,7 +3179,7 @@ impl Default for Gles3Skinner {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3Skinner>() == 1392);
+const _: () = assert!(std::mem::size_of::<Gles3Skinner>() == 1456);
 
 /// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
 pub const GLES3_MAX_CROWD_FRAMES: u32 = 1048576;
@@ -3321,7 +3350,7 @@ impl Default for Gles3CrowdMesh {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 632);
+const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 664);
 
 /// Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
 #[repr(C)]
@@ -4635,7 +4664,7 @@ extern "C" {
     /// Errors: unsupported below OpenGL ES 3.0; gl_error.
     #[link_name = "mrw_gles3_query_caps"]
     pub fn gles3_query_caps(api: *const Gles3Api, caps: *mut Gles3Caps) -> Status;
-    /// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+    /// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers, with `psd` and all changes.
     /// May be null: options.
     #[link_name = "mrw_gles3_prepare_scratch_bytes"]
     pub fn gles3_prepare_scratch_bytes(mesh: *const Mesh, options: *const Gles3PrepareOptions) -> usize;
@@ -4647,10 +4676,10 @@ extern "C" {
     ///
     /// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
     /// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-    /// targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
-    /// are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
-    /// unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
-    /// mesh.
+    /// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
+    /// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
+    /// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+    /// passes over the vertices; once a mesh.
     /// May be null: options.
     #[link_name = "mrw_gles3_prepare"]
     pub fn gles3_prepare(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3PrepareOptions, scratch: *mut c_void, scratch_bytes: usize, bind: *mut Affine, bind_count: usize, out: *mut Gles3GpuMesh) -> Status;
@@ -4720,6 +4749,26 @@ extern "C" {
     /// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
     #[link_name = "mrw_gles3_set_previous_morphs"]
     pub fn gles3_set_previous_morphs(api: *const Gles3Api, mesh: *const Mesh, gpu: *const Gles3GpuMesh, weights: *const f32, weight_count: usize, program: *const Gles3Program) -> Status;
+    /// Room that pack_distances() wants, in matrices of 12 floats: about a third of one for each palette entry and four
+    /// examples. 0 without examples.
+    #[link_name = "mrw_gles3_distance_matrices"]
+    pub fn gles3_distance_matrices(geometry: *const Geometry) -> u32;
+    /// How far a pose is from the examples, as Deformer::psd reads it: psd_distances() in another order. It goes up with
+    /// those of other characters as palettes do, by upload_palettes() into a PaletteTexture of its own, on every path.
+    /// palette: built with the bind matrices of prepare(), or those of the mesh; no matter which. out: distance_matrices().
+    /// Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
+    #[link_name = "mrw_gles3_pack_distances"]
+    pub fn gles3_pack_distances(geometry: *const Geometry, palette: *const Affine, palette_count: usize, out: *mut Affine, out_count: usize) -> Status;
+    /// `program`, which must be in use and of Deformer::psd, deforms by the mesh's examples and by distances that begin at
+    /// matrix `first` of what was uploaded, its instance i by those GpuMesh::distances · i behind. Leaves `texture_unit` and
+    /// the next one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind,
+    /// distances that reach beyond what was uploaded).
+    #[link_name = "mrw_gles3_bind_examples"]
+    pub fn gles3_bind_examples(api: *const Gles3Api, mesh: *const Gles3GpuMesh, distances: *const Gles3PaletteTexture, first: u32, texture_unit: u32, program: *const Gles3Program) -> Status;
+    /// The distances of the frame before, for a program with kMotion, after bind_examples(). kept and errors: as in
+    /// bind_previous_palette(). Leaves `texture_unit` active and the texture bound to it.
+    #[link_name = "mrw_gles3_bind_previous_distances"]
+    pub fn gles3_bind_previous_distances(api: *const Gles3Api, mesh: *const Gles3GpuMesh, distances: *const Gles3PaletteTexture, first: u32, kept: bool, texture_unit: u32, program: *const Gles3Program) -> Status;
     /// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
     /// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
     /// say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
@@ -4807,7 +4856,8 @@ extern "C" {
     #[link_name = "mrw_gles3_reset_motion"]
     pub fn gles3_reset_motion(skinner: *mut Gles3Skinner, instance: u32) -> Status;
     /// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
-    /// and nothing else; on path cpu the vertices.
+    /// and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
+    /// vertices.
     /// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
     #[link_name = "mrw_gles3_update"]
     pub fn gles3_update(api: *const Gles3Api, skinner: *mut Gles3Skinner, programs: *const Gles3ProgramSet, count: u32) -> Status;

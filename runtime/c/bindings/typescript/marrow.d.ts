@@ -41,6 +41,7 @@ export const GLES3_TANGENT_LOCATION: number;
 export const GLES3_UV_LOCATION: number;
 export const GLES3_COLOUR_LOCATION: number;
 export const GLES3_MORPH_ROW_LOCATION: number;
+export const GLES3_EXAMPLE_ROW_LOCATION: number;
 export const GLES3_MORPH_TARGETS: number;
 export const GLES3_PREVIOUS_LOCATION: number;
 export const GLES3_PALETTE_JOINTS: number;
@@ -421,6 +422,10 @@ export const Gles3Deformer: {
   readonly RIGID: number;
   readonly SSD: number;
   readonly AS: number;
+  /**
+   * SSD of what the mesh's pose space has moved, see skin_psd() in skin.h
+   */
+  readonly PSD: number;
 };
 export type Gles3Deformer = number;
 
@@ -437,7 +442,7 @@ export const Gles3Palettes: {
    */
   readonly TEXTURE: number;
   /**
-   * CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none or kMorphs
+   * CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none, psd or kMorphs
    */
   readonly CROWD: number;
 };
@@ -2362,6 +2367,10 @@ export interface Gles3VertexLayout extends View {
   ssd_stride: number;
   ssd_weights: number;
   ssd_joints: number;
+  /**
+   * in SSD's stream; 0: there is none
+   */
+  example_row: number;
   as_stride: number;
   as_tangents: number;
   as_joints: number;
@@ -2388,6 +2397,7 @@ export interface Gles3VertexLayout extends View {
  *              weight of the second influence        snorm16
  *              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
  *              joints                                u8×4, or ×8; u16 above 256 entries
+ *              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
  *   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
  *              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
  *              joints                                as SSD's
@@ -2401,7 +2411,8 @@ export interface Gles3VertexLayout extends View {
  *   4 influences       16    36                    100                         4
  *   8 influences       28    72                      -                         4
  *
- * The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves.
+ * The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
+ * holds 8 B for each example and vertex that it moves.
  */
 export interface Gles3GpuMesh extends View {
   /**
@@ -2423,6 +2434,10 @@ export interface Gles3GpuMesh extends View {
    * likewise
    */
   morph_texture: number;
+  /**
+   * 0 without PrepareOptions::psd, or examples
+   */
+  example_texture: number;
   index_buffer: number;
   index_count: number;
   /**
@@ -2467,6 +2482,18 @@ export interface Gles3GpuMesh extends View {
    */
   morph_unit: number;
   /**
+   * of changes, in half-extents
+   */
+  example_step: number;
+  /**
+   * distance_matrices() of the mesh, where it has examples here
+   */
+  distances: number;
+  /**
+   * of them, a palette entry
+   */
+  distance_texels: number;
+  /**
    * Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
    */
   coordinate_scale: number;
@@ -2489,6 +2516,10 @@ export interface Gles3PrepareOptions extends View {
    * normals cannot.
    */
   as_tangents: List<number>;
+  /**
+   * With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
+   */
+  psd: boolean;
 }
 
 /**
@@ -2563,6 +2594,11 @@ export interface Gles3Program extends View {
   previous_palettes: number;
   previous_targets: number;
   previous_count: number;
+  examples: number;
+  example_step: number;
+  distances: number;
+  distance_row: number;
+  previous_distances: number;
 }
 
 /**
@@ -2659,7 +2695,7 @@ export interface Gles3ProgramSet extends View {
 export interface Gles3SkinnerOptions extends View {
   path: Gles3SkinningPath;
   /**
-   * rigid, ssd or as
+   * rigid, ssd, as or psd, which is ssd for a mesh without examples
    */
   deformer: Gles3Deformer;
   /**
@@ -2668,6 +2704,7 @@ export interface Gles3SkinnerOptions extends View {
   instances: number;
   /**
    * Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
+   * A pose space takes the fourth and fifth, with `motion` the sixth.
    */
   texture_unit: number;
   /**
@@ -4198,7 +4235,7 @@ export class Marrow {
    */
   gles3_query_caps(api: Gles3Api | null, caps: Gles3Caps | null): Status;
   /**
-   * Bytes of scratch memory that prepare() wants: the largest of its vertex buffers.
+   * Bytes of scratch memory that prepare() wants: the largest of its vertex buffers, with `psd` and all changes.
    * May be null: options.
    */
   gles3_prepare_scratch_bytes(mesh: Mesh | null, options: Gles3PrepareOptions | null): number;
@@ -4211,10 +4248,10 @@ export class Marrow {
    *
    * bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
    * free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-   * targets than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out` and `bind`
-   * are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets, the active
-   * unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few passes over the vertices; once a
-   * mesh.
+   * targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
+   * and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
+   * or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+   * passes over the vertices; once a mesh.
    * May be null: options.
    */
   gles3_prepare(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3PrepareOptions | null, scratch: List<number> | null, bind: List<Affine> | null, out: Gles3GpuMesh | null): Status;
@@ -4297,6 +4334,30 @@ export class Marrow {
    * The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
    */
   gles3_set_previous_morphs(api: Gles3Api | null, mesh: Mesh | null, gpu: Gles3GpuMesh | null, weights: List<number> | null, program: Gles3Program | null): Status;
+  /**
+   * Room that pack_distances() wants, in matrices of 12 floats: about a third of one for each palette entry and four
+   * examples. 0 without examples.
+   */
+  gles3_distance_matrices(geometry: Geometry | null): number;
+  /**
+   * How far a pose is from the examples, as Deformer::psd reads it: psd_distances() in another order. It goes up with
+   * those of other characters as palettes do, by upload_palettes() into a PaletteTexture of its own, on every path.
+   * palette: built with the bind matrices of prepare(), or those of the mesh; no matter which. out: distance_matrices().
+   * Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
+   */
+  gles3_pack_distances(geometry: Geometry | null, palette: List<Affine> | null, out: List<Affine> | null): Status;
+  /**
+   * `program`, which must be in use and of Deformer::psd, deforms by the mesh's examples and by distances that begin at
+   * matrix `first` of what was uploaded, its instance i by those GpuMesh::distances · i behind. Leaves `texture_unit` and
+   * the next one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind,
+   * distances that reach beyond what was uploaded).
+   */
+  gles3_bind_examples(api: Gles3Api | null, mesh: Gles3GpuMesh | null, distances: Gles3PaletteTexture | null, first: number, texture_unit: number, program: Gles3Program | null): Status;
+  /**
+   * The distances of the frame before, for a program with kMotion, after bind_examples(). kept and errors: as in
+   * bind_previous_palette(). Leaves `texture_unit` active and the texture bound to it.
+   */
+  gles3_bind_previous_distances(api: Gles3Api | null, mesh: Gles3GpuMesh | null, distances: Gles3PaletteTexture | null, first: number, kept: boolean, texture_unit: number, program: Gles3Program | null): Status;
   /**
    * Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
    * `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
@@ -4394,7 +4455,8 @@ export class Marrow {
   gles3_reset_motion(skinner: Gles3Skinner | null, instance: number): Status;
   /**
    * Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
-   * and nothing else; on path cpu the vertices.
+   * and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
+   * vertices.
    * Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
    */
   gles3_update(api: Gles3Api | null, skinner: Gles3Skinner | null, programs: Gles3ProgramSet | null, count: number): Status;

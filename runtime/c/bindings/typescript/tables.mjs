@@ -2,7 +2,7 @@
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
 export const ABI = 0x3b879ba9;
-export const GLES3_ABI = 0xa21bd4cf;
+export const GLES3_ABI = 0xb6c0d393;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -42,6 +42,7 @@ export const GLES3_TANGENT_LOCATION = 11;
 export const GLES3_UV_LOCATION = 12;
 export const GLES3_COLOUR_LOCATION = 13;
 export const GLES3_MORPH_ROW_LOCATION = 14;
+export const GLES3_EXAMPLE_ROW_LOCATION = 15;
 export const GLES3_MORPH_TARGETS = 64;
 export const GLES3_PREVIOUS_LOCATION = 1;
 export const GLES3_PALETTE_JOINTS = 341;
@@ -83,7 +84,7 @@ export const Fade = Object.freeze({ LINEAR: 0, SMOOTHSTEP: 1, SMOOTHERSTEP: 2 })
 export const IkMethod = Object.freeze({ FABRIK: 0, CCD: 1, DAMPED_LEAST_SQUARES: 2, GAUSS_NEWTON: 3 });
 export const IkStop = Object.freeze({ REACHED: 0, STALLED: 1, ITERATIONS: 2 });
 export const NormalTransform = Object.freeze({ INVERSE_TRANSPOSE: 0, BLENDED_MATRIX: 1 });
-export const Gles3Deformer = Object.freeze({ NONE: 0, RIGID: 1, SSD: 2, AS: 3 });
+export const Gles3Deformer = Object.freeze({ NONE: 0, RIGID: 1, SSD: 2, AS: 3, PSD: 4 });
 export const Gles3Palettes = Object.freeze({ UNIFORM_BLOCK: 0, TEXTURE: 1, CROWD: 2 });
 export const Gles3Preskin = Object.freeze({ FEEDBACK: 0, COMPUTE: 1 });
 export const Gles3SkinningPath = Object.freeze({ UBO: 0, TEXTURE: 1, FEEDBACK: 2, COMPUTE: 3, CPU: 4 });
@@ -182,26 +183,26 @@ export const structs = {
   Gles3ErrorWatch: { size: 16, align: 4, init: "gles3_error_watch_init", fields: {"report": [0, "pointer", "gles3_error_report"], "user": [4, "pointer", "void"], "pending": [8, "value", "u32"], "get_error": [12, "pointer", "gles3_get_error"]} },
   Gles3Api: { size: 888, align: 4, init: "", fields: {} },
   Gles3Caps: { size: 20, align: 4, init: "gles3_caps_init", fields: {"uniform_block_bytes": [0, "value", "u32"], "uniform_offset_alignment": [4, "value", "u32"], "vertex_attributes": [8, "value", "u32"], "texture_size": [12, "value", "u32"], "compute": [16, "value", "bool"]} },
-  Gles3VertexLayout: { size: 60, align: 4, init: "gles3_vertex_layout_init", fields: {"influences": [0, "value", "u32"], "joint_bytes": [4, "value", "u32"], "ssd_stride": [8, "value", "u32"], "ssd_weights": [12, "value", "u32"], "ssd_joints": [16, "value", "u32"], "as_stride": [20, "value", "u32"], "as_tangents": [24, "value", "u32"], "as_joints": [28, "value", "u32"], "surface_normals": [32, "value", "bool"], "surface_stride": [36, "value", "u32"], "normal": [40, "value", "u32"], "tangent": [44, "value", "u32"], "uv": [48, "value", "u32"], "colour": [52, "value", "u32"], "uv_unorm": [56, "value", "bool"]} },
-  Gles3GpuMesh: { size: 132, align: 4, init: "gles3_gpu_mesh_init", fields: {"ssd_array": [0, "value", "u32"], "as_array": [4, "value", "u32"], "ssd_buffer": [8, "value", "u32"], "as_buffer": [12, "value", "u32"], "surface_buffer": [16, "value", "u32"], "morph_buffer": [20, "value", "u32"], "morph_texture": [24, "value", "u32"], "index_buffer": [28, "value", "u32"], "index_count": [32, "value", "u32"], "index_type": [36, "value", "u32"], "primitive": [40, "value", "u32"], "slot_count": [44, "value", "u32"], "joint_count": [48, "value", "u32"], "vertex_bytes": [52, "value", "u32"], "influences": [56, "value", "u8"], "features": [57, "value", "u8"], "morph_per_row": [58, "value", "u8"], "morph_shift": [59, "value", "u8"], "morph_texels": [60, "value", "u32"], "morph_unit": [64, "value", "f32"], "coordinate_scale": [68, "value", "f32"], "layout": [72, "struct", "Gles3VertexLayout"]} },
-  Gles3PrepareOptions: { size: 12, align: 4, init: "gles3_prepare_options_init", fields: {"ssd": [0, "value", "bool"], "as": [1, "value", "bool"], "as_tangents": [4, "list", "f32"]} },
+  Gles3VertexLayout: { size: 64, align: 4, init: "gles3_vertex_layout_init", fields: {"influences": [0, "value", "u32"], "joint_bytes": [4, "value", "u32"], "ssd_stride": [8, "value", "u32"], "ssd_weights": [12, "value", "u32"], "ssd_joints": [16, "value", "u32"], "example_row": [20, "value", "u32"], "as_stride": [24, "value", "u32"], "as_tangents": [28, "value", "u32"], "as_joints": [32, "value", "u32"], "surface_normals": [36, "value", "bool"], "surface_stride": [40, "value", "u32"], "normal": [44, "value", "u32"], "tangent": [48, "value", "u32"], "uv": [52, "value", "u32"], "colour": [56, "value", "u32"], "uv_unorm": [60, "value", "bool"]} },
+  Gles3GpuMesh: { size: 152, align: 4, init: "gles3_gpu_mesh_init", fields: {"ssd_array": [0, "value", "u32"], "as_array": [4, "value", "u32"], "ssd_buffer": [8, "value", "u32"], "as_buffer": [12, "value", "u32"], "surface_buffer": [16, "value", "u32"], "morph_buffer": [20, "value", "u32"], "morph_texture": [24, "value", "u32"], "example_texture": [28, "value", "u32"], "index_buffer": [32, "value", "u32"], "index_count": [36, "value", "u32"], "index_type": [40, "value", "u32"], "primitive": [44, "value", "u32"], "slot_count": [48, "value", "u32"], "joint_count": [52, "value", "u32"], "vertex_bytes": [56, "value", "u32"], "influences": [60, "value", "u8"], "features": [61, "value", "u8"], "morph_per_row": [62, "value", "u8"], "morph_shift": [63, "value", "u8"], "morph_texels": [64, "value", "u32"], "morph_unit": [68, "value", "f32"], "example_step": [72, "value", "f32"], "distances": [76, "value", "u32"], "distance_texels": [80, "value", "u32"], "coordinate_scale": [84, "value", "f32"], "layout": [88, "struct", "Gles3VertexLayout"]} },
+  Gles3PrepareOptions: { size: 16, align: 4, init: "gles3_prepare_options_init", fields: {"ssd": [0, "value", "bool"], "as": [1, "value", "bool"], "as_tangents": [4, "list", "f32"], "psd": [12, "value", "bool"]} },
   Gles3ProgramKey: { size: 4, align: 1, init: "gles3_program_key_init", fields: {"deformer": [0, "value", "u8"], "influences": [1, "value", "u8"], "features": [2, "value", "u8"], "palettes": [3, "value", "u8"]} },
   Gles3ProgramSource: { size: 16, align: 4, init: "gles3_program_source_init", fields: {"vertex": [0, "text"], "fragment": [4, "text"], "feedback_varyings": [8, "list", "u32"]} },
-  Gles3Program: { size: 64, align: 4, init: "gles3_program_init", fields: {"id": [0, "value", "u32"], "reads": [4, "value", "u8"], "motion": [5, "value", "bool"], "coordinate_scale": [8, "value", "i32"], "palettes": [12, "value", "i32"], "first_row": [16, "value", "i32"], "instances": [20, "value", "i32"], "crowd": [24, "value", "i32"], "vertex_layout": [28, "value", "i32"], "morph_changes": [32, "value", "i32"], "morph_targets": [36, "value", "i32"], "morph_count": [40, "value", "i32"], "morph_shift": [44, "value", "i32"], "morph_per_row": [48, "value", "i32"], "previous_palettes": [52, "value", "i32"], "previous_targets": [56, "value", "i32"], "previous_count": [60, "value", "i32"]} },
+  Gles3Program: { size: 84, align: 4, init: "gles3_program_init", fields: {"id": [0, "value", "u32"], "reads": [4, "value", "u8"], "motion": [5, "value", "bool"], "coordinate_scale": [8, "value", "i32"], "palettes": [12, "value", "i32"], "first_row": [16, "value", "i32"], "instances": [20, "value", "i32"], "crowd": [24, "value", "i32"], "vertex_layout": [28, "value", "i32"], "morph_changes": [32, "value", "i32"], "morph_targets": [36, "value", "i32"], "morph_count": [40, "value", "i32"], "morph_shift": [44, "value", "i32"], "morph_per_row": [48, "value", "i32"], "previous_palettes": [52, "value", "i32"], "previous_targets": [56, "value", "i32"], "previous_count": [60, "value", "i32"], "examples": [64, "value", "i32"], "example_step": [68, "value", "i32"], "distances": [72, "value", "i32"], "distance_row": [76, "value", "i32"], "previous_distances": [80, "value", "i32"]} },
   Gles3PaletteRing: { size: 16, align: 4, init: "gles3_palette_ring_init", fields: {"buffer": [0, "value", "u32"], "alignment": [4, "value", "u32"], "capacity": [8, "value", "u32"], "used": [12, "value", "u32"]} },
   Gles3PaletteTexture: { size: 28, align: 4, init: "gles3_palette_texture_init", fields: {"textures": [0, "array", "u32", 3], "current": [12, "value", "u32"], "capacity": [16, "value", "u32"], "count": [20, "value", "u32"], "previous_count": [24, "value", "u32"]} },
   Gles3SkinnedMesh: { size: 16, align: 4, init: "gles3_skinned_mesh_init", fields: {"array": [0, "value", "u32"], "buffer": [4, "value", "u32"], "slot_count": [8, "value", "u32"], "features": [12, "value", "u8"]} },
-  Gles3ProgramSetEntry: { size: 72, align: 4, init: "", fields: {"key": [0, "struct", "Gles3ProgramKey"], "role": [4, "value", "u32"], "program": [8, "struct", "Gles3Program"]} },
-  Gles3ProgramSet: { size: 13912, align: 4, init: "gles3_program_set_init", fields: {"roles": [0, "structs", "Gles3ProgramSource", 4], "role_count": [64, "value", "u32"], "role_features": [68, "array", "u8", 4], "palette_binding": [72, "value", "u32"], "log": [76, "list", "u8"], "entries": [84, "structs", "Gles3ProgramSetEntry", 192], "count": [13908, "value", "u32"]} },
+  Gles3ProgramSetEntry: { size: 92, align: 4, init: "", fields: {"key": [0, "struct", "Gles3ProgramKey"], "role": [4, "value", "u32"], "program": [8, "struct", "Gles3Program"]} },
+  Gles3ProgramSet: { size: 17752, align: 4, init: "gles3_program_set_init", fields: {"roles": [0, "structs", "Gles3ProgramSource", 4], "role_count": [64, "value", "u32"], "role_features": [68, "array", "u8", 4], "palette_binding": [72, "value", "u32"], "log": [76, "list", "u8"], "entries": [84, "structs", "Gles3ProgramSetEntry", 192], "count": [17748, "value", "u32"]} },
   Gles3SkinnerOptions: { size: 28, align: 4, init: "gles3_skinner_options_init", fields: {"path": [0, "value", "u8"], "deformer": [1, "value", "u8"], "instances": [4, "value", "u32"], "texture_unit": [8, "value", "u32"], "features": [12, "value", "u8"], "as_tangents": [16, "list", "f32"], "motion": [24, "value", "bool"]} },
   Gles3SkinnerMotion: { size: 64, align: 4, init: "", fields: {} },
-  Gles3Skinner: { size: 880, align: 4, init: "", fields: {} },
+  Gles3Skinner: { size: 936, align: 4, init: "", fields: {} },
   Gles3CrowdSource: { size: 96, align: 4, init: "gles3_crowd_source_init", fields: {"clip": [0, "struct", "Clip"], "loops": [92, "value", "bool"]} },
   Gles3CrowdClip: { size: 16, align: 4, init: "gles3_crowd_clip_init", fields: {"duration_s": [0, "value", "f32"], "first_frame": [4, "value", "u32"], "steps": [8, "value", "u32"], "loops": [12, "value", "bool"]} },
   Gles3CrowdFrames: { size: 24, align: 4, init: "gles3_crowd_frames_init", fields: {"clips": [0, "list", "Gles3CrowdClip"], "character_from_joint": [8, "list", "Affine"], "joint_count": [16, "value", "u32"], "frame_count": [20, "value", "u32"]} },
   Gles3CrowdPlay: { size: 24, align: 8, init: "gles3_crowd_play_init", fields: {"clip": [0, "value", "u32"], "phase_s": [4, "value", "f32"], "speed": [8, "value", "f32"], "start_s": [16, "value", "f64"]} },
   Gles3CrowdInstance: { size: 128, align: 16, init: "gles3_crowd_instance_init", fields: {"scene_from_character": [0, "struct", "Affine"], "a": [48, "struct", "Gles3CrowdPlay"], "b": [72, "struct", "Gles3CrowdPlay"], "blend_start_s": [96, "value", "f64"], "blend_s": [104, "value", "f32"], "colour": [108, "array", "f32", 4]} },
-  Gles3CrowdMesh: { size: 440, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [132, "value", "u32"], "blended_texture": [136, "value", "u32"], "framebuffer": [140, "value", "u32"], "previous_texture": [144, "value", "u32"], "previous_framebuffer": [148, "value", "u32"], "joints": [152, "value", "u32"], "frame_count": [156, "value", "u32"], "capacity": [160, "value", "u32"], "motion": [164, "value", "bool"], "lost": [165, "value", "bool"], "mesh": [168, "struct", "Mesh"], "options": [388, "struct", "Gles3PrepareOptions"], "frames": [400, "struct", "Gles3CrowdFrames"], "bind": [424, "list", "Affine"], "scratch": [432, "list", "byte"]} },
+  Gles3CrowdMesh: { size: 464, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [152, "value", "u32"], "blended_texture": [156, "value", "u32"], "framebuffer": [160, "value", "u32"], "previous_texture": [164, "value", "u32"], "previous_framebuffer": [168, "value", "u32"], "joints": [172, "value", "u32"], "frame_count": [176, "value", "u32"], "capacity": [180, "value", "u32"], "motion": [184, "value", "bool"], "lost": [185, "value", "bool"], "mesh": [188, "struct", "Mesh"], "options": [408, "struct", "Gles3PrepareOptions"], "frames": [424, "struct", "Gles3CrowdFrames"], "bind": [448, "list", "Affine"], "scratch": [456, "list", "byte"]} },
   Gles3Crowd: { size: 28, align: 4, init: "gles3_crowd_init", fields: {"texture": [0, "value", "u32"], "capacity": [4, "value", "u32"], "count": [8, "value", "u32"], "frame_count": [12, "value", "u32"], "lost": [16, "value", "bool"], "records": [20, "list", "byte"]} },
   Gles3PathResult: { size: 20, align: 4, init: "gles3_path_result_init", fields: {"verdict": [0, "value", "u8"], "position_error": [4, "value", "f32"], "normal_error": [8, "value", "f32"], "ns_per_vertex": [12, "value", "f32"], "ns_per_pass": [16, "value", "f32"]} },
   Gles3SelfTest: { size: 112, align: 8, init: "gles3_self_test_init", fields: {"paths": [0, "structs", "Gles3PathResult", 5], "family": [100, "value", "u8"], "key": [104, "value", "u64"]} },
@@ -441,6 +442,10 @@ export const functions = {
   gles3_bind_previous_palette: [["pointer", "pointer", "number", "number", "bool", "number", "pointer"], "number"],
   gles3_set_morphs: [["pointer", "pointer", "pointer", "list", "number", "pointer"], "number"],
   gles3_set_previous_morphs: [["pointer", "pointer", "pointer", "list", "pointer"], "number"],
+  gles3_distance_matrices: [["pointer"], "number"],
+  gles3_pack_distances: [["pointer", "list", "list"], "number"],
+  gles3_bind_examples: [["pointer", "pointer", "pointer", "number", "number", "pointer"], "number"],
+  gles3_bind_previous_distances: [["pointer", "pointer", "pointer", "number", "bool", "number", "pointer"], "number"],
   gles3_draw_mesh: [["pointer", "pointer", "number", "pointer", "number"], "number"],
   gles3_skinned_mesh_init: [['pointer'], 'void'],
   gles3_create_skinned: [["pointer", "pointer", "pointer"], "number"],
