@@ -19,12 +19,12 @@ void upload(const Api& api, std::uint32_t y, std::uint32_t width, std::uint32_t 
 }  // namespace
 
 Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out) {
+  MARROW_REQUIRE(joints > 0);
   return make_palette_texture(api, caps, joints, "marrow: palettes", out);
 }
 
 Status make_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, const char* name,
                             PaletteTexture& out) {
-  MARROW_REQUIRE(joints > 0);
   const std::uint64_t height = (std::uint64_t{3} * joints + kPaletteTextureWidth - 1) / kPaletteTextureWidth;
   if (caps.texture_size < kPaletteTextureWidth || height > caps.texture_size) return Status::unsupported;
   PaletteTexture made;

@@ -211,15 +211,18 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
   if (way == Way::texture) key.palettes = gles3::Palettes::texture;
   const gles3::Program& with = program(key, way);
   gl().UseProgram(with.id);
+  // What goes up leaves its texture unit without a texture, so before any is bound.
+  if (deformer == gles3::Deformer::psd) {
+    std::vector<Affine> distances(3 + gpu_.distances);
+    EXPECT_EQ(gles3::pack_distances(mesh_.geometry, palette, {distances.data() + 3, gpu_.distances}), Status::ok);
+    EXPECT_EQ(gles3::upload_palettes(gl(), distances_, distances), Status::ok);
+  }
   bind(with, palette, way);
   if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
   if (!mesh_.geometry.targets.empty()) {
     EXPECT_EQ(gles3::set_morphs(gl(), mesh_, gpu_, weights, 2, with), Status::ok);
   }
   if (deformer == gles3::Deformer::psd) {
-    std::vector<Affine> distances(3 + gpu_.distances);
-    EXPECT_EQ(gles3::pack_distances(mesh_.geometry, palette, {distances.data() + 3, gpu_.distances}), Status::ok);
-    EXPECT_EQ(gles3::upload_palettes(gl(), distances_, distances), Status::ok);
     EXPECT_EQ(gles3::bind_examples(gl(), gpu_, distances_, 3, 4, with), Status::ok);
   }
   gl().BindFramebuffer(GL_FRAMEBUFFER, target_);

@@ -36,11 +36,12 @@ double farthest(const std::vector<float>& a, const std::vector<float>& b) {
   return out;
 }
 
-// The sample, taught by optimised centres of rotation.
+// The sample, taught by dual quaternions.
 TEST(PoseSpace, OfTheSampleIsTheCpusInEveryWay) {
   cook::CookOptions options;
   options.mesh_codec = cook::MeshCodec::none;
   options.raw_clips = true;
+  options.learn.truth = cook::Truth::dual_quaternions;
   options.learn.pose_examples = 8;
   const cook::CookResult cooked = cook::cook_scene(cook::read_gltf(newt_glb()), options);
   const tools::AlignedBytes bytes(cooked.file);

@@ -20,8 +20,8 @@ struct GlStage {
   gles3::Api api = paper_api();
   gles3::Caps caps;
   TestMorphs morphs;
-  TestPoseSpace space;
   std::vector<MeshTarget> targets;
+  TestPoseSpace space;
   Mesh mesh;
   std::vector<Affine> bind;
   gles3::GpuMesh gpu;
