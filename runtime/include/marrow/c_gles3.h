@@ -61,6 +61,7 @@ struct mrw_gles3_api {
   size_t words[222];
 };
 
+// Multi-weights are the CPU's alone: with four influences 192 bytes a vertex, more than attributes hold.
 typedef uint8_t mrw_gles3_deformer;
 enum {
   MRW_GLES3_DEFORMER_NONE = 0,  // vertices skinned elsewhere, in float: position, normal, tangent

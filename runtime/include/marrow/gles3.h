@@ -60,6 +60,7 @@ struct Caps {
 // Errors: unsupported below OpenGL ES 3.0; gl_error.
 MARROW_API Status query_caps(const Api& api, Caps& caps);
 
+// Multi-weights are the CPU's alone: with four influences 192 bytes a vertex, more than attributes hold.
 enum class Deformer : std::uint8_t {
   none,   // vertices skinned elsewhere, in float: position, normal, tangent
   rigid,  // the joint with the largest weight

@@ -2520,6 +2520,9 @@ public unsafe struct Gles3Api {
     public fixed ulong words[222];
 }
 
+/// <summary>
+/// Multi-weights are the CPU's alone: with four influences 192 bytes a vertex, more than attributes hold.
+/// </summary>
 public enum Gles3Deformer : byte {
     /// <summary>
     /// vertices skinned elsewhere, in float: position, normal, tangent

@@ -2539,6 +2539,7 @@ impl Default for Gles3Api {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3Api>() == 1776);
 
+/// Multi-weights are the CPU's alone: with four influences 192 bytes a vertex, more than attributes hold.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gles3Deformer(pub u8);

@@ -411,6 +411,9 @@ export const NormalTransform: {
 };
 export type NormalTransform = number;
 
+/**
+ * Multi-weights are the CPU's alone: with four influences 192 bytes a vertex, more than attributes hold.
+ */
 export const Gles3Deformer: {
   /**
    * vertices skinned elsewhere, in float: position, normal, tangent
