@@ -163,6 +163,7 @@ struct Room {
 const std::vector<Room> kRooms = {
     {"deform", {}},
     {"deform/fit", {"deform"}},
+    {"deform/motion", {"deform"}},
     {"deform/simplify", {"deform"}},
     {"deform/weights", {"deform"}},
     {"cook/scene", {}},
