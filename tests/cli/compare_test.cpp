@@ -1,4 +1,5 @@
 // `marrow compare`, and `marrow cook --as` as a user runs them.
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -12,6 +13,32 @@
 
 namespace marrow::test {
 namespace {
+
+// One joint, twelve poses. In a twist by 170° linear blend skinning has cos 85° = 0.087 of the radius left.
+void expect_range_of_motion(const nlohmann::json& motion) {
+  EXPECT_EQ(motion.at("poses").get<std::size_t>() + motion.at("folding_poses").size(), 12u);
+  EXPECT_TRUE(motion.at("left_out").empty());
+  ASSERT_EQ(motion.at("joints").size(), 1u);
+  const nlohmann::json& joint = motion["joints"][0];
+  EXPECT_EQ(joint.at("joint"), "bend");
+  EXPECT_EQ(joint.at("poses"), motion["poses"]);
+  EXPECT_EQ(joint.at("deformers"), motion.at("deformers"));
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& row : motion["deformers"]) rows[row.at("deformer")] = row;
+  const nlohmann::json& ssd = rows.at("ssd");
+  EXPECT_NEAR(ssd.at("ring_over_bind").get<double>(), 0.087, 0.01);
+  EXPECT_NEAR(ssd.at("ring_over_truth").get<double>(), 0.087, 0.01);
+  EXPECT_EQ(ssd.at("narrowest_pose").at("kind"), "twist");
+  EXPECT_NEAR(std::abs(ssd["narrowest_pose"].at("angle_deg").get<double>()), 170, 1e-9);
+  EXPECT_EQ(ssd.at("worse_poses"), 0);
+  EXPECT_EQ(ssd.at("of_ssd"), 1.0);
+  EXPECT_EQ(ssd.at("worst_of_ssd"), 1.0);
+  EXPECT_LT(ssd.at("volume_over_truth").get<double>(), 0.8);
+  EXPECT_EQ(rows.at("as_lift").at("worse_poses"), 0) << "rounding is not worse";
+  EXPECT_EQ(rows.at("rigid").at("worse_poses"), motion["poses"]);
+  EXPECT_GT(rows.at("as_fit_half2").at("ring_over_truth").get<double>(), 0.8);
+  EXPECT_LT(rows.at("as_fit_half2").at("of_ssd").get<double>(), 0.3);
+}
 
 // The figures of a study of this cylinder are 0.35 and 0.05 of linear blend skinning's error.
 TEST(Compare, TheCylinder) {
@@ -72,6 +99,7 @@ TEST(Compare, TheCylinder) {
     EXPECT_GT(rows[name]["blended_normal_deg"].get<double>(), 10) << name;
   }
   EXPECT_EQ(rows["ssd"]["normal_deg"], rows["ssd"]["blended_normal_deg"]);
+  expect_range_of_motion(r.at("range_of_motion"));
 }
 
 TEST(Compare, SaysWhatIsWrong) {
@@ -100,7 +128,9 @@ TEST(Compare, WritesOnePage) {
   EXPECT_NE(page.find("as_fit_half1"), std::string::npos);
   EXPECT_EQ(page.find("://"), std::string::npos) << "self-contained; pictures in base64 have no colons";
   // The figures are there without the script, which finds them by these marks.
-  for (const char* const mark : {"<td data-value=\"ssd\">ssd</td>", "<th>RMS, held out, mm</th>",
+  EXPECT_NE(ran.out.find("Poses of the range of motion worse than linear blend skinning"), std::string::npos) << ran.out;
+  for (const char* const mark : {"<h2>Range of motion</h2>", "<summary>as_fit, joint by joint</summary>",
+                                 "<th>ring radius, twisted</th>", "<td data-value=\"ssd\">ssd</td>", "<th>RMS, held out, mm</th>",
                                  "<svg class=\"chart\"", "<label data-series=\"as_fit\">", "<polyline", " data-mm=\""})
     EXPECT_NE(page.find(mark), std::string::npos) << mark;
   EXPECT_EQ(page.find("</script>"), page.rfind("</script>"));
@@ -135,6 +165,7 @@ TEST(Compare, WritesThePagesPicturesAlone) {
   EXPECT_GT(errors, 0u);
   EXPECT_TRUE(std::filesystem::exists(pictures + "/1-1-truth.png"));
   EXPECT_TRUE(std::filesystem::exists(pictures + "/1-2-ssd.png"));
+  EXPECT_TRUE(std::filesystem::exists(pictures + "/joint-1-1-truth.png"));
   write_text(folder / "file", "");
   EXPECT_EQ(run_marrow({"compare", tiny_gltf(), "--pictures", folder / "file"}).code, 2);
 }

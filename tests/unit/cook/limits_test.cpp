@@ -1,9 +1,13 @@
 // Joint limits on their way from glTF: what is accepted, in agreement with docs/limits.schema.json, what is refused and
 // where; into the file, and by `marrow export` back.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 
+#include "cook/skeleton/build_limits.h"
+#include "cook/skeleton/build_skeletons.h"
+#include "cook/skin/joint_motion.h"
 #include "export/export.h"
 #include "marrow/limits.h"
 #include "support/json_schema.h"
@@ -202,6 +206,36 @@ TEST(CookLimits, AreTheSameInAPackedFile) {
   ASSERT_EQ(whole.file.skeleton(0).limits.size, 1U);
   EXPECT_EQ(std::memcmp(packed.file.skeleton(0).limits.data, whole.file.skeleton(0).limits.data, sizeof(JointLimit)),
             0);
+}
+
+// A hinge about z from -60° to 40°, from the rest pose, which is 20° further than the bind pose: -40° … 60° from there.
+// In mirrored axes a turn goes the other way.
+TEST(CookLimits, HoldInTheRangeOfMotion) {
+  Builder b = cook::skinned();
+  b.root["nodes"][2]["rotation"] = {0, 0, std::sin(10 * 3.14159265358979 / 180), std::cos(10 * 3.14159265358979 / 180)};
+  b.root["nodes"][2]["extras"]["marrow"]["limits"]["hinge"] = {{"axis", {0, 0, 1}}, {"angle", {-60, 40}}};
+  const RawScene scene = read(b);
+  Notes notes;
+  BuiltScene built = build_skeletons(scene);
+  built.skeletons[0].limits = build_limits(scene, built, notes)[0];
+  DeformSource source =
+      deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
+  for (const bool mirrored : {false, true}) {
+    if (mirrored)
+      for (glm::dmat4& m : source.inverse_bind) m = glm::dmat4(glm::dmat3({-2, 0, 0}, {0, 2, 0}, {0, 0, 2})) * m;
+    const deform::RangeOfMotion motion = range_of_motion(source, built.skeletons[0]);
+    std::vector<double> about_z;
+    for (const deform::MotionPose& pose : motion.poses) {
+      EXPECT_NEAR(std::abs(pose.axis.z), 1, 1e-5);
+      about_z.push_back(pose.angle_rad * pose.axis.z * 180 / 3.14159265358979);
+    }
+    std::ranges::sort(about_z);
+    ASSERT_EQ(about_z.size(), 2U);
+    EXPECT_NEAR(about_z[0], mirrored ? -60 : -40, 1e-3);
+    EXPECT_NEAR(about_z[1], mirrored ? 40 : 60, 1e-3);
+    EXPECT_EQ(left_out_of_motion(source, built.skeletons[0], motion.left_out),
+              std::vector<std::string>{"its limits forbid twists: tip"});
+  }
 }
 
 }  // namespace

@@ -9,6 +9,10 @@
 
 #include "commands/compare/html.h"
 #include "commands/compare/measure.h"
+#ifdef MARROW_HAS_GLES
+#include "commands/compare/motion/motion_pictures.h"
+#endif
+#include "commands/compare/motion/motion_report.h"
 #include "commands/compare/pictures.h"
 #include "commands/compare/verdict.h"
 #include "common/failure.h"
@@ -26,7 +30,8 @@ std::string truth_of(const CompareArguments& a) {
   return given == a.given.end() ? "cor" : given->second.back().text;
 }
 
-ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
+ordered_json report(const CompareArguments& a, const Study& study, const DeformerComparison& c,
+                    const MotionStudy& motion) {
   ordered_json rows = ordered_json::array();
   for (const DeformerRow& r : c.rows) {
     const auto or_null = [](double x) { return x > 0 ? ordered_json(x) : ordered_json(); };
@@ -49,9 +54,13 @@ ordered_json report(const CompareArguments& a, const DeformerComparison& c) {
                     {"adreno_instructions", or_null(r.gpu.adreno_instructions)},
                     {"videocore_instructions", or_null(r.gpu.videocore_instructions)}});
   }
-  return {{"truth", truth_of(a)},       {"holdout", name_of(kHoldouts, a.holdout)},
-          {"trained_poses", c.trained}, {"held_poses", c.held},
-          {"diagonal", c.diagonal_m},   {"rows", rows}};
+  return {{"truth", truth_of(a)},
+          {"holdout", name_of(kHoldouts, a.holdout)},
+          {"trained_poses", c.trained},
+          {"held_poses", c.held},
+          {"diagonal", c.diagonal_m},
+          {"rows", rows},
+          {"range_of_motion", motion_report(study, c, motion)}};
 }
 
 #ifdef MARROW_HAS_GLES
@@ -86,15 +95,15 @@ void print_table(const Study& study, const CompareArguments& a, const DeformerCo
         whole(r.gpu.adreno_instructions), whole(r.gpu.videocore_instructions));
 }
 
-// POSE-PICTURE-CAPTION.png, the caption up to what is measured.
-void write_pictures(const std::string& folder, const std::vector<PictureRow>& rows) {
+// POSE-PICTURE-CAPTION.png, the caption up to what is measured; `first` stands before it.
+void write_pictures(const std::string& folder, const char* first, const std::vector<PictureRow>& rows) {
   create_folders(folder);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::size_t number = 0;
     for (const std::vector<Picture>* const pictures : {&rows[r].shapes, &rows[r].errors})
       for (const Picture& picture : *pictures) {
         const std::size_t colon = picture.caption.find(':');
-        const std::string name = fmt::format("{}-{}-{}{}.png", r + 1, ++number, picture.caption.substr(0, colon),
+        const std::string name = fmt::format("{}{}-{}-{}{}.png", first, r + 1, ++number, picture.caption.substr(0, colon),
                                              colon == std::string::npos ? "" : "-error");
         write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png);
       }
@@ -128,20 +137,28 @@ void run_compare(const CompareArguments& a) {
       progress.show(done, count, "learning and judging");
     });
   }();
+  const deform::Deformer truth = cook::make_truth(study.source, options);
+  const MotionStudy motion = study_motion(study, comparison, truth);
   if (a.json) {
-    fmt::print("{}\n", report(a, comparison).dump(2));
+    fmt::print("{}\n", report(a, study, comparison, motion).dump(2));
   } else {
     print_table(study, a, comparison);
+    print_motion(study, comparison, motion);
   }
   if (a.out.empty() && a.pictures.empty()) return;
-  std::vector<PictureRow> pictures;
+  PageContent content{
+      a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(), truth_of(a), study, comparison,
+      motion, {}, {}};
 #ifdef MARROW_HAS_GLES
-  pictures = draw_worst_poses(study, comparison, cook::make_truth(study.source, options), shown(comparison), 3);
+  content.worst_poses = draw_worst_poses(study, comparison, truth, shown(comparison), 3);
+  content.worst_joints = draw_worst_joints(study, comparison, motion, truth, shown(comparison), 2);
 #endif
-  if (!a.pictures.empty()) write_pictures(a.pictures, pictures);
+  if (!a.pictures.empty()) {
+    write_pictures(a.pictures, "", content.worst_poses);
+    write_pictures(a.pictures, "joint-", content.worst_joints);
+  }
   if (a.out.empty()) return;
-  const std::string page = comparison_page(a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(),
-                                           truth_of(a), study, comparison, pictures);
+  const std::string page = comparison_page(content);
   write_file_atomically(a.out, std::as_bytes(std::span(page.data(), page.size())));
 }
 

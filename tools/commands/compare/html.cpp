@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "commands/compare/charts.h"
+#include "commands/compare/motion/motion_page.h"
 #include "commands/compare/page_text.h"
 #include "commands/compare/verdict.h"
 #include "text/quantity.h"
@@ -110,22 +111,27 @@ std::string pose(const PictureRow& row) {
 
 }  // namespace
 
-std::string comparison_page(const std::string& title, const std::string& truth, const Study& study,
-                            const DeformerComparison& c, const std::vector<PictureRow>& pictures) {
+std::string comparison_page(const PageContent& content) {
+  const DeformerComparison& c = content.comparison;
+  const std::string title = escaped(content.title);
   std::string out = fmt::format(
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\"><title>{}</title><style>{}</style>\n<h1>{}</h1>\n"
       "<p>{}: truth {}, {} poses learnt from, {} held out. {} m across.</p>\n",
-      escaped(title), kPageStyle, escaped(verdict(c)), escaped(title), escaped(truth), c.trained, c.held,
+      title, kPageStyle, escaped(verdict(c)), title, escaped(content.truth), c.trained, c.held,
       plain_number(c.diagonal_m));
-  if (!pictures.empty()) out += "<h2>Where linear blend skinning is worst</h2>\n";
-  for (const PictureRow& row : pictures) out += pose(row);
+  if (!content.worst_poses.empty()) out += "<h2>Where linear blend skinning is worst</h2>\n";
+  for (const PictureRow& row : content.worst_poses) out += pose(row);
   out += "<h2>Figures</h2>\n" + table(c) +
          "<p class=\"note\">Poses held out are not learnt from. Crease: how sharply some edge is folded beyond the "
          "bind pose, mean over poses. Normals: between those it shades with and those of the mesh it makes, where "
          "joints meet; animation space shades with its own tangents, the others through the blended matrix. Size: of "
          "all geometry, cooked. Time: of positions, on the machine that made this page.</p>\n" +
-         charts(study, c) + "<script>" + kPageScript + "</script></html>\n";
+         charts(content.study, c);
+  const std::string motion = motion_tables(content.study, c, content.motion);
+  if (!motion.empty()) out += "<h2>Range of motion</h2>\n";
+  for (const PictureRow& row : content.worst_joints) out += pose(row);
+  out += motion + "<script>" + kPageScript + "</script></html>\n";
   return out;
 }
 

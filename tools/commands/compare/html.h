@@ -4,13 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "commands/compare/measure.h"
+#include "commands/compare/motion/motion_study.h"
 #include "commands/compare/pictures.h"
 
 namespace marrow::tools {
 
-// title: what was compared. truth: its name.
-std::string comparison_page(const std::string& title, const std::string& truth, const Study& study,
-                            const DeformerComparison& comparison, const std::vector<PictureRow>& pictures);
+// What a page is made of. title: what was compared. truth: its name.
+struct PageContent {
+  std::string title, truth;
+  const Study& study;
+  const DeformerComparison& comparison;
+  const MotionStudy& motion;
+  std::vector<PictureRow> worst_poses, worst_joints;
+};
+std::string comparison_page(const PageContent& content);
 
 }  // namespace marrow::tools

@@ -8,7 +8,9 @@
 #include "common/failure.h"
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
+#include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_skeletons.h"
+#include "cook/skin/joint_motion.h"
 #include "deform/cylinder.h"
 #include "deform/surface.h"
 
@@ -107,6 +109,12 @@ void hold_made_up(const BuiltScene& built, Study& study) {
     round.held.push_back({deform_pose(study.source, skeleton, poses[i].local), "", 0});
 }
 
+void add_motion(const BuiltSkeleton& skeleton, Study& study) {
+  for (const std::uint16_t joint : study.source.joints) study.joint_names.push_back(skeleton.joint_names[joint]);
+  study.motion = range_of_motion(study.source, skeleton);
+  study.left_out_of_motion = left_out_of_motion(study.source, skeleton, study.motion.left_out);
+}
+
 }  // namespace
 
 Study study_file(const std::string& path, Holdout holdout, const LearnOptions& learn) {
@@ -115,6 +123,8 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   const RawScene scene = study.scene;
   BuiltScene built = build_skeletons(scene);
   Notes notes;  // that only cooking says
+  const std::vector<std::vector<JointLimit>> limits = build_limits(scene, built, notes);
+  for (std::size_t s = 0; s < limits.size(); ++s) built.skeletons[s].limits = limits[s];
   built.clips = build_raw_clips(scene, built, {});
   const RawInstance* const instance = largest_skinned(scene);
   if (instance == nullptr)
@@ -127,6 +137,7 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   study.name = mesh.name;
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   study.rest = deform_pose(study.source, skeleton, skeleton.rest);
+  add_motion(skeleton, study);
   if (learn.truth == Truth::examples) {
     study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source}, notes.reads);
     hold_out(study.source.shown, holdout, built, study);
@@ -221,6 +232,8 @@ Study study_cylinder() {
   study.source.centres.assign(2, glm::dvec3(0));
   study.source.joints = {0, 1};
   study.rest = deform::cylinder_pose(0, 0);
+  study.joint_names = {"root", "bend"};
+  study.motion = deform::range_of_motion(mesh, study.source.parents, study.source.centres);
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     std::mt19937 random(seed);
     const auto up_to = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };

@@ -6,6 +6,7 @@
 
 #include "cook/learn/learn.h"
 #include "cook/skin/deform_source.h"
+#include "deform/motion/range_of_motion.h"
 #include "text/choices.h"
 
 namespace marrow::tools {
@@ -31,6 +32,9 @@ struct Study {
   cook::DeformSource source;
   deform::Pose rest;
   std::vector<Round> rounds;
+  std::vector<std::string> joint_names;  // of the source's
+  deform::RangeOfMotion motion;
+  std::vector<std::string> left_out_of_motion;  // why and which, see cook::left_out_of_motion()
 };
 
 // The mesh with the most vertices of those bound to a skin. frames: alternate frames of every clip are held out, and

@@ -1,0 +1,48 @@
+// Deformers over the range of motion: each joint alone, as far as it turns, whatever the clips do.
+#pragma once
+
+#include "commands/compare/measure.h"
+#include "deform/motion/motion_errors.h"
+
+namespace marrow::tools {
+
+// Of a deformer, over poses in which the truth does not fold; see deform::MotionFigures.
+struct MotionRow {
+  std::size_t worse = 0;                    // poses in which it is farther from the truth than SSD
+  std::size_t worse_folding = 0;            // the same, of those in which the truth folds
+  double of_ssd = 1;                        // RMS over poses, over SSD's
+  double worst_of_ssd = 0;                  // in the pose where that is most
+  std::optional<double> ring_over_bind;     // of twists, the narrowest
+  std::optional<double> ring_over_truth;    // of twists, the narrowest beside the truth's
+  std::optional<double> volume_over_truth;  // the one farthest from 1
+  std::size_t flipped = 0;                  // triangles, the most in a pose
+  // Where those are worst: the pose of worst_of_ssd, and the joint of the narrowest ring beside the truth's; kNowhere:
+  // in no pose.
+  static constexpr std::size_t kNowhere = ~std::size_t{0};
+  std::size_t worst_pose = kNowhere, narrowest_pose = kNowhere;  // of Study::motion
+};
+
+struct MotionJoint {
+  std::uint32_t joint = 0;
+  std::size_t poses = 0, folding = 0;
+  std::vector<MotionRow> of;  // each deformer of the comparison
+};
+
+struct MotionStudy {
+  std::size_t poses = 0;                     // in which the truth does not fold
+  std::vector<std::size_t> folding;          // those in which it does
+  std::vector<MotionRow> of;                 // each deformer, over all joints
+  std::vector<MotionJoint> joints;           // that have poses
+  std::vector<deform::MotionErrors> errors;  // of each pose
+};
+
+// Of what the first round has trained. Empty where the truth is finite in none of the poses, as of examples.
+MotionStudy study_motion(const Study& study, const DeformerComparison& comparison, const deform::Deformer& truth);
+
+// "forearm.L, twist by 170°"
+std::string title_of(const Study& study, const deform::MotionPose& pose);
+
+// "Poses of the range of motion worse than linear blend skinning's: as_fit 3 of 150, …": without those that are SSD.
+std::string summary(const DeformerComparison& comparison, const MotionStudy& motion);
+
+}  // namespace marrow::tools
