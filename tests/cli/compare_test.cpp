@@ -128,10 +128,12 @@ TEST(Compare, WritesOnePage) {
   EXPECT_NE(page.find("as_fit_half1"), std::string::npos);
   EXPECT_EQ(page.find("://"), std::string::npos) << "self-contained; pictures in base64 have no colons";
   // The figures are there without the script, which finds them by these marks.
-  EXPECT_NE(ran.out.find("Poses of the range of motion worse than linear blend skinning"), std::string::npos) << ran.out;
-  for (const char* const mark : {"<h2>Range of motion</h2>", "<summary>as_fit, joint by joint</summary>",
-                                 "<th>ring radius, twisted</th>", "<td data-value=\"ssd\">ssd</td>", "<th>RMS, held out, mm</th>",
-                                 "<svg class=\"chart\"", "<label data-series=\"as_fit\">", "<polyline", " data-mm=\""})
+  EXPECT_NE(ran.out.find("Poses of the range of motion worse than linear blend skinning"), std::string::npos)
+      << ran.out;
+  for (const char* const mark :
+       {"<h2>Range of motion</h2>", "<summary>as_fit, joint by joint</summary>", "<th>ring radius, twisted</th>",
+        "<td data-value=\"ssd\">ssd</td>", "<th>RMS, held out, mm</th>", "<svg class=\"chart\"",
+        "<label data-series=\"as_fit\">", "<polyline", " data-mm=\""})
     EXPECT_NE(page.find(mark), std::string::npos) << mark;
   EXPECT_EQ(page.find("</script>"), page.rfind("</script>"));
   EXPECT_EQ(page.find(" src=\"http"), std::string::npos);

@@ -218,8 +218,7 @@ TEST(CookLimits, HoldInTheRangeOfMotion) {
   Notes notes;
   BuiltScene built = build_skeletons(scene);
   built.skeletons[0].limits = build_limits(scene, built, notes)[0];
-  DeformSource source =
-      deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
+  DeformSource source = deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
   for (const bool mirrored : {false, true}) {
     if (mirrored)
       for (glm::dmat4& m : source.inverse_bind) m = glm::dmat4(glm::dmat3({-2, 0, 0}, {0, 2, 0}, {0, 0, 2})) * m;

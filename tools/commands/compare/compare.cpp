@@ -103,8 +103,9 @@ void write_pictures(const std::string& folder, const char* first, const std::vec
     for (const std::vector<Picture>* const pictures : {&rows[r].shapes, &rows[r].errors})
       for (const Picture& picture : *pictures) {
         const std::size_t colon = picture.caption.find(':');
-        const std::string name = fmt::format("{}{}-{}-{}{}.png", first, r + 1, ++number, picture.caption.substr(0, colon),
-                                             colon == std::string::npos ? "" : "-error");
+        const std::string name =
+            fmt::format("{}{}-{}-{}{}.png", first, r + 1, ++number, picture.caption.substr(0, colon),
+                        colon == std::string::npos ? "" : "-error");
         write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png);
       }
   }
@@ -146,12 +147,16 @@ void run_compare(const CompareArguments& a) {
     print_motion(study, comparison, motion);
   }
   if (a.out.empty() && a.pictures.empty()) return;
-  PageContent content{
-      a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(), truth_of(a), study, comparison,
-      motion, {}, {}};
+  PageContent content{a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(),
+                      truth_of(a),
+                      study,
+                      comparison,
+                      motion,
+                      {},
+                      {}};
 #ifdef MARROW_HAS_GLES
   content.worst_poses = draw_worst_poses(study, comparison, truth, shown(comparison), 3);
-  content.worst_joints = draw_worst_joints(study, comparison, motion, truth, shown(comparison), 2);
+  content.worst_joints = draw_worst_joints(study, comparison, motion, truth, shown(comparison));
 #endif
   if (!a.pictures.empty()) {
     write_pictures(a.pictures, "", content.worst_poses);

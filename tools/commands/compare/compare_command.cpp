@@ -20,7 +20,8 @@ void add_compare(CLI::App& app, int&) {
       "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, blended_normal_deg, bytes_per_vertex, "
       "ns_per_vertex, instructions_per_vertex, "
       "influences, palette_entries, mali_cycles, adreno_instructions, videocore_instructions}], "
-      "range_of_motion: {poses, folding_poses, deformers, joints, left_out}}, lengths in metres; docs/deformers.md says "
+      "range_of_motion: {poses, folding_poses, deformers, joints, left_out}}, lengths in metres; docs/deformers.md "
+      "says "
       "what is in the last");
   command->add_option("-o,--output", a.out, "also a page with pictures and charts, in one file")->type_name("OUT.html");
 #ifdef MARROW_HAS_GLES

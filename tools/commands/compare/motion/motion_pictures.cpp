@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <set>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/glm.hpp>
 
@@ -15,18 +14,16 @@ namespace {
 
 constexpr int kSide = 600;
 
-std::vector<std::size_t> worst_joints(const Study& study, const MotionStudy& motion, std::size_t deformer,
-                                      std::size_t most) {
-  std::vector<std::size_t> poses;
-  for (std::size_t i = 0; i < motion.errors.size(); ++i)
-    if (motion.errors[i].is_usable && motion.errors[i].truth_flipped == 0 &&
-        std::isfinite(motion.errors[i].of[deformer].rms))
-      poses.push_back(i);
-  std::ranges::stable_sort(poses, std::greater<>(), [&](std::size_t i) { return motion.errors[i].of[deformer].rms; });
-  std::vector<std::size_t> out;
-  std::set<std::uint32_t> seen;
-  for (const std::size_t i : poses)
-    if (out.size() < most && seen.insert(study.motion.poses[i].joint).second) out.push_back(i);
+// Of those in which the truth does not fold the one with the largest error.
+std::size_t farthest_pose(const MotionStudy& motion, std::size_t deformer) {
+  std::size_t out = MotionRow::kNowhere;
+  double most = 0;
+  for (std::size_t i = 0; i < motion.errors.size(); ++i) {
+    const deform::MotionErrors& errors = motion.errors[i];
+    if (!errors.is_usable || errors.truth_flipped > 0 || !(errors.of[deformer].rms > most)) continue;
+    most = errors.of[deformer].rms;
+    out = i;
+  }
   return out;
 }
 
@@ -74,7 +71,7 @@ Orbit side_of(const deform::MotionPose& pose, const glm::dvec3& axis) {
 
 Stage::View close_up(const deform::SkinnedMesh& mesh, const deform::MotionPose& pose, const deform::Matrix& placed,
                      const std::vector<PosedMesh>& truth) {
-  constexpr double kAround = 1.3;
+  constexpr double kAround = 1.7;
   const glm::dmat3 linear = deform::linear_of(placed);
   const glm::dvec3 axis = linear * pose.axis, centre = deform::transform(placed, pose.centre);
   const double radius = kAround * reach(mesh, pose) * glm::length(axis);
@@ -94,21 +91,26 @@ Stage::View close_up(const deform::SkinnedMesh& mesh, const deform::MotionPose& 
 
 std::vector<PictureRow> draw_worst_joints(const Study& study, const DeformerComparison& comparison,
                                           const MotionStudy& motion, const deform::Deformer& truth,
-                                          const std::vector<std::size_t>& deformers, std::size_t most) {
+                                          const std::vector<std::size_t>& deformers) {
   std::vector<PictureRow> out;
-  const std::vector<std::size_t> worst = worst_joints(study, motion, deformers.back(), most);
-  if (worst.empty()) return out;
+  if (motion.poses == 0) return out;
+  const std::size_t judged = deformers.back();
+  const std::string& name = comparison.rows[judged].deformer;
+  const std::size_t farthest = farthest_pose(motion, judged), narrowest = motion.of[judged].narrowest_pose;
   Stage stage(study, kSide);
-  for (const std::size_t i : worst) {
-    const deform::MotionPose& pose = study.motion.poses[i];
+  const auto add = [&](std::size_t number, const char* why) {
+    const deform::MotionPose& pose = study.motion.poses[number];
     const deform::Matrix by = standing(study, pose.joint);
-    PictureRow row;
-    row.title = title_of(study, pose);
     const deform::Pose stands = placed(by, pose.pose());
-    stage.draw({stands, truth, comparison, deformers},
-               [&](const std::vector<PosedMesh>& t) { return close_up(study.source.mesh, pose, by, t); }, row);
+    PictureRow row;
+    row.title = fmt::format("{}: {} {}", title_of(study, pose), name, why);
+    stage.draw(
+        {stands, truth, comparison, deformers},
+        [&](const std::vector<PosedMesh>& t) { return close_up(study.source.mesh, pose, by, t); }, row);
     out.push_back(std::move(row));
-  }
+  };
+  if (farthest != MotionRow::kNowhere) add(farthest, "is farthest from the truth");
+  if (narrowest != MotionRow::kNowhere && narrowest != farthest) add(narrowest, "has the narrowest ring beside it");
   return out;
 }
 

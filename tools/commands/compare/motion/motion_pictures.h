@@ -6,10 +6,10 @@
 
 namespace marrow::tools {
 
-// The poses in which the last of `deformers` is farthest from the truth, of those in which that does not fold: at most
-// `most`, no two of one joint. deformers: indices into the comparison's rows.
+// Of the poses in which the truth does not fold the one in which the last of `deformers` is farthest from it, and the
+// twist in which that has the narrowest ring. deformers: indices into the comparison's rows.
 std::vector<PictureRow> draw_worst_joints(const Study& study, const DeformerComparison& comparison,
                                           const MotionStudy& motion, const deform::Deformer& truth,
-                                          const std::vector<std::size_t>& deformers, std::size_t most);
+                                          const std::vector<std::size_t>& deformers);
 
 }  // namespace marrow::tools

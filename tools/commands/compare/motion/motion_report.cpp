@@ -64,8 +64,9 @@ void print_motion(const Study& study, const DeformerComparison& comparison, cons
   if (motion.joints.empty()) {
     fmt::print("\nNo range of motion: no joint deforms anything alone, or the truth is known in no such pose.\n");
   } else {
-    fmt::print("\n{}\nEach joint alone, twisted and bent: {} joints, {} poses, and {} in which the truth itself folds\n",
-               summary(comparison, motion), motion.joints.size(), motion.poses, motion.folding.size());
+    fmt::print(
+        "\n{}\nEach joint alone, twisted and bent: {} joints, {} poses, and {} in which the truth itself folds\n",
+        summary(comparison, motion), motion.joints.size(), motion.poses, motion.folding.size());
     fmt::print("{:<14}{:>7}{:>9}{:>10}{:>8}{:>7}{:>9}{:>8}{:>9}  {}\n", "deformer", "worse", "folding", "of ssd's",
                "worst", "ring", "truth's", "volume", "flipped", "narrowest ring beside the truth's");
   }
