@@ -149,6 +149,10 @@ TEST(RangeOfMotion, StaysWithinLimits) {
   ASSERT_EQ(hinge.poses.size(), 4u);
   EXPECT_NEAR(hinge.poses[3].angle_rad, -170 * kDegree, 1e-9);
   EXPECT_LT(glm::length(hinge.poses[3].axis - glm::dvec3(1, 0, 0)), 1e-9);
+  // What is left of a twist is no twist where it is about another axis.
+  const RangeOfMotion tilted = limited(
+      [](const glm::dquat& q) { return std::abs(q.x) > 0.5 ? glm::angleAxis(20 * kDegree, glm::dvec3(0, 1, 0)) : q; });
+  EXPECT_EQ(reasons(tilted), (std::vector<std::pair<std::uint32_t, Why>>{{1, Why::limits_of_twist}}));
   const RangeOfMotion swing = limited([](const glm::dquat& q) { return glm::normalize(glm::dquat(q.w, 0, q.y, q.z)); });
   EXPECT_EQ(reasons(swing), (std::vector<std::pair<std::uint32_t, Why>>{{1, Why::limits_of_twist}}));
   const RangeOfMotion still = limited([](const glm::dquat&) { return glm::dquat(1, 0, 0, 0); });

@@ -13,8 +13,9 @@ namespace marrow::deform {
 namespace {
 
 constexpr double kLeastTurn_rad = 5 * std::numbers::pi / 180;
-constexpr double kLeastShare = 1e-6;   // of a vertex
-constexpr double kLeastLength = 1e-6;  // of the diagonal
+constexpr double kLeastLikeness = 0.5;  // cosine between the axis that was meant and what limits leave of it
+constexpr double kLeastShare = 1e-6;    // of a vertex
+constexpr double kLeastLength = 1e-6;   // of the diagonal
 
 bool is_finite(const glm::dvec3& p) {
   return deform::is_finite(Positions{p});
@@ -135,6 +136,7 @@ class Turns {
       const glm::dvec3 about = glm::dvec3(turn.x, turn.y, turn.z) * (turn.w < 0 ? -1.0 : 1.0);
       const double side = glm::dot(about, wanted) < 0 ? -1.0 : 1.0;
       axis = glm::normalize(about) * side;
+      if (glm::dot(axis, wanted) < kLeastLikeness) return;
       angle_rad = angle_of(turn) * side;
     }
     turns_.push_back(turn);

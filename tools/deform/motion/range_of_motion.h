@@ -64,7 +64,8 @@ struct RangeOfMotion {
 // The bend's axis is across the bone and the axis of the bind frame that is least along it.
 //
 // Joints that only move what hangs on them alone, the root say, have no poses: nothing is deformed. With limits, poses
-// nearer than 5° to the bind pose or to another of the joint are left out.
+// nearer than 5° to the bind pose or to another of the joint are left out, and those whose axis limits tilt by more
+// than 60°.
 // parents: of each joint its parent, or below 0. centres: where joints are in the bind pose.
 // The same bits everywhere. Cost: joints times vertices.
 RangeOfMotion range_of_motion(const SkinnedMesh& mesh, const std::vector<int>& parents,
