@@ -82,7 +82,8 @@ std::string motion_tables(const Study& study, const DeformerComparison& comparis
   out += fmt::format(
       "<p class=\"note\">One joint at a time is turned from the bind pose, {} joints in {} poses: twisted about its "
       "bone to 170° and bent across it to 130°, each way, within its limits. Poses in which the truth itself folds, "
-      "with triangles that face inwards, are counted apart. Ring radius: how far the surface round the joint is from "
+      "with triangles that face inwards, are counted apart; ring radii are of all. Ring radius: how far the surface "
+      "round the joint is from "
       "its bone in a twist, over the bind pose's, where it is narrowest; 0 is a wrung towel. Volume: of the surface "
       "round the joint, where it is farthest from the truth's. Flipped triangles: the most in a pose.</p>\n",
       motion.joints.size(), motion.poses);

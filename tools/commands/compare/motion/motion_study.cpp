@@ -16,6 +16,7 @@ struct Tally {
 
   void add(std::size_t number, const deform::MotionPose& pose, const deform::MotionErrors& errors, std::size_t which) {
     const deform::MotionFigures& f = errors.of[which];
+    if (pose.kind == deform::MotionKind::twist) add_rings(number, f);
     if (errors.truth_flipped > 0) {
       row.worse_folding += f.is_worse;
       return;
@@ -31,7 +32,6 @@ struct Tally {
     const auto is_farther = [](double a, double b) { return std::abs(a - 1) > std::abs(b - 1); };
     if (f.volume_over_truth && is_farther(*f.volume_over_truth, row.volume_over_truth.value_or(1)))
       row.volume_over_truth = f.volume_over_truth;
-    if (pose.kind == deform::MotionKind::twist) add_rings(number, f);
   }
 
   MotionRow result() {

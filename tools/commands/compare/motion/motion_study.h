@@ -6,7 +6,7 @@
 
 namespace marrow::tools {
 
-// Of a deformer, over poses in which the truth does not fold; see deform::MotionFigures.
+// Of a deformer, over poses in which the truth does not fold; rings in the others too. See deform::MotionFigures.
 struct MotionRow {
   std::size_t worse = 0;                    // poses in which it is farther from the truth than SSD
   std::size_t worse_folding = 0;            // the same, of those in which the truth folds
