@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
+#include "cook/learn/check_truth.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "deform/cylinder.h"
 #include "deform/surface.h"
@@ -141,15 +142,20 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   return study;
 }
 
-void drop_unusable_poses(const deform::Deformer& truth, Study& study) {
-  const auto unusable = [&](const auto& p) {
+void drop_unusable_poses(const LearnOptions& options, Study& study, Notes& notes) {
+  const RawSkin& skin = study.scene.skins[static_cast<std::size_t>(study.scene.instances.front().skin)];
+  const UsablePoses usable(study.source.mesh, options.truth);
+  const deform::Deformer truth = make_truth(study.source, options);
+  const auto is_infinite = [&](const auto& p) {
     deform::Positions positions;
     truth(p.pose, positions);
     return !deform::is_finite(positions);
   };
   for (Round& round : study.rounds) {
-    std::erase_if(round.train, unusable);
-    std::erase_if(round.held, unusable);
+    drop_spoilt_poses(study.scene, skin, study.source.mesh, options.truth, "/meshes", round.train, notes);
+    std::erase_if(round.held, [&](const HeldPose& p) { return usable.spoiling_joint(p.pose).has_value(); });
+    std::erase_if(round.train, is_infinite);
+    std::erase_if(round.held, is_infinite);
   }
   std::erase_if(study.rounds, [](const Round& round) { return round.held.empty(); });
   if (study.rounds.empty())

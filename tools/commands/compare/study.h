@@ -42,7 +42,8 @@ Study study_file(const std::string& path, Holdout holdout, const cook::LearnOpti
 // The cylinder that is commonly shown, 30 poses to learn from and 200 held out, five times.
 Study study_cylinder();
 
-// Leaves out poses in which the truth is not finite. Throws tools::Failure (invalid) if none is left to be held out.
-void drop_unusable_poses(const deform::Deformer& truth, Study& study);
+// Leaves out poses in which the truth does not say where the mesh is, and notes which joint spoils them. Throws
+// tools::Failure (invalid) if none is left to be held out.
+void drop_unusable_poses(const cook::LearnOptions& options, Study& study, cook::Notes& notes);
 
 }  // namespace marrow::tools
