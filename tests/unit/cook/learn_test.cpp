@@ -300,9 +300,51 @@ TEST(Learn, TakesJointsInOnePlace) {
     for (const Truth truth : kTruths) {
       CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
       options.learn.truth = truth;
+      options.learn.wide_poses = true;
       EXPECT_NO_THROW(LoadedCook(cook_scene(scene, options)));
     }
   }
+}
+
+// Angles between the two joints in the poses that are made up.
+std::vector<double> made_up_turns(RawScene scene, bool wide) {
+  CookOptions plain;
+  plain.raw_clips = true;
+  Notes notes;
+  const BuiltScene built = build_scene(scene, plain, notes);
+  const DeformSource source =
+      deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
+  const Trainees got = trainees(source, built, {}, wide);
+  EXPECT_EQ(got.made_up, wide ? 200u : 100u);
+  std::vector<double> out;
+  for (std::size_t i = 0; i < got.made_up; ++i) {
+    EXPECT_EQ(got.poses[i].shipped, i < 100);
+    const glm::dmat3 turn =
+        glm::transpose(deform::linear_of(got.poses[i].pose[0])) * deform::linear_of(got.poses[i].pose[1]);
+    out.push_back(glm::degrees(std::acos(std::clamp((turn[0][0] + turn[1][1] + turn[2][2] - 1) / 2, -1.0, 1.0))));
+  }
+  return out;
+}
+
+double most(const std::vector<double>& of) {
+  return *std::ranges::max_element(of);
+}
+
+TEST(Learn, WidePosesTurnFarButWithinLimits) {
+  const std::vector<double> narrow = made_up_turns(two_joint_scene(), false),
+                            wide = made_up_turns(two_joint_scene(), true);
+  EXPECT_EQ(std::vector<double>(wide.begin(), wide.begin() + 100), narrow);
+  EXPECT_LT(most(narrow), 45.1);
+  EXPECT_GT(most(wide), 140);
+  EXPECT_LT(most(wide), 150.1);
+  RawScene limited = two_joint_scene();
+  RawLimit& limit = limited.nodes[1].limit.emplace();
+  limit.description.kind = LimitKind::hinge;
+  limit.description.least_rad[0] = -0.5f;
+  limit.description.most_rad[0] = 0.5f;
+  EXPECT_LT(most(made_up_turns(limited, true)), glm::degrees(0.5) + 0.1);
+  limit.description.least_rad[0] = limit.description.most_rad[0] = 0;  // forbids every turn
+  EXPECT_LT(most(made_up_turns(limited, true)), 0.1);
 }
 
 }  // namespace

@@ -123,6 +123,8 @@ void run_compare(const CompareArguments& a) {
   cook::Given given = a.given;
   given["as"] = {{"fit", {"--as", ""}}};
   cook::LearnOptions options = cook::to_options(given).learn;
+  if (!a.sample.empty() && options.wide_poses)
+    throw Failure(Exit::usage, "--wide-poses", "", "the cylinder's poses are wide", "leave it out");
   if (!a.sample.empty() && !a.given.contains("delta-mush"))
     options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
   if (!a.sample.empty() && options.truth == cook::Truth::examples)

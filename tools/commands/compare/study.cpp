@@ -9,6 +9,7 @@
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
 #include "cook/learn/check_truth.h"
+#include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "deform/cylinder.h"
 #include "deform/surface.h"
@@ -63,7 +64,7 @@ void add_round(const std::vector<SampledPose>& poses, const std::vector<std::uin
       trained.push_back(poses[i]);
     }
   }
-  round.train = trainees(study.source, built, trained).poses;
+  round.train = trainees(study.source, built, trained, study.wide_poses).poses;
 }
 
 void add_round(const std::vector<ShownPose>& poses, const std::vector<std::uint32_t>& clips, const BuiltScene&,
@@ -102,7 +103,7 @@ void hold_out(const std::vector<PoseOfClip>& poses, Holdout holdout, const Built
 void hold_made_up(const BuiltScene& built, Study& study) {
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   Round& round = study.rounds.emplace_back();
-  round.train = trainees(study.source, built, {}).poses;
+  round.train = trainees(study.source, built, {}, study.wide_poses).poses;
   const std::vector<SampledPose> poses = resampled_poses(skeleton, {}, 2 * kMadeUp);
   for (std::size_t i = kMadeUp; i < poses.size(); ++i)
     round.held.push_back({deform_pose(study.source, skeleton, poses[i].local), "", 0});
@@ -116,6 +117,8 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   const RawScene scene = study.scene;
   BuiltScene built = build_skeletons(scene);
   Notes notes;  // that only cooking says
+  std::vector<std::vector<JointLimit>> limits = build_limits(scene, built, notes);
+  for (std::size_t s = 0; s < limits.size(); ++s) built.skeletons[s].limits = std::move(limits[s]);
   built.clips = build_raw_clips(scene, built, {});
   const RawInstance* const instance = largest_skinned(scene);
   if (instance == nullptr)
@@ -126,6 +129,7 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   study.scene.instances = {*instance};  // what is cooked and drawn is this mesh alone
   study.source = deform_source(mesh, skin, bind_to_skin(mesh, notes), built);
   study.name = mesh.name;
+  study.wide_poses = learn.wide_poses;
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   study.rest = deform_pose(study.source, skeleton, skeleton.rest);
   if (learn.truth == Truth::examples) {

@@ -31,6 +31,7 @@ struct Study {
   cook::DeformSource source;
   deform::Pose rest;
   std::vector<Round> rounds;
+  bool wide_poses = false;  // learnt from as well
 };
 
 // The mesh with the most vertices of those bound to a skin. frames: alternate frames of every clip are held out, and

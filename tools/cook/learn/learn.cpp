@@ -83,7 +83,7 @@ std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& s
 
 Trainees find_trainees(const DeformSource& source, const BuiltScene& built, const LearnOptions& options) {
   if (options.truth == Truth::examples) return trainees(source, source.shown);
-  return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
+  return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained), options.wide_poses);
 }
 
 Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
