@@ -272,6 +272,8 @@ TEST(CookAs, RefusesWhatMakesNoSense) {
                                                 {"--as", "fit", "--influences", "0"},
                                                 {"--as", "fit", "--influences", "9"},
                                                 {"--keep-bind-pose"},
+                                                {"--wide-poses"},
+                                                {"--mwe", "--truth", "examples", "--examples", "a", "--wide-poses"},
                                                 {"--delta-mush", "10"},
                                                 {"--as", "lift", "--delta-mush", "10"},
                                                 {"--mwe", "--truth", "dqs", "--delta-mush", "10"},

@@ -22,45 +22,39 @@ glm::dvec3 blend(const std::vector<Influence>& influences, const Pose& pose, con
   return sum;
 }
 
-// A joint's matrix as rotation and what is left: M = (rotation · rest | translation).
-struct Rigid {
-  glm::dquat rotation;
-  glm::dmat3 rest;
-  glm::dvec3 translation;
-};
-
-std::vector<Rigid> rigid_parts(const Pose& pose) {
-  std::vector<Rigid> out;
-  for (const Matrix& m : pose) {
-    const glm::dmat3 rotation = rotation_of(linear_of(m));
-    out.push_back({quaternion_of(rotation), glm::transpose(rotation) * linear_of(m), m[3]});
-  }
+std::vector<glm::dquat> rotations_of(const Pose& pose) {
+  std::vector<glm::dquat> out;
+  for (const Matrix& m : pose) out.push_back(quaternion_of(nearest_rotation(linear_of(m))));
   return out;
 }
 
-// Of q and -q the one nearer to `to`, as 1 or -1.
-double sign_towards(const glm::dquat& to, const glm::dquat& q) {
-  return glm::dot(to, q) < 0 ? -1.0 : 1.0;
+// The sum of the joints' quaternions by weight, each of q and -q with the sign nearer to that of the largest weight;
+// `each` is called with a joint and its part of the sum.
+template <class Each>
+glm::dquat blend_rotations(const std::vector<Influence>& influences, const std::vector<glm::dquat>& rotations,
+                           const Each& each) {
+  const glm::dquat pivot = rotations[largest(influences).joint];
+  glm::dquat sum(0, 0, 0, 0);
+  for (const Influence& i : influences) {
+    const glm::dquat& q = rotations[i.joint];
+    const glm::dquat part = q * (glm::dot(pivot, q) < 0 ? -i.weight : i.weight);
+    sum = sum + part;
+    each(i, part);
+  }
+  return sum;
 }
 
-glm::dvec3 by_dual_quaternion(const std::vector<Influence>& influences, const std::vector<Rigid>& parts,
-                              const glm::dvec3& bind) {
-  const glm::dquat pivot = parts[largest(influences).joint].rotation;
-  glm::dquat real(0, 0, 0, 0), dual(0, 0, 0, 0);
-  glm::dvec3 v(0);
-  for (const Influence& i : influences) {
-    const Rigid& part = parts[i.joint];
-    const double weight = i.weight * sign_towards(pivot, part.rotation);
-    const glm::dvec3& t = part.translation;
-    real = real + part.rotation * weight;
-    dual = dual + (glm::dquat(0, t.x, t.y, t.z) * part.rotation) * (0.5 * weight);
-    v += part.rest * bind * i.weight;
-  }
-  const double length = glm::length(real);
-  real = real / length;
-  dual = dual / length;
-  const glm::dquat moved = dual * glm::conjugate(real);
-  return real * v + glm::dvec3(moved.x, moved.y, moved.z) * 2.0;
+// The dual quaternion of (q, p) takes the vertex, as origin, to p and turns by q about it: its dual part is p q / 2.
+// The blend's takes it to 2 d r* / |r|², of the sums r of real and d of dual parts.
+glm::dvec3 by_dual_quaternion(const std::vector<Influence>& influences, const std::vector<glm::dquat>& rotations,
+                              const Pose& pose, const glm::dvec3& bind) {
+  glm::dquat twice_dual(0, 0, 0, 0);
+  const glm::dquat real = blend_rotations(influences, rotations, [&](const Influence& i, const glm::dquat& part) {
+    const glm::dvec3 place = transform(pose[i.joint], bind);
+    twice_dual = twice_dual + glm::dquat(0, place.x, place.y, place.z) * part;
+  });
+  const glm::dquat moved = twice_dual * glm::conjugate(real);
+  return glm::dvec3(moved.x, moved.y, moved.z) / glm::dot(real, real);
 }
 
 }  // namespace
@@ -82,29 +76,30 @@ Deformer ssd(const SkinnedMesh& mesh) {
 
 Deformer dual_quaternions(const SkinnedMesh& mesh) {
   return [&mesh](const Pose& pose, Positions& out) {
-    const std::vector<Rigid> parts = rigid_parts(pose);
+    const std::vector<glm::dquat> rotations = rotations_of(pose);
     out.resize(mesh.positions.size());
     for (std::size_t v = 0; v < out.size(); ++v)
-      out[v] = mesh.influences[v].size() == 1 ? transform(pose[mesh.influences[v][0].joint], mesh.positions[v])
-                                              : by_dual_quaternion(mesh.influences[v], parts, mesh.positions[v]);
+      out[v] = mesh.influences[v].size() == 1
+                   ? transform(pose[mesh.influences[v][0].joint], mesh.positions[v])
+                   : by_dual_quaternion(mesh.influences[v], rotations, pose, mesh.positions[v]);
   };
 }
 
 Deformer centres_of_rotation(const SkinnedMesh& mesh, double sigma) {
   const auto centres = std::make_shared<const Positions>(rotation_centres(mesh, sigma));
   return [&mesh, centres](const Pose& pose, Positions& out) {
-    const std::vector<Rigid> parts = rigid_parts(pose);
+    const std::vector<glm::dquat> rotations = rotations_of(pose);
+    std::vector<glm::dmat3> stretches;
+    for (std::size_t j = 0; j < pose.size(); ++j)
+      stretches.push_back(glm::transpose(glm::mat3_cast(rotations[j])) * linear_of(pose[j]));
     out.resize(mesh.positions.size());
     for (std::size_t v = 0; v < out.size(); ++v) {
       const std::vector<Influence>& influences = mesh.influences[v];
-      const glm::dvec3& centre = (*centres)[v];
-      const glm::dquat pivot = parts[largest(influences).joint].rotation;
-      glm::dquat q(0, 0, 0, 0);
+      const glm::dvec3 &centre = (*centres)[v], from_centre = mesh.positions[v] - centre;
       glm::dvec3 arm(0);
-      for (const Influence& i : influences) {
-        q = q + parts[i.joint].rotation * (i.weight * sign_towards(pivot, parts[i.joint].rotation));
-        arm += parts[i.joint].rest * (mesh.positions[v] - centre) * i.weight;
-      }
+      const glm::dquat q = blend_rotations(influences, rotations, [&](const Influence& i, const glm::dquat&) {
+        arm += stretches[i.joint] * from_centre * i.weight;
+      });
       out[v] = blend(influences, pose, centre) + glm::normalize(q) * arm;
     }
   };
@@ -112,20 +107,27 @@ Deformer centres_of_rotation(const SkinnedMesh& mesh, double sigma) {
 
 namespace {
 
+void smooth(const Surface& surface, const DeltaMushOptions& options, Positions& positions) {
+  Positions scratch;
+  for (int i = 0; i < options.iterations; ++i) surface.smooth(positions, options.step, scratch);
+}
+
+double area_kept(const SkinnedMesh& mesh, const Surface& surface, const DeltaMushOptions& options) {
+  const double whole = area(mesh.positions, mesh.indices);
+  Positions smoothed = mesh.positions;
+  smooth(surface, options, smoothed);
+  return whole > 0 ? area(smoothed, mesh.indices) / whole : 1.0;
+}
+
 // What puts back the detail that smoothing takes, in the frame of each vertex of the smoothed surface.
 struct Mush {
   Mush(const SkinnedMesh& m, const DeltaMushOptions& o) : mesh(m), options(o), surface(m, o.weights) {
     Positions smoothed = mesh.positions;
-    smooth(smoothed);
+    smooth(surface, options, smoothed);
     frame_edge = frame_edges(smoothed);
     const std::vector<glm::dmat3> frames = frames_of(smoothed);
     for (std::size_t v = 0; v < smoothed.size(); ++v)
       delta.push_back(glm::transpose(frames[v]) * (mesh.positions[v] - smoothed[v]));
-  }
-
-  void smooth(Positions& positions) const {
-    Positions scratch;
-    for (int i = 0; i < options.iterations; ++i) surface.smooth(positions, options.step, scratch);
   }
 
   // For each vertex coefficients of its neighbours that give a direction along the surface: linear in them, so that it
@@ -168,10 +170,21 @@ Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options) {
   const auto mush = std::make_shared<const Mush>(mesh, options);
   return [mush, skin = ssd(mesh)](const Pose& pose, Positions& out) {
     skin(pose, out);
-    mush->smooth(out);
+    smooth(mush->surface, mush->options, out);
     const std::vector<glm::dmat3> frames = mush->frames_of(out);
     for (std::size_t v = 0; v < out.size(); ++v) out[v] += frames[v] * mush->delta[v];
   };
+}
+
+double area_kept(const SkinnedMesh& mesh, const DeltaMushOptions& options) {
+  return area_kept(mesh, Surface(mesh, options.weights), options);
+}
+
+DeltaMushOptions with_least_area(const SkinnedMesh& mesh, DeltaMushOptions options) {
+  const Surface surface(mesh, options.weights);
+  // Steps that are a thousand times shorter leave all of what can be left.
+  for (int i = 0; i < 52 && area_kept(mesh, surface, options) < kLeastArea; ++i) options.step *= 0.875;
+  return options;
 }
 
 }  // namespace marrow::deform

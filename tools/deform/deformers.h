@@ -1,6 +1,7 @@
 // The deformers that others are measured against, evaluated offline and slowly.
 //
-// All keep a reference to the mesh, which must outlive them.
+// All keep a reference to the mesh, which must outlive them. In finite poses all are finite; a joint without
+// has_rotation(), of scale 0 say, counts as if it did not turn.
 #pragma once
 
 #include "deform/mesh.h"
@@ -16,12 +17,15 @@ Deformer ssd(const SkinnedMesh& mesh);
 
 // Dual quaternion skinning: Kavan, Collins, Žára, O'Sullivan, "Geometric skinning with approximate dual quaternion
 // blending", ACM TOG 27(4), 2008. Quaternions take the sign that is nearest to that of the vertex's largest weight.
-// What joints have beside rotation and translation is blended linearly first (section 4.2 there).
+//
+// Joints may scale: a joint's part at a vertex is its nearest rotation, and the place where it takes the vertex,
+// stretch included. So without rotations it is linear blending; where all joints scale alike, that scale of what it is
+// without; and it does not matter where the mesh's origin is. For the paper's joints, which are rigid, it is the same.
 Deformer dual_quaternions(const SkinnedMesh& mesh);
 
 // Le and Hodgins, "Real-time skeletal skinning with optimized centers of rotation", ACM TOG 35(4), 2016: rotations are
 // blended as quaternions, about a centre a vertex, which moves by SSD. sigma: how alike weights must be, in that paper
-// 0.1.
+// 0.1. What joints have beside rotation, S of M = R S, is blended linearly and applied first, from the centre.
 Deformer centres_of_rotation(const SkinnedMesh& mesh, double sigma = 0.1);
 // The centres; for a vertex that follows one joint alone, or like no triangle, itself.
 Positions rotation_centres(const SkinnedMesh& mesh, double sigma = 0.1);
@@ -34,5 +38,11 @@ struct DeltaMushOptions {
   EdgeWeights weights = EdgeWeights::uniform;
 };
 Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options = {});
+// The share of the bind pose's area that smoothing leaves; 1 for a mesh without area. Parts that smoothing shrinks to
+// threads lose their frames, so what is put back turns anywhere.
+double area_kept(const SkinnedMesh& mesh, const DeltaMushOptions& options);
+// With steps that leave kLeastArea, shorter by eighths until they do; never longer.
+inline constexpr double kLeastArea = 0.4;
+DeltaMushOptions with_least_area(const SkinnedMesh& mesh, DeltaMushOptions options);
 
 }  // namespace marrow::deform

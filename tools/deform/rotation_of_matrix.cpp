@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
 
 namespace marrow::deform {
 namespace {
@@ -12,6 +13,15 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
   return length > 1e-30 && std::isfinite(length) ? v / length : otherwise;
 }
 
+double squares(const glm::dmat3& m) {
+  return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]);
+}
+
+// The edge of a cube as long, over all, as the matrix' columns.
+double size_of(const glm::dmat3& m) {
+  return std::sqrt(squares(m) / 3);
+}
+
 }  // namespace
 
 glm::dmat3 rotation_of(const glm::dmat3& m) {
@@ -19,6 +29,27 @@ glm::dmat3 rotation_of(const glm::dmat3& m) {
   const glm::dvec3 other = std::abs(x.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
   const glm::dvec3 y = unit_or(m[1] - x * glm::dot(x, m[1]), glm::normalize(other - x * glm::dot(x, other)));
   return {x, y, glm::cross(x, y)};
+}
+
+bool has_rotation(const glm::dmat3& m) {
+  const double size = size_of(m);
+  return std::isfinite(size) && size > 1e-30 && std::abs(glm::determinant(m / size)) > 1e-6;
+}
+
+glm::dmat3 nearest_rotation(const glm::dmat3& m) {
+  if (!has_rotation(m)) return glm::dmat3(1.0);
+  glm::dmat3 x = m / (glm::determinant(m) < 0 ? -size_of(m) : size_of(m));
+  // From a volume of a millionth nine steps lead there; the number is a bound.
+  for (int i = 0; i < 20; ++i) {
+    const glm::dmat3 other = glm::inverseTranspose(x);
+    // Brings the two to one size, so that it does not take more steps the flatter the matrix is.
+    const double scale = std::sqrt(std::sqrt(squares(other) / squares(x)));
+    const glm::dmat3 next = (x * scale + other / scale) * 0.5;
+    const double moved = squares(next - x);
+    x = next;
+    if (moved < 1e-20) break;  // which quadratic convergence takes to less than rounding
+  }
+  return x;
 }
 
 glm::dquat quaternion_of(const glm::dmat3& rotation) {

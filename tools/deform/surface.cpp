@@ -78,6 +78,15 @@ Surface::Surface(const SkinnedMesh& mesh, EdgeWeights kind) {
   }
 }
 
+double area(const Positions& p, std::span<const std::uint32_t> indices) {
+  double twice = 0;
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+    const glm::dvec3& a = p[indices[t]];
+    twice += glm::length(glm::cross(p[indices[t + 1]] - a, p[indices[t + 2]] - a));
+  }
+  return twice / 2;
+}
+
 std::vector<glm::dvec3> vertex_normals(const Positions& positions, std::span<const std::uint32_t> indices) {
   std::vector<glm::dvec3> normals(positions.size(), glm::dvec3(0));
   for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {

@@ -78,6 +78,13 @@ constexpr Option kLearnOptions[] = {
      "--as fit leaves the bind pose exactly as it is",
      {},
      [](CookOptions& o, const Value&) { o.learn.keep_bind_pose = true; }},
+    {"wide-poses",
+     OptionKind::flag,
+     "",
+     "learn from 100 poses more, in which every joint turns by up to 150°, within its limit if it has one: better "
+     "where code poses joints far beyond the clips, worse in the clips' own frames (docs/deformers.md)",
+     {},
+     [](CookOptions& o, const Value&) { o.learn.wide_poses = true; }},
     {"mwe",
      OptionKind::flag,
      "",

@@ -30,6 +30,8 @@ void refuse_idle(const CookOptions& options, const Given& given) {
     refuse_unless(fits, name, "a fit", "give --as fit too");
   refuse_unless(learn.animation_space != AnimationSpace::lift || (beside && learn.truth == Truth::delta_mush),
                 "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
+  refuse_unless((fits || beside) && learn.truth != Truth::examples, "wide-poses", "a fit to a deformer",
+                "give --as fit, --mwe or --psd too, and a truth that is not examples");
   const bool has_truth = fits || given.contains("truth");
   refuse_unless(has_truth, "mwe", "a truth", "give --truth too");
   refuse_unless(has_truth || learn.pose_examples == 0, "psd", "a truth", "give --truth too");

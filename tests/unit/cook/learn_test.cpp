@@ -1,11 +1,14 @@
 // Animation space that is learnt, from the artist's file to what the runtime's kernels make of the cooked one.
 #include "cook/learn/learn.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "cook/gltf/read.h"
+#include "cook/learn/check_truth.h"
 #include "cook/learn/trainees.h"
 #include "deform/animation_space.h"
 #include "marrow/marrow.h"
@@ -16,6 +19,7 @@ namespace marrow::cook {
 namespace {
 
 const std::string kNewt = test::newt_glb();
+constexpr Truth kTruths[] = {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush};
 
 CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
   CookOptions options;
@@ -174,7 +178,7 @@ RawScene two_joint_scene() {
 }
 
 TEST(Learn, MakesPosesUpWithoutClips) {
-  for (const Truth truth : {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush}) {
+  for (const Truth truth : kTruths) {
     CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
     options.learn.truth = truth;
     const LoadedCook cooked(cook_scene(two_joint_scene(), options));
@@ -219,20 +223,128 @@ TEST(Learn, ClipsAreFolds) {
   }
 }
 
-// A joint scaled to nothing has no rotation to learn from.
-TEST(Learn, NeverWritesNaN) {
+std::vector<std::string> warnings_of(const CookResult& result, const std::string& rule) {
+  std::vector<std::string> out;
+  for (const auto& w : result.report["warnings"])
+    if (w["rule"] == rule) out.push_back(w["text"]);
+  return out;
+}
+
+// The scene with a clip in which its second joint scales.
+RawScene scaling(const glm::dvec4& from, const glm::dvec4& to) {
   RawScene scene = two_joint_scene();
   RawChannel channel;
   channel.node = 1;
   channel.path = RawPath::scale;
   channel.times_s = {0, 1};
-  channel.values = {{0, 0, 0, 0}, {1, 1, 1, 0}};
-  scene.clips.push_back({"collapse", {channel}, {}});
-  for (const Truth truth : {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush}) {
-    CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
-    options.learn.truth = truth;
-    EXPECT_NO_THROW(LoadedCook(cook_scene(scene, options)));  // load() refuses what is not finite
+  channel.values = {from, to};
+  scene.clips.push_back({"scale", {channel}, {}});
+  return scene;
+}
+
+// A joint scaled to nothing has no rotation to learn from; nor has one that is flat, as half way to a mirror. Two of
+// the poses that are made up are between the first moment and itself.
+TEST(Learn, LeavesOutWhereAJointHasNoRotationAndNamesIt) {
+  const std::pair<RawScene, std::string> scenes[] = {{scaling({0, 0, 0, 0}, {1, 1, 1, 0}), "3 of 132"},
+                                                     {scaling({1, 1, 1, 0}, {-1, 1, 1, 0}), "1 of 132"}};
+  for (const auto& [scene, count] : scenes) {
+    for (const Truth truth : kTruths) {
+      CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+      options.learn.truth = truth;
+      options.learn.multi_weights = true;  // says it no second time
+      const CookResult result = cook_scene(scene, options);
+      LoadedCook of_finite_numbers(result);  // load() refuses what is not finite
+      const std::vector<std::string> said = warnings_of(result, "joint-without-rotation");
+      ASSERT_EQ(said.size(), truth == Truth::delta_mush ? 0u : 1u);
+      if (truth == Truth::delta_mush) continue;
+      EXPECT_NE(said[0].find("\"n1\" has no rotation in " + count + " poses"), std::string::npos) << said[0];
+    }
   }
+}
+
+TEST(Learn, TakesPosesThatAJointAloneSpoils) {
+  RawScene scene = scaling({0, 0, 0, 0}, {1, 1, 1, 0});
+  for (std::vector<RawInfluence>& influences : scene.meshes[0].primitives[0].influences) influences.resize(1);
+  EXPECT_TRUE(
+      warnings_of(cook_scene(scene, fitted_to_dual_quaternions(MeshCodec::none)), "joint-without-rotation").empty());
+}
+
+TEST(Learn, FindsTheJointThatSpoilsAPose) {
+  deform::SkinnedMesh mesh;
+  mesh.joint_count = 4;
+  mesh.positions.resize(3);
+  mesh.influences = {{{0, 1.0}}, {{1, 0.5}, {2, 0.5}}, {{0, 1.0}}};
+  const UsablePoses rotating(mesh, Truth::centres_of_rotation), smoothing(mesh, Truth::delta_mush);
+  deform::Pose pose(4, deform::Matrix(1.0));
+  const deform::Matrix nothing(0.0);
+  deform::Matrix infinite(1.0);
+  infinite[3][1] = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(rotating.spoiling_joint(pose));
+  pose[3] = infinite;  // which nobody follows
+  pose[0] = nothing;   // which is followed alone
+  EXPECT_FALSE(rotating.spoiling_joint(pose));
+  pose[2] = nothing;
+  EXPECT_EQ(rotating.spoiling_joint(pose), 2u);
+  EXPECT_FALSE(smoothing.spoiling_joint(pose));
+  pose[0] = infinite;
+  EXPECT_EQ(rotating.spoiling_joint(pose), 0u);
+  EXPECT_EQ(smoothing.spoiling_joint(pose), 0u);
+}
+
+TEST(Learn, TakesJointsInOnePlace) {
+  RawScene scene = two_joint_scene();
+  scene.nodes[1].translation = {0, 0, 0};
+  scene.skins[0].inverse_bind[1] = glm::dmat4(1.0);
+  for (const bool moves : {false, true}) {
+    if (moves) scene.clips.push_back({"turn", {turning(1)}, {}});
+    for (const Truth truth : kTruths) {
+      CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+      options.learn.truth = truth;
+      options.learn.wide_poses = true;
+      EXPECT_NO_THROW(LoadedCook(cook_scene(scene, options)));
+    }
+  }
+}
+
+// Angles between the two joints in the poses that are made up.
+std::vector<double> made_up_turns(RawScene scene, bool wide) {
+  CookOptions plain;
+  plain.raw_clips = true;
+  Notes notes;
+  const BuiltScene built = build_scene(scene, plain, notes);
+  const DeformSource source =
+      deform_source(scene.meshes[0], scene.skins[0], bind_to_skin(scene.meshes[0], notes), built);
+  const Trainees got = trainees(source, built, {}, wide);
+  EXPECT_EQ(got.made_up, wide ? 200u : 100u);
+  std::vector<double> out;
+  for (std::size_t i = 0; i < got.made_up; ++i) {
+    EXPECT_EQ(got.poses[i].shipped, i < 100);
+    const glm::dmat3 turn =
+        glm::transpose(deform::linear_of(got.poses[i].pose[0])) * deform::linear_of(got.poses[i].pose[1]);
+    out.push_back(glm::degrees(std::acos(std::clamp((turn[0][0] + turn[1][1] + turn[2][2] - 1) / 2, -1.0, 1.0))));
+  }
+  return out;
+}
+
+double most(const std::vector<double>& of) {
+  return *std::ranges::max_element(of);
+}
+
+TEST(Learn, WidePosesTurnFarButWithinLimits) {
+  const std::vector<double> narrow = made_up_turns(two_joint_scene(), false),
+                            wide = made_up_turns(two_joint_scene(), true);
+  EXPECT_EQ(std::vector<double>(wide.begin(), wide.begin() + 100), narrow);
+  EXPECT_LT(most(narrow), 45.1);
+  EXPECT_GT(most(wide), 140);
+  EXPECT_LT(most(wide), 150.1);
+  RawScene limited = two_joint_scene();
+  RawLimit& limit = limited.nodes[1].limit.emplace();
+  limit.description.kind = LimitKind::hinge;
+  limit.description.least_rad[0] = -0.5f;
+  limit.description.most_rad[0] = 0.5f;
+  EXPECT_LT(most(made_up_turns(limited, true)), glm::degrees(0.5) + 0.1);
+  limit.description.least_rad[0] = limit.description.most_rad[0] = 0;  // forbids every turn
+  EXPECT_LT(most(made_up_turns(limited, true)), 0.1);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
                                                                                            : "\"0.1mm\"";
     // A truth is only for fits, examples for a truth, rebinding for weights that are made.
     const bool of_fit = name == "truth" || name == "half-joints" || name == "keep-bind-pose" || name == "delta-mush" ||
-                        name == "mwe" || name == "psd" || name == "influences";
+                        name == "mwe" || name == "psd" || name == "influences" || name == "wide-poses";
     const std::string pack = name == "truth"      ? "as = 'fit'\nexamples = 'poses.glb'\n"
                              : name == "rebind"   ? "auto-weights = 'nearest'\n"
                              : name == "examples" ? "as = 'fit'\ntruth = 'examples'\n"

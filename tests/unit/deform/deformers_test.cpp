@@ -193,6 +193,31 @@ TEST(DeltaMush, SoftensWhereSsdCreases) {
   EXPECT_LT(longest_edge(at(delta_mush(mesh, {30, 1.0}), bent)), 0.9 * longest_edge(at(ssd(mesh), bent)));
 }
 
+// The same pyramid. Its sides have an area of 2 √2 √(h² + 1/2) at a height of h, 2 at first, 2 (1 - step) after a step.
+TEST(DeltaMush, ShortensStepsThatLeaveTooLittle) {
+  SkinnedMesh mesh;
+  mesh.positions = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 2}};
+  mesh.indices = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+  mesh.influences.assign(5, {{0, 1.0}});
+  mesh.joint_count = 1;
+  EXPECT_NEAR(area_kept(mesh, {1, 0.5}), std::sqrt(1.5 / 4.5), 1e-12);
+  EXPECT_EQ(with_least_area(mesh, {1, 0.5}).step, 0.5);
+  // A step of 1 leaves a third, of 7/8 .354, of 49/64 .39992, of 343/512 .456.
+  EXPECT_NEAR(area_kept(mesh, {1, 1.0}), 1.0 / 3, 1e-12);
+  EXPECT_EQ(with_least_area(mesh, {1, 1.0}).step, 343.0 / 512);
+  EXPECT_EQ(with_least_area(mesh, {1, 1.0}).iterations, 1);
+}
+
+TEST(DeltaMush, KeepsItsStepsOnAMeshWithoutArea) {
+  SkinnedMesh mesh;
+  mesh.positions = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  mesh.indices = {0, 1, 2};
+  mesh.influences.assign(3, {{0, 1.0}});
+  mesh.joint_count = 1;
+  EXPECT_EQ(area_kept(mesh, {}), 1);
+  EXPECT_EQ(with_least_area(mesh, {}).step, DeltaMushOptions().step);
+}
+
 TEST(Surface, FindsNeighboursAndBorders) {
   SkinnedMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 5, 5}};

@@ -18,7 +18,9 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
+#include "cook/learn/check_truth.h"
 #include "terminal/progress.h"
+#include "terminal/warnings.h"
 
 namespace marrow::tools {
 namespace {
@@ -95,6 +97,12 @@ void print_table(const Study& study, const CompareArguments& a, const DeformerCo
         whole(r.gpu.adreno_instructions), whole(r.gpu.videocore_instructions));
 }
 
+void print_warnings(const std::string& file, const cook::Notes& notes) {
+  std::vector<Warning> warnings;
+  for (const cook::RawWarning& w : notes.warnings) warnings.push_back({w.pointer, w.rule, w.text});
+  for (const std::string& line : warning_lines(file, warnings)) fmt::print(stderr, "{}\n", line);
+}
+
 // POSE-PICTURE-CAPTION.png, the caption up to what is measured; `first` stands before it.
 void write_pictures(const std::string& folder, const char* first, const std::vector<PictureRow>& rows) {
   create_folders(folder);
@@ -125,12 +133,17 @@ void run_compare(const CompareArguments& a) {
   cook::Given given = a.given;
   given["as"] = {{"fit", {"--as", ""}}};
   cook::LearnOptions options = cook::to_options(given).learn;
+  if (!a.sample.empty() && options.wide_poses)
+    throw Failure(Exit::usage, "--wide-poses", "", "the cylinder's poses are wide", "leave it out");
   if (!a.sample.empty() && !a.given.contains("delta-mush"))
     options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
   if (!a.sample.empty() && options.truth == cook::Truth::examples)
     throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
   Study study = a.sample.empty() ? study_file(a.in, a.holdout, options) : study_cylinder();
-  drop_unusable_poses(cook::make_truth(study.source, options), study);
+  cook::Notes notes;
+  options = cook::with_gentle_steps(std::move(options), study.source.mesh, "/meshes", notes);
+  drop_unusable_poses(options, study, notes);
+  print_warnings(a.in, notes);
   const DeformerComparison comparison = [&] {
     Progress progress;
     progress.show(0, 0, study.name);

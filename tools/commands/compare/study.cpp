@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
+#include "cook/learn/check_truth.h"
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/skin/joint_motion.h"
@@ -64,7 +65,7 @@ void add_round(const std::vector<SampledPose>& poses, const std::vector<std::uin
       trained.push_back(poses[i]);
     }
   }
-  round.train = trainees(study.source, built, trained).poses;
+  round.train = trainees(study.source, built, trained, study.wide_poses).poses;
 }
 
 void add_round(const std::vector<ShownPose>& poses, const std::vector<std::uint32_t>& clips, const BuiltScene&,
@@ -103,7 +104,7 @@ void hold_out(const std::vector<PoseOfClip>& poses, Holdout holdout, const Built
 void hold_made_up(const BuiltScene& built, Study& study) {
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   Round& round = study.rounds.emplace_back();
-  round.train = trainees(study.source, built, {}).poses;
+  round.train = trainees(study.source, built, {}, study.wide_poses).poses;
   const std::vector<SampledPose> poses = resampled_poses(skeleton, {}, 2 * kMadeUp);
   for (std::size_t i = kMadeUp; i < poses.size(); ++i)
     round.held.push_back({deform_pose(study.source, skeleton, poses[i].local), "", 0});
@@ -135,6 +136,7 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   study.scene.instances = {*instance};  // what is cooked and drawn is this mesh alone
   study.source = deform_source(mesh, skin, bind_to_skin(mesh, notes), built);
   study.name = mesh.name;
+  study.wide_poses = learn.wide_poses;
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   study.rest = deform_pose(study.source, skeleton, skeleton.rest);
   add_motion(skeleton, study);
@@ -152,15 +154,20 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   return study;
 }
 
-void drop_unusable_poses(const deform::Deformer& truth, Study& study) {
-  const auto unusable = [&](const auto& p) {
+void drop_unusable_poses(const LearnOptions& options, Study& study, Notes& notes) {
+  const RawSkin& skin = study.scene.skins[static_cast<std::size_t>(study.scene.instances.front().skin)];
+  const UsablePoses usable(study.source.mesh, options.truth);
+  const deform::Deformer truth = make_truth(study.source, options);
+  const auto is_infinite = [&](const auto& p) {
     deform::Positions positions;
     truth(p.pose, positions);
     return !deform::is_finite(positions);
   };
   for (Round& round : study.rounds) {
-    std::erase_if(round.train, unusable);
-    std::erase_if(round.held, unusable);
+    drop_spoilt_poses(study.scene, skin, study.source.mesh, options.truth, "/meshes", round.train, notes);
+    std::erase_if(round.held, [&](const HeldPose& p) { return usable.spoiling_joint(p.pose).has_value(); });
+    std::erase_if(round.train, is_infinite);
+    std::erase_if(round.held, is_infinite);
   }
   std::erase_if(study.rounds, [](const Round& round) { return round.held.empty(); });
   if (study.rounds.empty())

@@ -35,6 +35,7 @@ struct Study {
   std::vector<std::string> joint_names;  // of the source's
   deform::RangeOfMotion motion;
   std::vector<std::string> left_out_of_motion;  // why and which, see cook::left_out_of_motion()
+  bool wide_poses = false;  // learnt from as well
 };
 
 // The mesh with the most vertices of those bound to a skin. frames: alternate frames of every clip are held out, and
@@ -46,7 +47,8 @@ Study study_file(const std::string& path, Holdout holdout, const cook::LearnOpti
 // The cylinder that is commonly shown, 30 poses to learn from and 200 held out, five times.
 Study study_cylinder();
 
-// Leaves out poses in which the truth is not finite. Throws tools::Failure (invalid) if none is left to be held out.
-void drop_unusable_poses(const deform::Deformer& truth, Study& study);
+// Leaves out poses in which the truth does not say where the mesh is, and notes which joint spoils them. Throws
+// tools::Failure (invalid) if none is left to be held out.
+void drop_unusable_poses(const cook::LearnOptions& options, Study& study, cook::Notes& notes);
 
 }  // namespace marrow::tools

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
+#include "cook/learn/check_truth.h"
 #include "marrow/file.h"
 
 namespace marrow::cook {
@@ -82,7 +83,7 @@ std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& s
 
 Trainees find_trainees(const DeformSource& source, const BuiltScene& built, const LearnOptions& options) {
   if (options.truth == Truth::examples) return trainees(source, source.shown);
-  return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained));
+  return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained), options.wide_poses);
 }
 
 Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
@@ -155,15 +156,18 @@ SkinBinding with_learnt(SkinBinding binding, const DeformSource& source, const L
 }  // namespace
 
 LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
-                            const LearnOptions& options, SkinBinding binding, Notes& notes) {
+                            const LearnOptions& given, SkinBinding binding, Notes& notes) {
   LearnReport report;
-  if (options.animation_space == AnimationSpace::lift) return {std::move(binding), report};
+  if (given.animation_space == AnimationSpace::lift) return {std::move(binding), report};
   DeformSource source = deform_source(mesh, skin, binding, built);
+  const std::string pointer = mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer;
+  const LearnOptions options = with_gentle_steps(given, source.mesh, pointer, notes);
   const bool fits = options.animation_space == AnimationSpace::fit;
   Trainees trained;
   if (fits) {
     source.shown = find_examples(options, {scene, mesh, skin, built, source}, notes);
     trained = find_trainees(source, built, options);
+    drop_spoilt_poses(scene, skin, source.mesh, options.truth, pointer, trained.poses, notes);
     report.truth = name_of(options.truth);
   }
   report.poses = trained.poses.size();
@@ -172,7 +176,7 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   report.held_out_share = learnt.quality.share;
   report.worse_share = learnt.quality.worse_share;
   if (fits && !(learnt.quality.share < 1)) {
-    notes.warnings.push_back({mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer, "fit-not-better",
+    notes.warnings.push_back({pointer, "fit-not-better",
                               "animation space fitted to " + std::string(report.truth) +
                                   " is no better than linear blend skinning in poses left out; the lift is shipped"});
     return {std::move(binding), report};

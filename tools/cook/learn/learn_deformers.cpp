@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cook/learn/check_truth.h"
 #include "cook/learn/learn.h"
 #include "deform/half_joints.h"
 
@@ -74,20 +75,25 @@ std::uint32_t multi_weight_root(const DeformSource& source) {
 LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin,
                                 const BuiltScene& built, const CookOptions& options, MeshGrid grid,
                                 const SkinBinding& binding, Notes& notes) {
-  const LearnOptions& learn = options.learn;
   LearntDeformers out;
-  if (!learn.multi_weights && learn.pose_examples == 0) return out;
+  if (!options.learn.multi_weights && options.learn.pose_examples == 0) return out;
   grid.residual_step = binding.residual_step_m;
   grid.residual_weight_step = binding.residual_weight_step;
   DeformSource source = deform_source(mesh, skin, as_kept(mesh, binding, grid, options), built);
+  const std::string pointer = mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer;
+  // Where animation space is learnt from the truth as well, all has been said.
+  Notes said;
+  Notes& to_say = options.learn.animation_space == AnimationSpace::fit ? said : notes;
+  const deform::SkinnedMesh weighted_mesh = weighted_only(source.mesh);
+  const LearnOptions learn = with_gentle_steps(options.learn, weighted_mesh, pointer, to_say);
   source.shown = find_examples(learn, {scene, mesh, skin, built, source}, notes);
   Trainees trained = find_trainees(source, built, learn);
+  drop_spoilt_poses(scene, skin, weighted_mesh, learn.truth, pointer, trained.poses, to_say);
   for (deform::TrainingPose& p : trained.poses) deform::append_half_joints(binding.half_joints, p.pose);
   source.parents.resize(source.parents.size() + binding.half_joints.size(), kNone);
   DeformSource weighted = source;
-  weighted.mesh = weighted_only(source.mesh);
+  weighted.mesh = weighted_mesh;
   const deform::Deformer truth = make_truth(weighted, learn);
-  const std::string pointer = mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer;
   out.deformers.vertex_of = source.vertex_of;
   if (learn.multi_weights) {
     out.multi_weights = begin_report(learn, trained);

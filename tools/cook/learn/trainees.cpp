@@ -37,7 +37,8 @@ deform::TrainingPose rest(const DeformSource& source) {
 
 }  // namespace
 
-Trainees trainees(const DeformSource& source, const BuiltScene& built, const std::vector<SampledPose>& shipped) {
+Trainees trainees(const DeformSource& source, const BuiltScene& built, const std::vector<SampledPose>& shipped,
+                  bool wide) {
   const BuiltSkeleton& skeleton = built.skeletons[source.skeleton];
   Folds folds;
   for (const SampledPose& pose : shipped) folds.see(pose.clip);
@@ -50,6 +51,8 @@ Trainees trainees(const DeformSource& source, const BuiltScene& built, const std
   std::uint32_t number = 0;
   for (const SampledPose& pose : resampled_poses(skeleton, shipped, kMadeUp))
     out.poses.push_back({deform_pose(source, skeleton, pose.local), number++ % folds.count(), shipped.empty()});
+  for (const SampledPose& pose : turned_poses(skeleton, wide ? kWide : 0, kWide_rad))
+    out.poses.push_back({deform_pose(source, skeleton, pose.local), number++ % folds.count(), false});
   out.made_up = number;
   out.poses.push_back(rest(source));
   return out;

@@ -10,15 +10,20 @@ namespace marrow::cook {
 inline constexpr double kTrainedRate_hz = 30;
 inline constexpr std::size_t kMostTrained = 320;
 inline constexpr std::size_t kMadeUp = 100;
+// Wide poses: how many, and how far joints turn.
+inline constexpr std::size_t kWide = 100;
+inline constexpr double kWide_rad = 2.6179938779914944;  // 150°
 
 // Rest, moments of clips, and poses that those clips could have had. Poses of one clip are of one fold; with one or two
 // clips those of a quarter of a clip are.
 // shipped: in the order of clip_poses(); empty: of no clip, then what is made up counts as shipped.
+// wide: wide poses as well, which never count as shipped.
 struct Trainees {
   std::vector<deform::TrainingPose> poses;
   std::size_t made_up = 0;
 };
-Trainees trainees(const DeformSource& source, const BuiltScene& built, const std::vector<SampledPose>& shipped);
+Trainees trainees(const DeformSource& source, const BuiltScene& built, const std::vector<SampledPose>& shipped,
+                  bool wide = false);
 
 // Poses in which the surface is known, and rest; nothing is made up, since nobody knows how it should look. In
 // ascending order of clips.

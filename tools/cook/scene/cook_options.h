@@ -74,6 +74,7 @@ struct LearnOptions {
   int half_joints = 0;  // between a joint and its parent, 0 … 2
   int influences = 0;   // that a vertex may have, the weights' own aside; 0: 4, with half-joints 5
   bool keep_bind_pose = false;
+  bool wide_poses = false;  // learn from poses far beyond the clips' too
   bool multi_weights = false;
   int pose_examples = 0;      // of pose space, at most; 0: none
   deform::Progress progress;  // of each fit

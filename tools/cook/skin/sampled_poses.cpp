@@ -8,6 +8,7 @@
 #include "common/elementary.h"
 #include "cook/scene/views.h"
 #include "deform/slerp.h"
+#include "marrow/limits.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 
@@ -39,10 +40,9 @@ double fraction(std::mt19937& random) {
   return static_cast<double>(random()) / 4294967296.0;
 }
 
-void turn_joint(SoaTransform& t, std::size_t lane, std::mt19937& random) {
-  constexpr double kMost = 0.7853981633974483;  // 45°
+void turn_joint(SoaTransform& t, std::size_t lane, double most_rad, std::mt19937& random) {
   const double z = 2 * fraction(random) - 1, around = 6.283185307179586 * fraction(random), r = std::sqrt(1 - z * z);
-  const double half = kMost * fraction(random) / 2, s = tools::sine(half);
+  const double half = most_rad * fraction(random) / 2, s = tools::sine(half);
   const glm::dquat turn(tools::cosine(half), s * r * tools::cosine(around), s * r * tools::sine(around), s * z);
   set_rotation(t, lane, rotation_of(t, lane) * turn);
 }
@@ -80,18 +80,26 @@ std::vector<SampledPose> clip_poses(const BuiltScene& scene, std::uint32_t skele
 
 std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const std::vector<SampledPose>& poses,
                                          std::size_t count) {
+  constexpr double kTurn_rad = 0.7853981633974483;  // 45°
+  if (poses.empty()) return turned_poses(skeleton, count, kTurn_rad);
   std::mt19937 random(1);
   std::vector<SampledPose> out(count, {skeleton.rest});
   for (SampledPose& pose : out) {
     for (std::size_t j = 0; j < skeleton.parents.size(); ++j) {
-      if (poses.empty()) {
-        turn_joint(pose.local[j / 4], j % 4, random);
-      } else {
-        const SampledPose& from = poses[random() % poses.size()];
-        const SampledPose& to = poses[random() % poses.size()];
-        mix_joint(from.local[j / 4], to.local[j / 4], fraction(random), j % 4, pose.local[j / 4]);
-      }
+      const SampledPose& from = poses[random() % poses.size()];
+      const SampledPose& to = poses[random() % poses.size()];
+      mix_joint(from.local[j / 4], to.local[j / 4], fraction(random), j % 4, pose.local[j / 4]);
     }
+  }
+  return out;
+}
+
+std::vector<SampledPose> turned_poses(const BuiltSkeleton& skeleton, std::size_t count, double most_rad) {
+  std::mt19937 random(1);
+  std::vector<SampledPose> out(count, {skeleton.rest});
+  for (SampledPose& pose : out) {
+    for (std::size_t j = 0; j < skeleton.parents.size(); ++j) turn_joint(pose.local[j / 4], j % 4, most_rad, random);
+    tools::check(limit_pose(skeleton.limits, pose.local));
   }
   return out;
 }

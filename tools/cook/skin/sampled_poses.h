@@ -19,10 +19,13 @@ struct SampledPose {
 std::vector<SampledPose> clip_poses(const BuiltScene& scene, std::uint32_t skeleton, double rate_hz, std::size_t most);
 
 // `count` poses in each of which every joint is somewhere between two moments of `poses`, each joint between others:
-// they go together as they may. Without poses, joints are turned from rest by up to 45° about any axis. The same on
-// every run.
+// they go together as they may. Without poses they are turned_poses() of 45°. The same on every run.
 std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const std::vector<SampledPose>& poses,
                                          std::size_t count);
+
+// `count` poses in each of which every joint is turned from rest by up to `most_rad` about any axis, and then back into
+// its limit if it has one. The same on every run.
+std::vector<SampledPose> turned_poses(const BuiltSkeleton& skeleton, std::size_t count, double most_rad);
 
 // scene_from_joint.
 std::vector<Affine> model_pose(const BuiltSkeleton& skeleton, const std::vector<SoaTransform>& local);

@@ -1,0 +1,83 @@
+#include "cook/learn/check_truth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "deform/rotation_of_matrix.h"
+
+namespace marrow::cook {
+namespace {
+
+bool is_finite(const deform::Matrix& m) {
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 3; ++r)
+      if (!std::isfinite(m[c][r])) return false;
+  return true;
+}
+
+}  // namespace
+
+LearnOptions with_gentle_steps(LearnOptions options, const deform::SkinnedMesh& mesh, const std::string& pointer,
+                               Notes& notes) {
+  const bool learns = options.animation_space == AnimationSpace::fit || options.multi_weights || options.pose_examples;
+  if (options.animation_space != AnimationSpace::smooth && !(learns && options.truth == Truth::delta_mush))
+    return options;
+  const double kept = deform::area_kept(mesh, options.delta_mush);
+  if (kept >= deform::kLeastArea) return options;
+  options.delta_mush = deform::with_least_area(mesh, options.delta_mush);
+  notes.warnings.push_back(
+      {pointer, "delta-mush-shrinks",
+       fmt::format(
+           "smoothing leaves {:.0f} % of the mesh's area; its steps are shortened to {:.3g}, which leave {:.0f} "
+           "%; fewer iterations (--delta-mush) or more triangles on thin parts are better",
+           100 * kept, options.delta_mush.step, 100 * deform::area_kept(mesh, options.delta_mush))});
+  return options;
+}
+
+UsablePoses::UsablePoses(const deform::SkinnedMesh& mesh, Truth truth)
+    : followed_(mesh.joint_count, 0),
+      shared_(mesh.joint_count, 0),
+      blends_rotations_(truth == Truth::dual_quaternions || truth == Truth::centres_of_rotation) {
+  for (const std::vector<deform::Influence>& influences : mesh.influences)
+    for (const deform::Influence& i : influences) {
+      if (i.joint >= mesh.joint_count) continue;
+      followed_[i.joint] = 1;
+      if (influences.size() > 1) shared_[i.joint] = 1;
+    }
+}
+
+std::optional<std::uint32_t> UsablePoses::spoiling_joint(const deform::Pose& pose) const {
+  for (std::uint32_t j = 0; j < followed_.size(); ++j) {
+    if (!followed_[j]) continue;
+    if (!is_finite(pose[j])) return j;
+    if (blends_rotations_ && shared_[j] && !deform::has_rotation(deform::linear_of(pose[j]))) return j;
+  }
+  return std::nullopt;
+}
+
+void drop_spoilt_poses(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh, Truth truth,
+                       const std::string& pointer, std::vector<deform::TrainingPose>& poses, Notes& notes) {
+  const UsablePoses usable(mesh, truth);
+  std::map<std::uint32_t, std::size_t> spoilt;  // by a joint
+  const std::size_t all = poses.size();
+  std::erase_if(poses, [&](const deform::TrainingPose& p) {
+    const std::optional<std::uint32_t> joint = usable.spoiling_joint(p.pose);
+    if (joint) ++spoilt[*joint];
+    return joint.has_value();
+  });
+  if (spoilt.empty()) return;
+  const auto most =
+      std::ranges::max_element(spoilt, {}, [](const auto& joint_and_count) { return joint_and_count.second; });
+  const std::string& name = scene.nodes[static_cast<std::size_t>(skin.joints[most->first])].name;
+  const std::string others = spoilt.size() > 1 ? fmt::format(" (and {} more)", spoilt.size() - 1) : "";
+  notes.warnings.push_back(
+      {pointer, "joint-without-rotation",
+       fmt::format("the joint \"{}\"{} has no rotation in {} of {} poses, as its scale is 0 or not finite; nothing is "
+                   "learnt from them",
+                   name, others, all - poses.size(), all)});
+}
+
+}  // namespace marrow::cook

@@ -1,0 +1,38 @@
+// What a truth cannot do for a mesh, or in a pose: warned of, and kept out of what is learnt.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cook/scene/cook_options.h"
+#include "cook/scene/raw.h"
+#include "cook/skin/deform_source.h"
+#include "deform/fit/fit.h"
+
+namespace marrow::cook {
+
+// Shortens delta mush's steps where smoothing would leave less than deform::kLeastArea of the mesh's area, with a
+// warning. Options that do not smooth stay as they are.
+LearnOptions with_gentle_steps(LearnOptions options, const deform::SkinnedMesh& mesh, const std::string& pointer,
+                               Notes& notes);
+
+// In which poses a truth says where the mesh is.
+class UsablePoses {
+ public:
+  UsablePoses(const deform::SkinnedMesh& mesh, Truth truth);
+
+  // The first joint that spoils the pose: one whose matrix is not finite and that a vertex follows; where the truth
+  // blends rotations, also one that has none, of scale 0 say, and that a vertex follows beside another joint.
+  std::optional<std::uint32_t> spoiling_joint(const deform::Pose& pose) const;
+
+ private:
+  std::vector<char> followed_, shared_;  // a joint
+  bool blends_rotations_;
+};
+
+// Leaves out the poses that are not usable, with a warning that names the joint which spoils the most.
+void drop_spoilt_poses(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh, Truth truth,
+                       const std::string& pointer, std::vector<deform::TrainingPose>& poses, Notes& notes);
+
+}  // namespace marrow::cook
