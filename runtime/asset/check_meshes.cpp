@@ -161,7 +161,7 @@ bool Checker::lods(Span<const MeshLod> lods, const format::MeshHeader& h) {
   for (const MeshLod& lod : lods) {
     if (lod.geometry >= counts_[format::kGeometries]) return fail(&lod, "no such geometry");
     const auto* const geometry = at<format::GeometryHeader>(nth(format::kGeometries, lod.geometry), 0);
-    if (std::uint64_t{h.joint_count} + h.half_joint_count != geometry->joint_count)
+    if (std::uint64_t{h.joint_count} + h.helper_count != geometry->joint_count)
       return fail(&lod, "a level has the mesh's palette");
     const std::uint32_t targets = target_count(lod.geometry);
     if (targets != 0 && targets != h.target_count) return fail(&lod, "a level has the mesh's morph targets or none");
@@ -197,7 +197,7 @@ bool Checker::mesh(const File::Section& s) {
   if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
   if (!next_part(s, *h)) return false;
   const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
-  if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->half_joint_count !=
+  if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->helper_count !=
                                  at<format::GeometryHeader>(nth(format::kGeometries, h->geometry), 0)->joint_count)
     return fail(&h->joint_count, "as many palette entries as the geometry");
   if (h->target_count != target_count(h->geometry))
@@ -205,10 +205,13 @@ bool Checker::mesh(const File::Section& s) {
   const format::MeshLayout l = layout(*h);
   for (const MeshTarget& t : Span<const MeshTarget>{at<MeshTarget>(s, l.targets), h->target_count})
     if (!name(t.name) || !name(t.channel) || !finite(&t.weight, 4)) return false;
-  for (const HalfJoint& half : Span<const HalfJoint>{at<HalfJoint>(s, l.half_joints), h->half_joint_count})
-    if (half.parent >= h->joint_count || half.joint >= h->joint_count || half.parent == half.joint ||
-        !(half.share > 0 && half.share < 1))
-      return fail(&half, "a half-joint stands between two joints of the mesh");
+  if ((h->flags & format::kHelpersHaveCentres) != 0 && h->helper_count == 0)
+    return fail(&h->flags, "centres without helpers");
+  for (const Helper& helper : Span<const Helper>{at<Helper>(s, l.helpers), h->helper_count})
+    if (helper.first >= h->joint_count || helper.second >= h->joint_count || helper.first == helper.second ||
+        !(helper.share > 0 && helper.share < 1))
+      return fail(&helper, "a helper blends two joints of the mesh");
+  if (!bounded(at<float>(s, l.centres), l.lods - l.centres)) return false;
   if (!lods({at<MeshLod>(s, l.lods), h->lod_count}, *h)) return false;
   return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
          bounded(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&

@@ -175,7 +175,8 @@ Mesh File::mesh(std::uint32_t index, std::uint32_t level) const {
   std::memcpy(m.base_colour, header.base_colour, sizeof m.base_colour);
   m.double_sided = (header.flags & format::kDoubleSided) != 0;
   m.is_next_part = (header.flags & format::kNextPart) != 0;
-  m.half_joints = {at<HalfJoint>(base, l.half_joints), header.half_joint_count};
+  m.helpers = {at<Helper>(base, l.helpers), header.helper_count};
+  m.helper_centres = {at<float>(base, l.centres), static_cast<std::size_t>(l.lods - l.centres) / sizeof(float)};
   m.geometry = geometry(m.geometry_index);
   m.targets = {at<MeshTarget>(base, l.targets), m.geometry.targets.size};
   return m;

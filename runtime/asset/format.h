@@ -190,7 +190,7 @@ struct PoseSpaceHeader {
 static_assert(sizeof(PoseSpaceHeader) == 16);
 inline constexpr float kLeastSigma = 1e-3f, kMostSigma = 1e3f;
 
-enum MeshFlags : std::uint32_t { kDoubleSided = 1, kNextPart = 2, kAllMeshFlags = 3 };
+enum MeshFlags : std::uint32_t { kDoubleSided = 1, kNextPart = 2, kHelpersHaveCentres = 4, kAllMeshFlags = 7 };
 
 struct MeshHeader {
   std::uint32_t name;
@@ -200,7 +200,7 @@ struct MeshHeader {
   std::uint32_t joint_count;
   std::uint8_t flags;
   std::uint8_t lod_count;
-  std::uint16_t half_joint_count;
+  std::uint16_t helper_count;
   float base_colour[4];
   std::uint32_t target_count;      // the geometry's
   std::uint32_t material_section;  // 0: the material has no section; else 1 + which
@@ -418,18 +418,20 @@ constexpr PoseSpaceLayout layout(const PoseSpaceHeader& h, const GeometryHeader&
   return l;
 }
 
+inline constexpr std::uint64_t kCentreBytes = 3 * sizeof(float);
 struct MeshLayout {
-  std::uint64_t inverse_bind, targets, joints, half_joints, lods, bytes;
+  std::uint64_t inverse_bind, targets, joints, helpers, centres, lods, bytes;
 };
 constexpr MeshLayout layout(const MeshHeader& h) {
   MeshLayout l{};
   l.inverse_bind = sizeof(MeshHeader);
   l.targets = l.inverse_bind + std::uint64_t{h.joint_count} * sizeof(Affine);
   l.joints = l.targets + std::uint64_t{h.target_count} * sizeof(MeshTarget);
-  l.bytes = l.half_joints = l.lods = l.joints + std::uint64_t{h.joint_count} * 2;
-  if (h.half_joint_count == 0 && h.lod_count == 0) return l;
-  l.half_joints = align4(l.half_joints);
-  l.lods = l.half_joints + std::uint64_t{h.half_joint_count} * sizeof(HalfJoint);
+  l.bytes = l.helpers = l.centres = l.lods = l.joints + std::uint64_t{h.joint_count} * 2;
+  if (h.helper_count == 0 && h.lod_count == 0) return l;
+  l.helpers = align4(l.helpers);
+  l.centres = l.helpers + std::uint64_t{h.helper_count} * sizeof(Helper);
+  l.lods = l.centres + ((h.flags & kHelpersHaveCentres) != 0 ? h.helper_count * kCentreBytes : 0);
   l.bytes = l.lods + std::uint64_t{h.lod_count} * sizeof(MeshLod);
   return l;
 }

@@ -82,9 +82,9 @@ void mrw_spring_collider_init(mrw_spring_collider* out) {
   to<SpringCollider>(out) = SpringCollider{};
 }
 
-void mrw_half_joint_init(mrw_half_joint* out) {
-  MRW_NEEDS(leads_to<HalfJoint>(out), );
-  to<HalfJoint>(out) = HalfJoint{};
+void mrw_helper_init(mrw_helper* out) {
+  MRW_NEEDS(leads_to<Helper>(out), );
+  to<Helper>(out) = Helper{};
 }
 
 void mrw_file_init(mrw_file* out) {
@@ -911,9 +911,9 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) {
 
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
     size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
-    size_t out_count, const mrw_half_joint* half_joints, size_t half_joint_count) {
-  MRW_NEEDS(is_list<std::uint16_t>(joints, joint_count) && is_list<Affine>(bind, bind_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<Affine>(out, out_count) && is_list<HalfJoint>(half_joints, half_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::build_palette(span<const std::uint16_t>(joints, joint_count), span<const Affine>(bind, bind_count), span<const Affine>(scene_from_joint, scene_from_joint_count), span<Affine>(out, out_count), span<const HalfJoint>(half_joints, half_joint_count)));
+    size_t out_count, const mrw_helper* helpers, size_t helper_count, const float* centres, size_t centre_count) {
+  MRW_NEEDS(is_list<std::uint16_t>(joints, joint_count) && is_list<Affine>(bind, bind_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<Affine>(out, out_count) && is_list<Helper>(helpers, helper_count) && is_list<float>(centres, centre_count), MRW_BAD_ARGUMENT);
+  return code(marrow::build_palette(span<const std::uint16_t>(joints, joint_count), span<const Affine>(bind, bind_count), span<const Affine>(scene_from_joint, scene_from_joint_count), span<Affine>(out, out_count), span<const Helper>(helpers, helper_count), span<const float>(centres, centre_count)));
 }
 
 mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint, size_t scene_from_joint_count,

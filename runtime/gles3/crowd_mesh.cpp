@@ -50,7 +50,7 @@ void put_frames(const Api& api, const CrowdMesh& crowd_mesh) {
     const Span<const Affine> joints(frames.character_from_joint.data + std::size_t{frame} * frames.joint_count,
                                     frames.joint_count);
     static_cast<void>(build_palette({mesh.joints, mesh.joint_count}, crowd_mesh.bind, joints,
-                                    {scratch.data + filled, size}, mesh.half_joints));
+                                    {scratch.data + filled, size}, mesh.helpers, mesh.helper_centres));
     filled += size;
     for (; filled >= kChunk; filled -= kChunk, line += kChunkLines) {
       put_lines(api, line, kChunkLines, scratch.data);

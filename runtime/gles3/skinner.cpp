@@ -364,8 +364,8 @@ Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_jo
   for (std::size_t t = 0; t < s.mesh.geometry.targets.size; ++t)
     s.weights[instance * s.mesh.geometry.targets.size + t] = weights[t];
   const Span<Affine> palette = palette_of(s, instance);
-  const Status status =
-      build_palette({s.mesh.joints, s.mesh.joint_count}, bind, scene_from_joint, palette, s.mesh.half_joints);
+  const Status status = build_palette({s.mesh.joints, s.mesh.joint_count}, bind, scene_from_joint, palette,
+                                      s.mesh.helpers, s.mesh.helper_centres);
   if (status != Status::ok || s.distances.empty() || s.options.path == SkinningPath::cpu) return status;
   const std::size_t size = distance_matrices(s.mesh.geometry);
   return pack_distances(s.mesh.geometry, palette, {s.distances.data + instance * size, size});

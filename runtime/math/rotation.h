@@ -48,17 +48,6 @@ inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine
   const Vector<f32x4> x = {m.a.linear.x, m.b.linear.x, m.c.linear.x}, y = {m.a.linear.y, m.b.linear.y, m.c.linear.y};
   return right_angles(normalised(x), y, [](const Vector<f32x4>& v) { return normalised(v); });
 }
-// The same of one matrix. False without volume.
-inline bool rotation_of(const Linear<float>& m, Linear<float>& out) {
-  bool good = true;
-  const auto unit = [&good](const Vector3& v) {
-    const float l = length(v);
-    good = good && l > 1e-18f && l < 1e18f;
-    return v * (1.0f / l);
-  };
-  out = right_angles(unit(m.x), m.y, unit);
-  return good;
-}
 
 // Of a rotation matrix: a component q_i of its quaternion q that is not near 0 (Shepperd 1978), and 4 q_i q. Component
 // 3 is w; of the others the largest.
@@ -83,34 +72,13 @@ inline Rotation rotation_between(const Linear<float>& from, const Linear<float>&
   const Linear<float> m = transposed_times(from, to);
   return normalised(rotation(scaled_quaternion(m, m.x.x + m.y.y + m.z.z > 0 ? 3 : largest_axis(m)).v));
 }
-// The quaternion of a rotation matrix, w ≥ 0. Not by rotation_between(): palettes depend on the bits of each.
-inline Rotation quaternion_of(const Linear<float>& m) {
-  const int axis = largest_axis(m);
-  const float trace = m.x.x + m.y.y + m.z.z, most = axis == 0 ? m.x.x : axis == 1 ? m.y.y : m.z.z;
-  ScaledQuaternion q = scaled_quaternion(m, trace >= most ? 3 : axis);
-  const float four = 2.0f * sqrt(q.v[q.component]);
-  for (float& c : q.v) c = c / four;
-  q.v[q.component] = 0.25f * four;
-  const Rotation out = rotation(q.v);
-  return out.w < 0.0f ? out * -1.0f : out;
-}
 // The matrix of a quaternion of any length but 0.
-inline Linear<float> matrix_of(const Rotation& q) {
-  const float x = q.x, y = q.y, z = q.z, w = q.w, two = 2.0f / dot(q, q);
-  return {{1.0f - two * (y * y + z * z), two * (x * y + w * z), two * (x * z - w * y)},
-          {two * (x * y - w * z), 1.0f - two * (x * x + z * z), two * (y * z + w * x)},
-          {two * (x * z + w * y), two * (y * z - w * x), 1.0f - two * (x * x + y * y)}};
-}
-
-// A share of a rotation on the sphere: at an even speed, as share_of() is not.
-inline Linear<float> slerp_share_of(const Linear<float>& m, float share) {
-  Rotation q = quaternion_of(m);
-  const float from_one = q.w - 1.0f;
-  const float chord = q.x * q.x + q.y * q.y + q.z * q.z + from_one * from_one;
-  const SlerpWeights<float> weights = slerp_weights(lesser(chord, 2.0f), share);
-  q = q * weights.b;
-  q.w = q.w + weights.a;
-  return matrix_of(q);
+template <class F>
+inline Linear<F> matrix_of(const Quaternion<F>& q) {
+  const F x = q.x, y = q.y, z = q.z, w = q.w, one = all_lanes<F>(1), two = all_lanes<F>(2) / dot(q, q);
+  return {{one - two * (y * y + z * z), two * (x * y + w * z), two * (x * z - w * y)},
+          {two * (x * y - w * z), one - two * (x * x + z * z), two * (y * z + w * x)},
+          {two * (x * z + w * y), two * (y * z - w * x), one - two * (x * x + y * y)}};
 }
 
 }  // namespace marrow

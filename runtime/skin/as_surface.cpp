@@ -128,11 +128,11 @@ bool AsSurface::same_entry(std::uint32_t slot, std::uint32_t entry, std::uint32_
                            std::uint32_t other_entry) const {
   if (block(slot).part == block(other_slot).part) return entry == other_entry;
   const Mesh &a = *part(slot).mesh, &b = *part(other_slot).mesh;
-  const bool half = entry >= a.joint_count;
-  if (a.skeleton != b.skeleton || half != (other_entry >= b.joint_count)) return false;
-  if (!half) return same_joint(a, entry, b, other_entry);
-  const HalfJoint &i = a.half_joints[entry - a.joint_count], &j = b.half_joints[other_entry - b.joint_count];
-  return i.share == j.share && same_joint(a, i.parent, b, j.parent) && same_joint(a, i.joint, b, j.joint);
+  const bool helper = entry >= a.joint_count;
+  if (a.skeleton != b.skeleton || helper != (other_entry >= b.joint_count)) return false;
+  if (!helper) return same_joint(a, entry, b, other_entry);
+  const Helper &i = a.helpers[entry - a.joint_count], &j = b.helpers[other_entry - b.joint_count];
+  return i.share == j.share && same_joint(a, i.first, b, j.first) && same_joint(a, i.second, b, j.second);
 }
 
 // In one place, with the same weights.

@@ -3,7 +3,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "math/affine.h"
-#include "skin/half_way.h"
+#include "skin/helper.h"
 
 namespace marrow {
 namespace {
@@ -20,13 +20,14 @@ double volume(const Affine& map) {
 }  // namespace
 
 Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
-                     Span<Affine> out, Span<const HalfJoint> half_joints) {
+                     Span<Affine> out, Span<const Helper> helpers, Span<const float> centres) {
   MARROW_MARK;
-  MARROW_REQUIRE(holds(joints) && holds(half_joints) && holds(scene_from_joint));
+  MARROW_REQUIRE(holds(joints) && holds(helpers) && holds(scene_from_joint));
   MARROW_REQUIRE(holds(bind, joints.size));
-  MARROW_REQUIRE(holds(out, joints.size + half_joints.size));
-  for (const HalfJoint& h : half_joints) {
-    MARROW_REQUIRE(h.parent < joints.size && h.joint < joints.size);
+  MARROW_REQUIRE(holds(out, joints.size + helpers.size));
+  MARROW_REQUIRE(centres.empty() || holds(centres, 3 * helpers.size));
+  for (const Helper& h : helpers) {
+    MARROW_REQUIRE(h.first < joints.size && h.second < joints.size && h.first != h.second);
     MARROW_REQUIRE(h.share > 0 && h.share < 1);
   }
   std::uint16_t last = 0;
@@ -43,15 +44,14 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
     product(i + 3);
   }
   for (; i < joints.size; ++i) product(i);
-  for (const HalfJoint& h : half_joints)
-    out.data[i++] = half_way(out.data[h.parent], out.data[h.joint], bind.data[h.joint], h.share);
+  add_helpers(helpers, centres.empty() ? nullptr : centres.data, {bind.data, joints.size}, out.data);
   return Status::ok;
 }
 
 Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out) {
   MARROW_MARK;
   return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, scene_from_joint, out,
-                       mesh.half_joints);
+                       mesh.helpers, mesh.helper_centres);
 }
 
 bool turns_inside_out(const Affine& map) {

@@ -43,10 +43,12 @@ enum PackedMeshFlags : std::uint32_t {
   kMeshHasColour = 2,
   kMeshHasPlace = 4,    // scene_from_mesh is not the identity
   kMeshGivesBinds = 8,  // not all inverse binds follow from the rest pose
-  kMeshHasHalfJoints = 16,
+  kMeshHasHelpers = 16,
   kMeshHasLods = 32,
   kMeshIsNextPart = 64,
-  kAllPackedMeshFlags = 127,
+  kMeshSharesAreBytes = 128,  // those of helpers, in 256ths; else f32
+  kMeshHasCentres = 256,      // of helpers
+  kAllPackedMeshFlags = 511,
 };
 
 // Of a compact CLIP.

@@ -26,6 +26,12 @@ std::uint32_t take_name(ByteReader& reader, NameReader& names) {
   return code == 0 ? names.next() : code - 1;
 }
 
+// 0, -1, 1, -2 … as 0, 1, 2, 3 …
+std::int32_t take_signed(ByteReader& reader) {
+  const std::uint32_t code = reader.take_varint();
+  return static_cast<std::int32_t>(code >> 1 ^ (0 - (code & 1)));
+}
+
 // What is not said is the identity's.
 void take_joint(ByteReader& reader, std::uint32_t flags, std::int32_t exponent, std::size_t lane, SoaTransform& four) {
   for (std::uint32_t axis = 0; axis < 3; ++axis)
@@ -38,6 +44,18 @@ void take_joint(ByteReader& reader, std::uint32_t flags, std::int32_t exponent, 
   }
   if ((flags & packed::kJointScales) != 0)
     for (auto& axis : four.scale) axis[lane] = reader.take<float>();
+}
+
+void take_helpers(ByteReader& reader, std::uint32_t flags, Span<Helper> helpers, float* centres) {
+  const bool bytes = (flags & packed::kMeshSharesAreBytes) != 0;
+  for (Helper& helper : helpers) {
+    helper.first = static_cast<std::uint16_t>(reader.take_varint());
+    helper.second = static_cast<std::uint16_t>(reader.take_varint());
+    helper.share = bytes ? static_cast<float>(reader.take<std::uint8_t>()) * 0x1p-8f : reader.take<float>();
+  }
+  if ((flags & packed::kMeshHasCentres) == 0) return;
+  const std::int32_t exponent = reader.take<std::int8_t>();
+  for (std::size_t i = 0; i < 3 * helpers.size; ++i) centres[i] = decode_translation(take_signed(reader), exponent);
 }
 
 }  // namespace
@@ -161,7 +179,8 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   const std::uint32_t flags = reader.take_varint();
   format::MeshHeader h{};
   h.flags = static_cast<std::uint8_t>(((flags & packed::kMeshIsDoubleSided) != 0 ? format::kDoubleSided : 0u) |
-                                      ((flags & packed::kMeshIsNextPart) != 0 ? format::kNextPart : 0u));
+                                      ((flags & packed::kMeshIsNextPart) != 0 ? format::kNextPart : 0u) |
+                                      ((flags & packed::kMeshHasCentres) != 0 ? format::kHelpersHaveCentres : 0u));
   h.name = reader.take_varint();
   h.material = reader.take_varint();
   h.material_section = reader.take_varint();
@@ -169,8 +188,8 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   h.geometry = reader.take_varint();
   h.joint_count = reader.take_varint();
   h.target_count = reader.take_varint();
-  const std::uint32_t half_joint_count = (flags & packed::kMeshHasHalfJoints) != 0 ? reader.take_varint() : 0;
-  h.half_joint_count = static_cast<std::uint16_t>(half_joint_count);
+  const std::uint32_t helper_count = (flags & packed::kMeshHasHelpers) != 0 ? reader.take_varint() : 0;
+  h.helper_count = static_cast<std::uint16_t>(helper_count);
   const std::uint32_t lod_count = (flags & packed::kMeshHasLods) != 0 ? reader.take_varint() : 0;
   h.lod_count = static_cast<std::uint8_t>(lod_count);
   for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
@@ -179,7 +198,7 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   const Skeleton skeleton = skeleton_at(skeletons, h.skeleton);
   if (skeleton.joint_count == 0) return "no such skeleton among the compact ones";
   const format::MeshLayout l = layout(h);
-  if (h.joint_count > kMaxJoints || half_joint_count > kMaxJoints || lod_count > 255 || l.bytes > out.size)
+  if (h.joint_count > kMaxJoints || helper_count > kMaxJoints || lod_count > 255 || l.bytes > out.size)
     return "file_bytes too small";
   Memory memory{scratch.data, 0, scratch.size};
   Affine* const model = memory.take<Affine>(skeleton.joint_count).data;
@@ -190,8 +209,7 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   auto* const joints = at<std::uint16_t>(out, l.joints);
   std::uint32_t joint = 0xFFFFFFFF;
   for (std::uint32_t i = 0; i < h.joint_count; ++i) {
-    const std::uint32_t step = reader.take_varint();  // from the one behind the last, zigzag
-    joint += 1 + (step >> 1 ^ (0 - (step & 1)));
+    joint += 1 + static_cast<std::uint32_t>(take_signed(reader));  // from the one behind the last
     if (joint >= skeleton.joint_count) return "a joint out of range";
     joints[i] = static_cast<std::uint16_t>(joint);
   }
@@ -210,13 +228,8 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
     std::memcpy(out.data + l.targets + t * sizeof target, &target, sizeof target);
   }
   const std::uint64_t end_of_joints = l.joints + std::uint64_t{h.joint_count} * 2;
-  std::memset(out.data + end_of_joints, 0, static_cast<std::size_t>(l.half_joints - end_of_joints));
-  auto* const half_joints = at<HalfJoint>(out, l.half_joints);
-  for (std::uint32_t i = 0; i < h.half_joint_count; ++i) {
-    half_joints[i].parent = static_cast<std::uint16_t>(reader.take_varint());
-    half_joints[i].joint = static_cast<std::uint16_t>(reader.take_varint());
-    half_joints[i].share = reader.take<float>();
-  }
+  std::memset(out.data + end_of_joints, 0, static_cast<std::size_t>(l.helpers - end_of_joints));
+  take_helpers(reader, flags, {at<Helper>(out, l.helpers), h.helper_count}, at<float>(out, l.centres));
   auto* const lods = at<MeshLod>(out, l.lods);
   for (std::uint32_t i = 0; i < h.lod_count; ++i) {
     lods[i].geometry = reader.take_varint();

@@ -95,8 +95,8 @@ static int call_spring_collider_init(const Round* r) {
   mrw_spring_collider_init(at(r, 0));
   return -1;
 }
-static int call_half_joint_init(const Round* r) {
-  mrw_half_joint_init(at(r, 0));
+static int call_helper_init(const Round* r) {
+  mrw_helper_init(at(r, 0));
   return -1;
 }
 static int call_is_valid(const Round* r) {
@@ -677,7 +677,7 @@ static int call_bounds_lines(const Round* r) {
 }
 static int call_build_palette_of_joints(const Round* r) {
   (void)r;
-  return mrw_build_palette_of_joints(list(r, 0), count(r), list(r, 1), count(r), list(r, 2), count(r), list(r, 3), count(r), list(r, 4), count(r));
+  return mrw_build_palette_of_joints(list(r, 0), count(r), list(r, 1), count(r), list(r, 2), count(r), list(r, 3), count(r), list(r, 4), count(r), list(r, 5), count(r));
 }
 static int call_build_palette(const Round* r) {
   (void)r;
@@ -854,7 +854,7 @@ static const Row rows[] = {
     {"mrw_spring_joint_init", call_spring_joint_init, 0, 0},
     {"mrw_spring_chain_init", call_spring_chain_init, 0, 0},
     {"mrw_spring_collider_init", call_spring_collider_init, 0, 0},
-    {"mrw_half_joint_init", call_half_joint_init, 0, 0},
+    {"mrw_helper_init", call_helper_init, 0, 0},
     {"mrw_is_valid", call_is_valid, 1, 0},
     {"mrw_file_init", call_file_init, 0, 0},
     {"mrw_load", call_load, 1, 1},

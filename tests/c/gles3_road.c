@@ -391,7 +391,8 @@ static void steps(void) {
          MRW_BAD_ARGUMENT);
   TRY(mrw_gles3_prepare(&api, &caps, &mesh, NULL, block_of(bytes), bytes, bind, mesh.joint_count, &gpu));
   TRY(mrw_build_palette_of_joints(mesh.joints, mesh.joint_count, bind, mesh.joint_count, joints[1],
-                                  skeleton.joint_count, palette, size, mesh.half_joints, mesh.half_joint_count));
+                                  skeleton.joint_count, palette, size, mesh.helpers, mesh.helper_count,
+                                  mesh.helper_centres, mesh.helper_centre_count));
   block = program_for(MRW_GLES3_DEFORMER_AS, MRW_GLES3_PALETTES_UNIFORM_BLOCK, &gpu);
   texture = program_for(MRW_GLES3_DEFORMER_SSD, MRW_GLES3_PALETTES_TEXTURE, &gpu);
   TRY(mrw_gles3_create_palette_ring(&api, &caps, size, 1, &ring));

@@ -240,7 +240,8 @@ void steps(const Scene& scene) {
   std::vector<Affine> bind(mesh.joint_count), palette(mesh.palette_size());
   gl::GpuMesh gpu;
   TRY(prepare(api, caps, mesh, {}, scratch, bind, gpu));
-  TRY(build_palette({mesh.joints, mesh.joint_count}, bind, scene.joints[1], palette, mesh.half_joints));
+  TRY(build_palette({mesh.joints, mesh.joint_count}, bind, scene.joints[1], palette, mesh.helpers,
+                    mesh.helper_centres));
   const gl::Program block = program_for(gl::Deformer::as, gl::Palettes::uniform_block, gpu);
   const gl::Program texture = program_for(gl::Deformer::ssd, gl::Palettes::texture, gpu);
   const auto size = static_cast<std::uint32_t>(palette.size());

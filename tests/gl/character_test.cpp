@@ -73,7 +73,7 @@ TEST_F(CharacterTest, WeightsAreHowFarAJointTakesVertices) {
   for (const float s : sum) ASSERT_NEAR(s, 1, 1e-5f);
 }
 
-TEST_F(CharacterTest, AHalfJointsWeightIsItsJointsInShares) {
+TEST_F(CharacterTest, AHelpersWeightIsItsJointsInShares) {
   Mesh mesh = file().mesh(0);
   ASSERT_GE(mesh.joint_count, 3u);
   const std::uint32_t last = mesh.joint_count - 1;
@@ -81,15 +81,15 @@ TEST_F(CharacterTest, AHalfJointsWeightIsItsJointsInShares) {
   const std::vector<float> second = tools::joint_weights(mesh, mesh.joints[1]);
   const std::vector<float> third = tools::joint_weights(mesh, mesh.joints[last]);
   // The last entry as if it were a helper between the first two.
-  const HalfJoint half = {0, 1, 0.25f};
+  const Helper helper = {0, 1, 0.25f};
   mesh.joint_count = last;
-  mesh.half_joints = {&half, 1};
-  const std::vector<float> parents = tools::joint_weights(mesh, mesh.joints[0]);
-  const std::vector<float> joints = tools::joint_weights(mesh, mesh.joints[1]);
+  mesh.helpers = {&helper, 1};
+  const std::vector<float> firsts = tools::joint_weights(mesh, mesh.joints[0]);
+  const std::vector<float> seconds = tools::joint_weights(mesh, mesh.joints[1]);
   float most = 0;
   for (std::size_t slot = 0; slot < first.size(); ++slot) {
-    ASSERT_NEAR(parents[slot], first[slot] + 0.75f * third[slot], 1e-6f);
-    ASSERT_NEAR(joints[slot], second[slot] + 0.25f * third[slot], 1e-6f);
+    ASSERT_NEAR(firsts[slot], first[slot] + 0.75f * third[slot], 1e-6f);
+    ASSERT_NEAR(seconds[slot], second[slot] + 0.25f * third[slot], 1e-6f);
     most = std::max(most, third[slot]);
   }
   EXPECT_GT(most, 0.5f) << "there is something to share";

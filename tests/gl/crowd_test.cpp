@@ -37,17 +37,17 @@ TEST(Crowd, DrawsNoiseWithEightInfluences) {
   }
 }
 
-// Half-joints are in the baked palettes; on a baked frame they are the CPU's.
-TEST(Crowd, HalfJointsAreTheCpusOnFrames) {
+// Helpers are in the baked palettes; on a baked frame they are the CPU's.
+TEST(Crowd, HelpersAreTheCpusOnFrames) {
   const TestCharacter character = make_character(31, 9, 13, false);
   TestRun run;
-  run.set = {2};  // the half-joint
+  run.set = {2};  // the helper
   for (const double x : {0.0, 1.0, 2.0}) run.vertices.push_back({{x, 1, x * x}, {0, 0, 1}, {1, 0, 0}, 1, {1}, {}});
   const Map none;
   const TestMesh source({run}, {none, none});
   Mesh mesh = with_box(source);
-  const HalfJoint half{0, 1, 0.5f};
-  mesh.half_joints = {&half, 1};
+  const Helper helper{0, 1, 0.5f};
+  mesh.helpers = {&helper, 1};
   const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 16);
   const gles3::CrowdClip& clip = reel.clips[0];
   Troop troop(mesh, reel, 1);

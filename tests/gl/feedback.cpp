@@ -205,7 +205,8 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
                        Way way) {
   const std::size_t slots = mesh_.geometry.slot_count;
   std::vector<Affine> palette(mesh_.palette_size());
-  EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette, mesh_.half_joints),
+  EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette, mesh_.helpers,
+                          mesh_.helper_centres),
             Status::ok);
   gles3::ProgramKey key{deformer, gpu_.influences, gpu_.features};
   if (way == Way::texture) key.palettes = gles3::Palettes::texture;

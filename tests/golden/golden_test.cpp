@@ -159,10 +159,10 @@ TEST(GoldenElbow, DeformsWithAHalfJoint) {
   File file;
   ASSERT_EQ(load(block, file), Status::ok);
   const Mesh mesh = file.mesh(0);
-  ASSERT_EQ(mesh.half_joints.size, 1u);
-  EXPECT_EQ(mesh.half_joints[0].parent, 0u);
-  EXPECT_EQ(mesh.half_joints[0].joint, 1u);
-  EXPECT_EQ(mesh.half_joints[0].share, 0.5f);
+  ASSERT_EQ(mesh.helpers.size, 1u);
+  EXPECT_EQ(mesh.helpers[0].first, 0u);
+  EXPECT_EQ(mesh.helpers[0].second, 1u);
+  EXPECT_EQ(mesh.helpers[0].share, 0.5f);
   struct Moment {
     float time_s;
     std::uint32_t vertex;

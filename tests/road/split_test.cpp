@@ -182,7 +182,7 @@ TEST(Split, WhatIsLearntGoesAlong) {
   for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco}) {
     const CookedParts whole(millipede.scene, options, kWhole, codec), parts(millipede.scene, options, 40, codec);
     const Mesh mesh = whole.file.mesh(0);
-    EXPECT_GT(mesh.half_joints.size, 0u);
+    EXPECT_GT(mesh.helpers.size, 0u);
     EXPECT_NE(mesh.geometry.as_residual, nullptr);
     EXPECT_NE(mesh.geometry.mwe_residual, nullptr);
     EXPECT_GT(mesh.geometry.pose_space.examples.size, 0u);

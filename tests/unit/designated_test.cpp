@@ -29,7 +29,7 @@ TEST(Designated, MembersMayBeLeftOut) {
   const Texture texture = {.role = TextureRole::normal};
   const Material material = {.name = "skin"};
   const Node node = {.joint = 3};
-  const HalfJoint half = {.share = 0.5f};
+  const Helper helper = {.share = 0.5f};
   const JointLimit limit = {.joint = 1};
   const LimitDescription described = {.kind = LimitKind::hinge};
   const RateLimit rate = {.speed = 1};
@@ -63,7 +63,7 @@ TEST(Designated, MembersMayBeLeftOut) {
   EXPECT_TRUE(feet_frame.weight == 1 && skeleton.limits.empty() && clip.tracks.empty() && mesh.targets.empty());
   EXPECT_TRUE(geometry.runs.empty() && track.joint == 0 && channel.name == 0 && target.attributes == 0);
   EXPECT_TRUE(texture.image == 0 && material.textures.empty() && node.properties.empty());
-  EXPECT_TRUE(half.parent == 0 && limit.limit_from_parent[3] == 1 && described.zero[3] == 1 && rate.acceleration == 0);
+  EXPECT_TRUE(helper.first == 0 && limit.limit_from_parent[3] == 1 && described.zero[3] == 1 && rate.acceleration == 0);
   EXPECT_TRUE(turning.frame_s == 0 && going.mode == 0 && goal.rotation[3] == 1 && problem.goals.empty());
   EXPECT_TRUE(options.max_iterations == 16 && limb.start == 0 && reach.soft == 1 && aim_at.weight == 1);
   EXPECT_TRUE(playback.time_s == 0 && sampling.joints.empty() && part.tangents.empty() && spring.weight == 1);

@@ -74,7 +74,7 @@ std::string key_of(const BuiltMesh& mesh) {
   add(&mesh.skeleton, 1);
   add(mesh.joints.data(), mesh.joints.size());
   add(mesh.inverse_bind.data(), mesh.inverse_bind.size());
-  add(mesh.half_joints.data(), mesh.half_joints.size());
+  add(mesh.helpers.data(), mesh.helpers.size());
   return key;
 }
 

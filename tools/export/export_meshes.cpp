@@ -163,8 +163,8 @@ class Meshes {
         joints.emplace_back();
         for (std::uint32_t i = 0; i < part.joint_count; ++i)
           joints.back().push_back(static_cast<std::uint16_t>(skin.at.at(part.joints[i])));
-        // Half-joints have no weights but what rounding leaves.
-        for (const HalfJoint& half : part.half_joints) joints.back().push_back(joints.back()[half.joint]);
+        // Helpers have no weights but what rounding leaves.
+        for (const Helper& helper : part.helpers) joints.back().push_back(joints.back()[helper.second]);
       }
       Json& weights = weights_[{numbers, joints}];
       if (weights.is_null())

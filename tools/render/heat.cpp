@@ -43,8 +43,8 @@ void add_colour(float t, std::vector<float>& colours) {
 float share_of(const Mesh& mesh, std::uint32_t entry, std::uint32_t joint) {
   const auto is_joint = [&](std::uint32_t e) { return mesh.joints[e] == joint ? 1.0f : 0.0f; };
   if (entry < mesh.joint_count) return is_joint(entry);
-  const HalfJoint& half = mesh.half_joints[entry - mesh.joint_count];
-  return half.share * is_joint(half.joint) + (1 - half.share) * is_joint(half.parent);
+  const Helper& helper = mesh.helpers[entry - mesh.joint_count];
+  return helper.share * is_joint(helper.second) + (1 - helper.share) * is_joint(helper.first);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x3b879ba9u
+#define MRW_ABI 0xfbe80d61u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -691,14 +691,14 @@ struct mrw_node {
   size_t property_count;
 };
 
-// A helper between two joints of a palette, for what bends or twists there: see build_palette().
-typedef struct mrw_half_joint mrw_half_joint;
-struct mrw_half_joint {
-  uint16_t parent;  // palette entries, below Mesh::joint_count, not the same
-  uint16_t joint;
-  float share;  // of the way from parent to joint; above 0, below 1
+// A palette entry that blends those of two joints, for vertices that follow both: see build_palette().
+typedef struct mrw_helper mrw_helper;
+struct mrw_helper {
+  uint16_t first;  // palette entries, below Mesh::joint_count, not the same
+  uint16_t second;
+  float share;  // of second; above 0, below 1
 };
-void mrw_half_joint_init(mrw_half_joint* out);
+void mrw_helper_init(mrw_helper* out);
 
 // A level of detail: another geometry over the same palette.
 typedef struct mrw_mesh_lod mrw_mesh_lod;
@@ -731,8 +731,10 @@ struct mrw_mesh {
   // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
   // vertex order needs to know: see Geometry::source_slots.
   bool is_next_part;
-  const mrw_half_joint* half_joints;  // palette entries behind those of the joints
-  size_t half_joint_count;
+  const mrw_helper* helpers;  // palette entries behind those of the joints
+  size_t helper_count;
+  const float* helper_centres;  // three a helper, or none: see build_palette()
+  size_t helper_centre_count;
   const mrw_mesh_target* targets;  // as many as the geometry's
   size_t target_count;
   const mrw_mesh_lod* lods;  // levels 1, 2, …, ever coarser; level 0 is the mesh in full
@@ -2066,21 +2068,27 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MR
 // out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
 //
 // joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
-// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
-// scene_from_joint.size, what half-joints name below joints.size.
+// bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
+// scene_from_joint.size, what helpers name below joints.size and not the same.
 // Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
 //
-// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
-// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
-// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
-// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+// helpers: written behind the joints' entries: entry joints.size + h blends the entries `first` and `second`, the
+// latter at `share`. Of either entry's matrix, a stretch and then a turn, the turns are blended as quaternions, the
+// shorter way, and the stretches linearly. Where the origin of the joint `second` goes is what dual quaternions make of
+// where both take it (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a
+// joint and its parent that is a turn about the joint. centres: none, or three numbers a helper: a place, as the joint
+// `second` sees it, that goes to the mean, by shares, of where both take it (B. Le, J. Hodgins, Real-time skeletal
+// skinning with optimized centers of rotation, 2016). Half a turn goes round the axis that points to the positive side
+// along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
+// not finite, the two are blended as numbers.
 //
 // The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
     size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
-    size_t out_count, const mrw_half_joint* half_joints, size_t half_joint_count) MRW_NODISCARD;
+    size_t out_count, const mrw_helper* helpers, size_t helper_count, const float* centres,
+    size_t centre_count) MRW_NODISCARD;
 
 // The palette of a mesh.
 mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint, size_t scene_from_joint_count,

@@ -349,12 +349,12 @@ struct Node {
   Span<const Property> properties = {};
 };
 
-// A helper between two joints of a palette, for what bends or twists there: see build_palette().
-struct HalfJoint {
-  std::uint16_t parent = 0, joint = 0;  // palette entries, below Mesh::joint_count, not the same
-  float share = 0;                      // of the way from parent to joint; above 0, below 1
+// A palette entry that blends those of two joints, for vertices that follow both: see build_palette().
+struct Helper {
+  std::uint16_t first = 0, second = 0;  // palette entries, below Mesh::joint_count, not the same
+  float share = 0;                      // of second; above 0, below 1
 };
-static_assert(sizeof(HalfJoint) == 8);
+static_assert(sizeof(Helper) == 8);
 
 // A level of detail: another geometry over the same palette.
 struct MeshLod {
@@ -388,13 +388,14 @@ struct Mesh {
   // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
   // vertex order needs to know: see Geometry::source_slots.
   bool is_next_part = false;
-  Span<const HalfJoint> half_joints = {};  // palette entries behind those of the joints
-  Span<const MeshTarget> targets = {};     // as many as the geometry's
-  Span<const MeshLod> lods = {};           // levels 1, 2, …, ever coarser; level 0 is the mesh in full
-  Geometry geometry = {};                  // of the level asked for
+  Span<const Helper> helpers = {};        // palette entries behind those of the joints
+  Span<const float> helper_centres = {};  // three a helper, or none: see build_palette()
+  Span<const MeshTarget> targets = {};    // as many as the geometry's
+  Span<const MeshLod> lods = {};          // levels 1, 2, …, ever coarser; level 0 is the mesh in full
+  Geometry geometry = {};                 // of the level asked for
 
   // How many matrices build_palette() writes.
-  std::uint32_t palette_size() const { return joint_count + static_cast<std::uint32_t>(half_joints.size); }
+  std::uint32_t palette_size() const { return joint_count + static_cast<std::uint32_t>(helpers.size); }
 };
 
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.

@@ -9,21 +9,26 @@ namespace marrow {
 // out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
 //
 // joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
-// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
-// scene_from_joint.size, what half-joints name below joints.size.
+// bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
+// scene_from_joint.size, what helpers name below joints.size and not the same.
 // Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
 //
-// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
-// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
-// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
-// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+// helpers: written behind the joints' entries: entry joints.size + h blends the entries `first` and `second`, the
+// latter at `share`. Of either entry's matrix, a stretch and then a turn, the turns are blended as quaternions, the
+// shorter way, and the stretches linearly. Where the origin of the joint `second` goes is what dual quaternions make of
+// where both take it (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a
+// joint and its parent that is a turn about the joint. centres: none, or three numbers a helper: a place, as the joint
+// `second` sees it, that goes to the mean, by shares, of where both take it (B. Le, J. Hodgins, Real-time skeletal
+// skinning with optimized centers of rotation, 2016). Half a turn goes round the axis that points to the positive side
+// along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
+// not finite, the two are blended as numbers.
 //
 // The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 MARROW_API Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind,
-                                Span<const Affine> scene_from_joint, Span<Affine> out,
-                                Span<const HalfJoint> half_joints = {});
+                                Span<const Affine> scene_from_joint, Span<Affine> out, Span<const Helper> helpers = {},
+                                Span<const float> centres = {});
 
 // The palette of a mesh.
 MARROW_API Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out);

@@ -94,7 +94,7 @@ TEST(Hung, EveryDeformerAndLevelKeepsThePromise) {
   options.lod = {{0.5, kMaxInfluences}};
   const RawScene elbow = read_gltf(test::in_golden("elbow.gltf"));
   const CookedScene cooked(elbow, options, true, 0);
-  ASSERT_FALSE(cooked.file.mesh(0).half_joints.empty());
+  ASSERT_FALSE(cooked.file.mesh(0).helpers.empty());
   ASSERT_NE(cooked.file.mesh(0).geometry.as_residual, nullptr);
   ASSERT_LT(cooked.file.mesh(0, 1).geometry.index_count, cooked.file.mesh(0).geometry.index_count);
   for (const std::uint32_t level : {0u, 1u})

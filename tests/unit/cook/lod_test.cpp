@@ -125,7 +125,7 @@ TEST(Lod, AnimationSpaceHasLevels) {
   const Mesh full = cooked.file.mesh(0), less = cooked.file.mesh(0, 1);
   ASSERT_NE(full.geometry.as_residual, nullptr);
   ASSERT_NE(less.geometry.as_residual, nullptr);
-  EXPECT_GT(less.half_joints.size, 0u);
+  EXPECT_GT(less.helpers.size, 0u);
   for (const auto& run : less.geometry.runs) EXPECT_LE(run.influences, 3u);
 }
 

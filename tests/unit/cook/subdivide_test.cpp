@@ -122,7 +122,7 @@ Distance distance_from_loop(const File& coarse, const File& fine, double match_w
 TEST(CookSubdivide, PosingTheFinerNewtIsSubdividingThePosedOne) {
   const LoadedCook fine(cook_file(kNewt, finer(1)));
   ASSERT_NE(fine.file.mesh(0).geometry.as_residual, nullptr);
-  ASSERT_GT(fine.file.mesh(0).half_joints.size, 0u);
+  ASSERT_GT(fine.file.mesh(0).helpers.size, 0u);
   EXPECT_EQ(fine.report["warnings"][0]["rule"], "influences-dropped");
   const Distance distance = distance_from_loop(fitted_newt().file, fine.file, 1e-6);
   EXPECT_LT(distance.off, 0.005);

@@ -118,11 +118,12 @@ std::vector<MisuseRow> rows_of_palettes() {
       {"build_palette",
        [](Misuse& m) {
          const std::vector<std::uint16_t>& joints = stage().creature.mesh.joints;
-         const std::vector<HalfJoint> half = {
+         const std::vector<Helper> helper = {
              {static_cast<std::uint16_t>(m.index(1)), static_cast<std::uint16_t>(m.index(2)), m.number(0.5f)}};
+         const std::vector<float> centre = {m.number(0.1f), m.number(0.2f), m.number(0.3f)};
          const Span<Affine> out = m.out<Affine>(stage().palette.size() + 1);
          m.returned(build_palette(m.in(joints), m.in(stage().creature.mesh.inverse_bind), m.in(stage().joints), out,
-                                  m.in(half)));
+                                  m.in(helper), m.in(centre)));
        }},
       {"build_palette",
        [](Misuse& m) {

@@ -41,21 +41,6 @@ TEST(Palette, OfAMeshIsTheSame) {
       for (int k = 0; k < 4; ++k) EXPECT_EQ(whole[i].rows[r][k], parts[i].rows[r][k]);
 }
 
-// By hand: a joint at x = 2 bent by a quarter turn about z; half of it is an eighth about the same place.
-TEST(Palette, AHalfJointTurnsHalfAboutItsJoint) {
-  const std::vector<Affine> bind = {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
-                                    {{{1, 0, 0, -2}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
-  const std::vector<Affine> scene = {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
-                                     {{{0, -1, 0, 2}, {1, 0, 0, 0}, {0, 0, 1, 0}}}};
-  const std::vector<std::uint16_t> joints = {0, 1};
-  std::vector<Affine> out(3);
-  ASSERT_EQ(build_palette(joints, bind, scene, out, std::vector<HalfJoint>{{0, 1, 0.5f}}), Status::ok);
-  const float h = 0.70710678f;
-  const float want[3][4] = {{h, -h, 0, 2 - 2 * h}, {h, h, 0, -2 * h}, {0, 0, 1, 0}};
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) EXPECT_NEAR(out[2].rows[r][c], want[r][c], 1e-6f);
-}
-
 // Signs of determinants, by hand.
 TEST(Palette, TurnsInsideOutWhereItMirrors) {
   const auto scaled = [](float x, float y, float z) { return Affine{{{x, 0, 0, 5}, {0, y, 0, -6}, {0, 0, z, 7}}}; };
@@ -85,19 +70,6 @@ TEST(Palette, TurnsInsideOutAsMostOfItDoes) {
   EXPECT_TRUE(turns({none, none, none, mirrored})) << "what has shrunk to a point has no say";
   EXPECT_TRUE(turns({plain, mirrored, mirrored}));
   EXPECT_FALSE(turns({mirrored, plain, plain}));
-}
-
-// Nothing divides by what is not there.
-TEST(Palette, AHalfJointOfACollapsedJointIsTheJoint) {
-  const Affine one = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}, none = {{{0, 0, 0, 3}, {0, 0, 0, 4}, {0, 0, 0, 5}}};
-  const std::vector<std::uint16_t> joints = {0, 1};
-  std::vector<Affine> out(3);
-  for (const bool flat_bind : {false, true}) {
-    const std::vector<Affine> bind = {one, flat_bind ? none : one}, scene = {one, flat_bind ? one : none};
-    ASSERT_EQ(build_palette(joints, bind, scene, out, std::vector<HalfJoint>{{0, 1, 0.5f}}), Status::ok);
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) EXPECT_EQ(out[2].rows[r][c], out[1].rows[r][c]);
-  }
 }
 
 TEST(Palette, NoJointsIsNoWork) {

@@ -62,13 +62,13 @@ Bytes skeleton_record() {
 Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
   Bytes b;
   b.u8(flags).u8(6).u8(12).u8(0).u8(0).u8(0).u8(2).u8(0);
-  if ((flags & packed::kMeshHasHalfJoints) != 0) b.u8(1);
+  if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1);
   if ((flags & packed::kMeshHasLods) != 0) b.u8(2);
   if ((flags & packed::kMeshHasColour) != 0) b.add(0.25f).add(0.5f).add(0.75f).add(1.0f);
   if ((flags & packed::kMeshHasPlace) != 0) b.add(Affine{{{2, 0, 0, 5}, {0, 2, 0, 0}, {0, 0, 2, 0}}});
   b.u8(2).u8(3);  // one on from 0; two back from 2
   if ((flags & packed::kMeshGivesBinds) != 0) b.u8(2).add(Affine{{{1, 0, 0, 7}, {0, 1, 0, 8}, {0, 0, 1, 9}}});
-  if ((flags & packed::kMeshHasHalfJoints) != 0) b.u8(1).u8(0).add(0.5f);
+  if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1).u8(0).add(0.5f);
   if ((flags & packed::kMeshHasLods) != 0) b.u8(3).add(0.5f).u8(0xAC).u8(0x02).add(2.0f);
   return b;
 }
@@ -173,14 +173,14 @@ TEST_F(Structure, MeshByHand) {
   for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(floats(kMesh + l.inverse_bind)[i], want[i], 1e-6) << i;
 }
 
-TEST_F(Structure, MeshWithAHalfJoint) {
+TEST_F(Structure, MeshWithAHelper) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  const Bytes record = mesh_record(packed::kMeshHasHalfJoints);
+  const Bytes record = mesh_record(packed::kMeshHasHelpers);
   ASSERT_STREQ(mesh(record.span()), nullptr);
   const format::MeshHeader h{6, 12, 0, 0, 2, 0, 0, 1, {1, 1, 1, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
-  const HalfJoint want{1, 0, 0.5f};
-  EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).half_joints, &want, sizeof want), 0);
+  const Helper want{1, 0, 0.5f};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).helpers, &want, sizeof want), 0);
   EXPECT_EQ(bytes_, layout(h).bytes);
   ASSERT_STRNE(mesh({record.span().data, record.span().size - 1}), nullptr);
 }

@@ -224,7 +224,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.learnt = bound.learnt;
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
-  mesh.half_joints = palette.half_joints;
+  mesh.helpers = palette.helpers;
   mesh.scene_scale = scale.of(mesh.skeleton, mesh.joints, mesh.inverse_bind);
   mesh.lods = bound.lods;
   if (subdivide > 0) mesh.source_triangles = primitive.indices.size() / 3 >> (2 * subdivide);

@@ -45,7 +45,7 @@ Mesh view(const BuiltMesh& mesh, const BuiltGeometry& geometry) {
   out.joint_count = static_cast<std::uint32_t>(mesh.joints.size());
   out.joints = mesh.joints.data();
   out.inverse_bind = mesh.inverse_bind.data();
-  out.half_joints = {mesh.half_joints.data(), mesh.half_joints.size()};
+  out.helpers = {mesh.helpers.data(), mesh.helpers.size()};
   out.geometry = view_geometry(geometry.section.data());
   return out;
 }

@@ -42,7 +42,7 @@ Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std:
     if (entry_of[joints + h] == 0) continue;
     const deform::HalfJoint& half = binding.half_joints[h];
     entry_of[joints + h] = static_cast<std::uint16_t>(out.size());
-    out.half_joints.push_back({entry_of[half.parent], entry_of[half.joint], static_cast<float>(half.share)});
+    out.helpers.push_back({entry_of[half.parent], entry_of[half.joint], static_cast<float>(half.share)});
   }
   return out;
 }
@@ -57,8 +57,8 @@ Palette some_of(const Palette& whole, const std::vector<std::uint16_t>& entries)
       out.joints.push_back(whole.joints[entry]);
       out.inverse_bind.push_back(whole.inverse_bind[entry]);
     } else {
-      const HalfJoint& half = whole.half_joints[entry - whole.joints.size()];
-      out.half_joints.push_back({place_of(half.parent), place_of(half.joint), half.share});
+      const Helper& helper = whole.helpers[entry - whole.joints.size()];
+      out.helpers.push_back({place_of(helper.first), place_of(helper.second), helper.share});
     }
   }
   return out;

@@ -13,8 +13,8 @@ namespace marrow::cook {
 struct Palette {
   std::vector<std::uint16_t> joints;  // of the skeleton
   std::vector<Affine> inverse_bind;
-  std::vector<HalfJoint> half_joints;
-  std::size_t size() const { return joints.size() + half_joints.size(); }
+  std::vector<Helper> helpers;
+  std::size_t size() const { return joints.size() + helpers.size(); }
 };
 
 // Joints and half-joints that a palette must have for a vertex, ascending: those that it and its deformers follow, and

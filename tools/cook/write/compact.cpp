@@ -126,18 +126,18 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
                                     const std::vector<MeshTarget>& targets) {
   const bool coloured = std::any_of(h.base_colour, h.base_colour + 4, [](float c) { return c != 1; });
   const bool placed = !is_identity(mesh.scene_from_mesh);
-  const bool halves = !mesh.half_joints.empty();
+  const bool helps = !mesh.helpers.empty();
   const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
   std::vector<std::byte> out;
   add_varint((mesh.double_sided ? packed::kMeshIsDoubleSided : 0u) | (mesh.part > 0 ? packed::kMeshIsNextPart : 0u) |
                  (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
-                 (gives ? packed::kMeshGivesBinds : 0u) | (halves ? packed::kMeshHasHalfJoints : 0u) |
+                 (gives ? packed::kMeshGivesBinds : 0u) | (helps ? packed::kMeshHasHelpers : 0u) |
                  (mesh.lods.empty() ? 0u : packed::kMeshHasLods),
              out);
   for (const std::uint32_t n :
        {h.name, h.material, h.material_section, h.skeleton, h.geometry, h.joint_count, h.target_count})
     add_varint(n, out);
-  if (halves) add_varint(h.half_joint_count, out);
+  if (helps) add_varint(h.helper_count, out);
   if (!mesh.lods.empty()) add_varint(h.lod_count, out);
   if (coloured) add_value(h.base_colour, out);
   if (placed) add_value(mesh.scene_from_mesh, out);
@@ -162,10 +162,10 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
     add_varint(t.channel, out);
     add_value(t.weight, out);
   }
-  for (const HalfJoint& half : mesh.half_joints) {
-    add_varint(half.parent, out);
-    add_varint(half.joint, out);
-    add_value(half.share, out);
+  for (const Helper& helper : mesh.helpers) {
+    add_varint(helper.first, out);
+    add_varint(helper.second, out);
+    add_value(helper.share, out);
   }
   for (const BuiltLod& lod : mesh.lods) {
     add_varint(lod.geometry, out);

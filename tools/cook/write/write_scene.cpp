@@ -137,7 +137,7 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.flags =
       static_cast<std::uint8_t>((m.double_sided ? format::kDoubleSided : 0u) | (m.part > 0 ? format::kNextPart : 0u));
   h.lod_count = static_cast<std::uint8_t>(m.lods.size());
-  h.half_joint_count = static_cast<std::uint16_t>(m.half_joints.size());
+  h.helper_count = static_cast<std::uint16_t>(m.helpers.size());
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
   h.target_count = static_cast<std::uint32_t>(m.targets.size());
   out.add(h);
@@ -146,8 +146,8 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   for (const RawTargetWeight& t : m.targets) targets.push_back({names.add(t.target), names.add(t.channel), t.rest});
   out.add_all(targets);
   out.add_all(m.joints);
-  if ((!m.half_joints.empty() || !m.lods.empty()) && m.joints.size() % 2 != 0) out.add(std::uint16_t{0});
-  out.add_all(m.half_joints);
+  if ((!m.helpers.empty() || !m.lods.empty()) && m.joints.size() % 2 != 0) out.add(std::uint16_t{0});
+  out.add_all(m.helpers);
   for (const BuiltLod& lod : m.lods) out.add(MeshLod{lod.geometry, static_cast<float>(lod.max_error_m)});
   if (!m.bind_is_given.empty()) out.compact = compact_mesh(m, h, targets);
   return out;

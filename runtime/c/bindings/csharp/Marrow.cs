@@ -979,22 +979,22 @@ public unsafe struct Node {
 }
 
 /// <summary>
-/// A helper between two joints of a palette, for what bends or twists there: see build_palette().
+/// A palette entry that blends those of two joints, for vertices that follow both: see build_palette().
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
-public unsafe struct HalfJoint {
+public unsafe struct Helper {
     /// <summary>
     /// palette entries, below Mesh::joint_count, not the same
     /// </summary>
-    public ushort parent;
-    public ushort joint;
+    public ushort first;
+    public ushort second;
     /// <summary>
-    /// of the way from parent to joint; above 0, below 1
+    /// of second; above 0, below 1
     /// </summary>
     public float share;
-    public static HalfJoint New() {
-        HalfJoint made;
-        Marrow.HalfJointInit(&made);
+    public static Helper New() {
+        Helper made;
+        Marrow.HelperInit(&made);
         return made;
     }
 }
@@ -1071,8 +1071,13 @@ public unsafe struct Mesh {
     /// <summary>
     /// palette entries behind those of the joints
     /// </summary>
-    public HalfJoint* half_joints;
-    public UIntPtr half_joint_count;
+    public Helper* helpers;
+    public UIntPtr helper_count;
+    /// <summary>
+    /// three a helper, or none: see build_palette()
+    /// </summary>
+    public float* helper_centres;
+    public UIntPtr helper_centre_count;
     /// <summary>
     /// as many as the geometry's
     /// </summary>
@@ -3488,9 +3493,9 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x3b879ba9;
+    public const uint AbiNumber = 0xfbe80d61;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0xb6c0d393;
+    public const uint Gles3AbiNumber = 0x6b11e476;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3840,8 +3845,8 @@ public static unsafe class Marrow {
     public static extern void SpringChainInit(SpringChain* @out);
     [DllImport(Library, EntryPoint = "mrw_spring_collider_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void SpringColliderInit(SpringCollider* @out);
-    [DllImport(Library, EntryPoint = "mrw_half_joint_init", CallingConvention = CallingConvention.Cdecl)]
-    public static extern void HalfJointInit(HalfJoint* @out);
+    [DllImport(Library, EntryPoint = "mrw_helper_init", CallingConvention = CallingConvention.Cdecl)]
+    public static extern void HelperInit(Helper* @out);
     /// <summary>
     /// Whether a limit keeps these rules, as those of make_limit() and load() do.
     /// </summary>
@@ -4777,21 +4782,26 @@ public static unsafe class Marrow {
     /// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
     ///
     /// joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
-    /// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
-    /// scene_from_joint.size, what half-joints name below joints.size.
+    /// bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
+    /// scene_from_joint.size, what helpers name below joints.size and not the same.
     /// Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
     ///
-    /// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
-    /// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
-    /// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
-    /// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+    /// helpers: written behind the joints' entries: entry joints.size + h blends the entries `first` and `second`, the
+    /// latter at `share`. Of either entry's matrix, a stretch and then a turn, the turns are blended as quaternions, the
+    /// shorter way, and the stretches linearly. Where the origin of the joint `second` goes is what dual quaternions make of
+    /// where both take it (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a
+    /// joint and its parent that is a turn about the joint. centres: none, or three numbers a helper: a place, as the joint
+    /// `second` sees it, that goes to the mean, by shares, of where both take it (B. Le, J. Hodgins, Real-time skeletal
+    /// skinning with optimized centers of rotation, 2016). Half a turn goes round the axis that points to the positive side
+    /// along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
+    /// not finite, the two are blended as numbers.
     ///
     /// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64.
     /// Thread-safe on different outputs; out overlaps none of the inputs.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_build_palette_of_joints", CallingConvention = CallingConvention.Cdecl)]
-    public static extern Status BuildPaletteOfJoints(ushort* joints, UIntPtr joint_count, Affine* bind, UIntPtr bind_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, Affine* @out, UIntPtr out_count, HalfJoint* half_joints, UIntPtr half_joint_count);
+    public static extern Status BuildPaletteOfJoints(ushort* joints, UIntPtr joint_count, Affine* bind, UIntPtr bind_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, Affine* @out, UIntPtr out_count, Helper* helpers, UIntPtr helper_count, float* centres, UIntPtr centre_count);
     /// <summary>
     /// The palette of a mesh.
     /// </summary>
@@ -5711,10 +5721,10 @@ public static unsafe class Marrow {
             sizeof(Image) == 48 &&
             sizeof(Property) == 16 &&
             sizeof(Node) == 40 &&
-            sizeof(HalfJoint) == 8 &&
+            sizeof(Helper) == 8 &&
             sizeof(MeshLod) == 8 &&
             sizeof(Bounds) == 28 &&
-            sizeof(Mesh) == 368 &&
+            sizeof(Mesh) == 384 &&
             sizeof(File) == 120 &&
             sizeof(JointMisfit) == 8 &&
             sizeof(Playback) == 24 &&
@@ -5759,7 +5769,7 @@ public static unsafe class Marrow {
             sizeof(Animations) == 16 &&
             sizeof(CharacterOptions) == 12 &&
             sizeof(CharacterSkeleton) == 96 &&
-            sizeof(CharacterMesh) == 968 &&
+            sizeof(CharacterMesh) == 984 &&
             sizeof(Character) == 224 &&
             sizeof(AnimationLayer) == 16 &&
             sizeof(OutfitSkeleton) == 24 &&
@@ -5780,13 +5790,13 @@ public static unsafe class Marrow {
             sizeof(Gles3ProgramSet) == 17832 &&
             sizeof(Gles3SkinnerOptions) == 40 &&
             sizeof(Gles3SkinnerMotion) == 112 &&
-            sizeof(Gles3Skinner) == 1456 &&
+            sizeof(Gles3Skinner) == 1472 &&
             sizeof(Gles3CrowdSource) == 152 &&
             sizeof(Gles3CrowdClip) == 16 &&
             sizeof(Gles3CrowdFrames) == 40 &&
             sizeof(Gles3CrowdPlay) == 24 &&
             sizeof(Gles3CrowdInstance) == 128 &&
-            sizeof(Gles3CrowdMesh) == 664 &&
+            sizeof(Gles3CrowdMesh) == 680 &&
             sizeof(Gles3Crowd) == 40 &&
             sizeof(Gles3PathResult) == 20 &&
             sizeof(Gles3SelfTest) == 112 &&

@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0x3b879ba9;
+pub const ABI: u32 = 0xfbe80d61;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0xb6c0d393;
+pub const GLES3_ABI: u32 = 0x6b11e476;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -1010,27 +1010,27 @@ impl Default for Node {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Node>() == 40);
 
-/// A helper between two joints of a palette, for what bends or twists there: see build_palette().
+/// A palette entry that blends those of two joints, for vertices that follow both: see build_palette().
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct HalfJoint {
+pub struct Helper {
     /// palette entries, below Mesh::joint_count, not the same
-    pub parent: u16,
-    pub joint: u16,
-    /// of the way from parent to joint; above 0, below 1
+    pub first: u16,
+    pub second: u16,
+    /// of second; above 0, below 1
     pub share: f32,
 }
-impl Default for HalfJoint {
+impl Default for Helper {
     fn default() -> Self {
         unsafe {
             let mut new: Self = std::mem::zeroed();
-            half_joint_init(&mut new);
+            helper_init(&mut new);
             new
         }
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<HalfJoint>() == 8);
+const _: () = assert!(std::mem::size_of::<Helper>() == 8);
 
 /// A level of detail: another geometry over the same palette.
 #[repr(C)]
@@ -1091,8 +1091,11 @@ pub struct Mesh {
     /// vertex order needs to know: see Geometry::source_slots.
     pub is_next_part: bool,
     /// palette entries behind those of the joints
-    pub half_joints: *const HalfJoint,
-    pub half_joint_count: usize,
+    pub helpers: *const Helper,
+    pub helper_count: usize,
+    /// three a helper, or none: see build_palette()
+    pub helper_centres: *const f32,
+    pub helper_centre_count: usize,
     /// as many as the geometry's
     pub targets: *const MeshTarget,
     pub target_count: usize,
@@ -1108,7 +1111,7 @@ impl Default for Mesh {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Mesh>() == 368);
+const _: () = assert!(std::mem::size_of::<Mesh>() == 384);
 
 /// A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 #[repr(C)]
@@ -2408,7 +2411,7 @@ impl Default for CharacterMesh {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<CharacterMesh>() == 968);
+const _: () = assert!(std::mem::size_of::<CharacterMesh>() == 984);
 
 /// Views into the caller's memory. A copy is the same character.
 #[repr(C)]
@@ -3180,7 +3183,7 @@ impl Default for Gles3Skinner {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3Skinner>() == 1456);
+const _: () = assert!(std::mem::size_of::<Gles3Skinner>() == 1472);
 
 /// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
 pub const GLES3_MAX_CROWD_FRAMES: u32 = 1048576;
@@ -3351,7 +3354,7 @@ impl Default for Gles3CrowdMesh {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 664);
+const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 680);
 
 /// Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
 #[repr(C)]
@@ -3644,8 +3647,8 @@ extern "C" {
     pub fn spring_chain_init(out: *mut SpringChain);
     #[link_name = "mrw_spring_collider_init"]
     pub fn spring_collider_init(out: *mut SpringCollider);
-    #[link_name = "mrw_half_joint_init"]
-    pub fn half_joint_init(out: *mut HalfJoint);
+    #[link_name = "mrw_helper_init"]
+    pub fn helper_init(out: *mut Helper);
     /// Whether a limit keeps these rules, as those of make_limit() and load() do.
     #[link_name = "mrw_is_valid"]
     pub fn is_valid(limit: *const JointLimit) -> bool;
@@ -4388,20 +4391,25 @@ extern "C" {
     /// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
     ///
     /// joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
-    /// bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
-    /// scene_from_joint.size, what half-joints name below joints.size.
+    /// bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
+    /// scene_from_joint.size, what helpers name below joints.size and not the same.
     /// Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
     ///
-    /// half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
-    /// and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
-    /// and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
-    /// helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+    /// helpers: written behind the joints' entries: entry joints.size + h blends the entries `first` and `second`, the
+    /// latter at `share`. Of either entry's matrix, a stretch and then a turn, the turns are blended as quaternions, the
+    /// shorter way, and the stretches linearly. Where the origin of the joint `second` goes is what dual quaternions make of
+    /// where both take it (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a
+    /// joint and its parent that is a turn about the joint. centres: none, or three numbers a helper: a place, as the joint
+    /// `second` sees it, that goes to the mean, by shares, of where both take it (B. Le, J. Hodgins, Real-time skeletal
+    /// skinning with optimized centers of rotation, 2016). Half a turn goes round the axis that points to the positive side
+    /// along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
+    /// not finite, the two are blended as numbers.
     ///
     /// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64.
     /// Thread-safe on different outputs; out overlaps none of the inputs.
     #[link_name = "mrw_build_palette_of_joints"]
-    pub fn build_palette_of_joints(joints: *const u16, joint_count: usize, bind: *const Affine, bind_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, out: *mut Affine, out_count: usize, half_joints: *const HalfJoint, half_joint_count: usize) -> Status;
+    pub fn build_palette_of_joints(joints: *const u16, joint_count: usize, bind: *const Affine, bind_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, out: *mut Affine, out_count: usize, helpers: *const Helper, helper_count: usize, centres: *const f32, centre_count: usize) -> Status;
     /// The palette of a mesh.
     #[link_name = "mrw_build_palette"]
     pub fn build_palette(mesh: *const Mesh, scene_from_joint: *const Affine, scene_from_joint_count: usize, out: *mut Affine, out_count: usize) -> Status;

@@ -1274,16 +1274,16 @@ export interface Node extends View {
 }
 
 /**
- * A helper between two joints of a palette, for what bends or twists there: see build_palette().
+ * A palette entry that blends those of two joints, for vertices that follow both: see build_palette().
  */
-export interface HalfJoint extends View {
+export interface Helper extends View {
   /**
    * palette entries, below Mesh::joint_count, not the same
    */
-  parent: number;
-  joint: number;
+  first: number;
+  second: number;
   /**
-   * of the way from parent to joint; above 0, below 1
+   * of second; above 0, below 1
    */
   share: number;
 }
@@ -1357,7 +1357,11 @@ export interface Mesh extends View {
   /**
    * palette entries behind those of the joints
    */
-  half_joints: List<HalfJoint>;
+  helpers: List<Helper>;
+  /**
+   * three a helper, or none: see build_palette()
+   */
+  helper_centres: List<number>;
   /**
    * as many as the geometry's
    */
@@ -3007,7 +3011,7 @@ export interface Structs {
   Image: Image;
   Property: Property;
   Node: Node;
-  HalfJoint: HalfJoint;
+  Helper: Helper;
   MeshLod: MeshLod;
   Bounds: Bounds;
   Mesh: Mesh;
@@ -3953,20 +3957,25 @@ export class Marrow {
    * out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
    *
    * joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
-   * bind that also undoes quantisation). out: at least as many and a half-joint each. Every joint must be below
-   * scene_from_joint.size, what half-joints name below joints.size.
+   * bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
+   * scene_from_joint.size, what helpers name below joints.size and not the same.
    * Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
    *
-   * half_joints: helpers, written behind the joints' entries: entry joints.size + h stands between the entries `parent`
-   * and `joint` at `share`. Its rotation is that share of the way on the sphere, scale and shear are blended linearly,
-   * and all happens about the joint (the point that bind[joint] takes to the origin). Where a matrix has no volume, the
-   * helper is the joint's own. See `marrow cook --half-joints`, docs/deformers.md.
+   * helpers: written behind the joints' entries: entry joints.size + h blends the entries `first` and `second`, the
+   * latter at `share`. Of either entry's matrix, a stretch and then a turn, the turns are blended as quaternions, the
+   * shorter way, and the stretches linearly. Where the origin of the joint `second` goes is what dual quaternions make of
+   * where both take it (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a
+   * joint and its parent that is a turn about the joint. centres: none, or three numbers a helper: a place, as the joint
+   * `second` sees it, that goes to the mean, by shares, of where both take it (B. Le, J. Hodgins, Real-time skeletal
+   * skinning with optimized centers of rotation, 2016). Half a turn goes round the axis that points to the positive side
+   * along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
+   * not finite, the two are blended as numbers.
    *
    * The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-   * Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a half-joint about 1200 on x86-64.
+   * Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64.
    * Thread-safe on different outputs; out overlaps none of the inputs.
    */
-  build_palette_of_joints(joints: List<number> | null, bind: List<Affine> | null, scene_from_joint: List<Affine> | null, out: List<Affine> | null, half_joints: List<HalfJoint> | null): Status;
+  build_palette_of_joints(joints: List<number> | null, bind: List<Affine> | null, scene_from_joint: List<Affine> | null, out: List<Affine> | null, helpers: List<Helper> | null, centres: List<number> | null): Status;
   /**
    * The palette of a mesh.
    */

@@ -1,8 +1,8 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x3b879ba9;
-export const GLES3_ABI = 0xb6c0d393;
+export const ABI = 0xfbe80d61;
+export const GLES3_ABI = 0x6b11e476;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -127,10 +127,10 @@ export const structs = {
   Image: { size: 24, align: 4, init: "", fields: {"name": [0, "text"], "uri": [4, "text"], "format": [8, "value", "u8"], "bytes": [12, "list", "byte"], "fallback": [20, "value", "u32"]} },
   Property: { size: 16, align: 8, init: "", fields: {"name": [0, "value", "u32"], "type": [4, "value", "u8"], "reserved": [5, "array", "u8", 3], "number": [8, "value", "f64"]} },
   Node: { size: 24, align: 4, init: "", fields: {"name": [0, "text"], "skeleton": [4, "value", "u32"], "joint": [8, "value", "u16"], "joint_from_node": [12, "pointer", "Affine"], "properties": [16, "list", "Property"]} },
-  HalfJoint: { size: 8, align: 4, init: "half_joint_init", fields: {"parent": [0, "value", "u16"], "joint": [2, "value", "u16"], "share": [4, "value", "f32"]} },
+  Helper: { size: 8, align: 4, init: "helper_init", fields: {"first": [0, "value", "u16"], "second": [2, "value", "u16"], "share": [4, "value", "f32"]} },
   MeshLod: { size: 8, align: 4, init: "", fields: {"geometry": [0, "value", "u32"], "error_m": [4, "value", "f32"]} },
   Bounds: { size: 28, align: 4, init: "", fields: {"box_min": [0, "array", "f32", 3], "box_max": [12, "array", "f32", 3], "radius_m": [24, "value", "f32"]} },
-  Mesh: { size: 220, align: 4, init: "", fields: {"name": [0, "text"], "material": [4, "text"], "material_index": [8, "value", "u32"], "skeleton": [12, "value", "u32"], "geometry_index": [16, "value", "u32"], "joint_count": [20, "value", "u32"], "joints": [24, "pointer", "u16"], "inverse_bind": [28, "pointer", "Affine"], "base_colour": [32, "array", "f32", 4], "double_sided": [48, "value", "bool"], "is_next_part": [49, "value", "bool"], "half_joints": [52, "list", "HalfJoint"], "targets": [60, "list", "MeshTarget"], "lods": [68, "list", "MeshLod"], "geometry": [76, "struct", "Geometry"]} },
+  Mesh: { size: 228, align: 4, init: "", fields: {"name": [0, "text"], "material": [4, "text"], "material_index": [8, "value", "u32"], "skeleton": [12, "value", "u32"], "geometry_index": [16, "value", "u32"], "joint_count": [20, "value", "u32"], "joints": [24, "pointer", "u16"], "inverse_bind": [28, "pointer", "Affine"], "base_colour": [32, "array", "f32", 4], "double_sided": [48, "value", "bool"], "is_next_part": [49, "value", "bool"], "helpers": [52, "list", "Helper"], "helper_centres": [60, "list", "f32"], "targets": [68, "list", "MeshTarget"], "lods": [76, "list", "MeshLod"], "geometry": [84, "struct", "Geometry"]} },
   File: { size: 108, align: 4, init: "file_init", fields: {} },
   JointMisfit: { size: 8, align: 4, init: "", fields: {"how": [0, "value", "u8"], "joint": [4, "value", "u32"]} },
   Playback: { size: 24, align: 8, init: "playback_init", fields: {"time_s": [0, "value", "f64"], "speed": [8, "value", "f32"], "mode": [12, "value", "u8"], "returning": [13, "value", "bool"], "turns": [16, "value", "i32"]} },
@@ -175,7 +175,7 @@ export const structs = {
   Animations: { size: 8, align: 4, init: "", fields: {"all": [0, "list", "Animation"]} },
   CharacterOptions: { size: 12, align: 4, init: "character_options_init", fields: {"layers": [0, "value", "u32"], "level": [4, "value", "u32"], "skin": [8, "value", "bool"], "animation_space": [9, "value", "bool"]} },
   CharacterSkeleton: { size: 52, align: 4, init: "", fields: {"skeleton": [0, "struct", "Skeleton"], "local": [36, "list", "SoaTransform"], "scene_from_joint": [44, "list", "Affine"]} },
-  CharacterMesh: { size: 560, align: 4, init: "", fields: {"mesh": [0, "struct", "Mesh"], "weights": [220, "list", "f32"], "palette": [228, "list", "Affine"], "coordinates": [236, "list", "f32"], "morphed": [244, "struct", "MorphedGeometry"], "vertices": [548, "list", "byte"], "first_target": [556, "value", "u32"]} },
+  CharacterMesh: { size: 568, align: 4, init: "", fields: {"mesh": [0, "struct", "Mesh"], "weights": [228, "list", "f32"], "palette": [236, "list", "Affine"], "coordinates": [244, "list", "f32"], "morphed": [252, "struct", "MorphedGeometry"], "vertices": [556, "list", "byte"], "first_target": [564, "value", "u32"]} },
   Character: { size: 164, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [108, "struct", "CharacterOptions"], "skeletons": [120, "list", "CharacterSkeleton"], "meshes": [128, "list", "CharacterMesh"], "target_count": [136, "value", "u32"], "sampled": [140, "list", "SoaTransform"], "blended": [148, "list", "BlendLayer"], "change": [156, "list", "AdditiveTransform"]} },
   AnimationLayer: { size: 12, align: 4, init: "animation_layer_init", fields: {"animation": [0, "pointer", "Animation"], "time_s": [4, "value", "f32"], "weight": [8, "value", "f32"]} },
   OutfitSkeleton: { size: 12, align: 4, init: "", fields: {"body_skeleton": [0, "value", "u32"], "body_joints": [4, "list", "u16"]} },
@@ -196,13 +196,13 @@ export const structs = {
   Gles3ProgramSet: { size: 17752, align: 4, init: "gles3_program_set_init", fields: {"roles": [0, "structs", "Gles3ProgramSource", 4], "role_count": [64, "value", "u32"], "role_features": [68, "array", "u8", 4], "palette_binding": [72, "value", "u32"], "log": [76, "list", "u8"], "entries": [84, "structs", "Gles3ProgramSetEntry", 192], "count": [17748, "value", "u32"]} },
   Gles3SkinnerOptions: { size: 28, align: 4, init: "gles3_skinner_options_init", fields: {"path": [0, "value", "u8"], "deformer": [1, "value", "u8"], "instances": [4, "value", "u32"], "texture_unit": [8, "value", "u32"], "features": [12, "value", "u8"], "as_tangents": [16, "list", "f32"], "motion": [24, "value", "bool"]} },
   Gles3SkinnerMotion: { size: 64, align: 4, init: "", fields: {} },
-  Gles3Skinner: { size: 936, align: 4, init: "", fields: {} },
+  Gles3Skinner: { size: 944, align: 4, init: "", fields: {} },
   Gles3CrowdSource: { size: 96, align: 4, init: "gles3_crowd_source_init", fields: {"clip": [0, "struct", "Clip"], "loops": [92, "value", "bool"]} },
   Gles3CrowdClip: { size: 16, align: 4, init: "gles3_crowd_clip_init", fields: {"duration_s": [0, "value", "f32"], "first_frame": [4, "value", "u32"], "steps": [8, "value", "u32"], "loops": [12, "value", "bool"]} },
   Gles3CrowdFrames: { size: 24, align: 4, init: "gles3_crowd_frames_init", fields: {"clips": [0, "list", "Gles3CrowdClip"], "character_from_joint": [8, "list", "Affine"], "joint_count": [16, "value", "u32"], "frame_count": [20, "value", "u32"]} },
   Gles3CrowdPlay: { size: 24, align: 8, init: "gles3_crowd_play_init", fields: {"clip": [0, "value", "u32"], "phase_s": [4, "value", "f32"], "speed": [8, "value", "f32"], "start_s": [16, "value", "f64"]} },
   Gles3CrowdInstance: { size: 128, align: 16, init: "gles3_crowd_instance_init", fields: {"scene_from_character": [0, "struct", "Affine"], "a": [48, "struct", "Gles3CrowdPlay"], "b": [72, "struct", "Gles3CrowdPlay"], "blend_start_s": [96, "value", "f64"], "blend_s": [104, "value", "f32"], "colour": [108, "array", "f32", 4]} },
-  Gles3CrowdMesh: { size: 464, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [152, "value", "u32"], "blended_texture": [156, "value", "u32"], "framebuffer": [160, "value", "u32"], "previous_texture": [164, "value", "u32"], "previous_framebuffer": [168, "value", "u32"], "joints": [172, "value", "u32"], "frame_count": [176, "value", "u32"], "capacity": [180, "value", "u32"], "motion": [184, "value", "bool"], "lost": [185, "value", "bool"], "mesh": [188, "struct", "Mesh"], "options": [408, "struct", "Gles3PrepareOptions"], "frames": [424, "struct", "Gles3CrowdFrames"], "bind": [448, "list", "Affine"], "scratch": [456, "list", "byte"]} },
+  Gles3CrowdMesh: { size: 472, align: 4, init: "gles3_crowd_mesh_init", fields: {"gpu": [0, "struct", "Gles3GpuMesh"], "frames_texture": [152, "value", "u32"], "blended_texture": [156, "value", "u32"], "framebuffer": [160, "value", "u32"], "previous_texture": [164, "value", "u32"], "previous_framebuffer": [168, "value", "u32"], "joints": [172, "value", "u32"], "frame_count": [176, "value", "u32"], "capacity": [180, "value", "u32"], "motion": [184, "value", "bool"], "lost": [185, "value", "bool"], "mesh": [188, "struct", "Mesh"], "options": [416, "struct", "Gles3PrepareOptions"], "frames": [432, "struct", "Gles3CrowdFrames"], "bind": [456, "list", "Affine"], "scratch": [464, "list", "byte"]} },
   Gles3Crowd: { size: 28, align: 4, init: "gles3_crowd_init", fields: {"texture": [0, "value", "u32"], "capacity": [4, "value", "u32"], "count": [8, "value", "u32"], "frame_count": [12, "value", "u32"], "lost": [16, "value", "bool"], "records": [20, "list", "byte"]} },
   Gles3PathResult: { size: 20, align: 4, init: "gles3_path_result_init", fields: {"verdict": [0, "value", "u8"], "position_error": [4, "value", "f32"], "normal_error": [8, "value", "f32"], "ns_per_vertex": [12, "value", "f32"], "ns_per_pass": [16, "value", "f32"]} },
   Gles3SelfTest: { size: 112, align: 8, init: "gles3_self_test_init", fields: {"paths": [0, "structs", "Gles3PathResult", 5], "family": [100, "value", "u8"], "key": [104, "value", "u64"]} },
@@ -239,7 +239,7 @@ export const functions = {
   spring_joint_init: [['pointer'], 'void'],
   spring_chain_init: [['pointer'], 'void'],
   spring_collider_init: [['pointer'], 'void'],
-  half_joint_init: [['pointer'], 'void'],
+  helper_init: [['pointer'], 'void'],
   is_valid: [["pointer"], "bool"],
   file_init: [['pointer'], 'void'],
   load: [["list", "pointer", "pointer"], "number"],
@@ -375,7 +375,7 @@ export const functions = {
   spring_lines: [["pointer", "list", "list", "pointer"], "number"],
   collider_lines: [["pointer", "list", "list", "pointer"], "number"],
   bounds_lines: [["pointer", "pointer"], "number"],
-  build_palette_of_joints: [["list", "list", "list", "list", "list"], "number"],
+  build_palette_of_joints: [["list", "list", "list", "list", "list", "list"], "number"],
   build_palette: [["pointer", "list", "list"], "number"],
   turns_inside_out: [["pointer"], "bool"],
   palette_turns_inside_out: [["list"], "bool"],

@@ -61,9 +61,9 @@ template <class Visit>
 void for_each_joint(const Mesh& mesh, std::uint32_t entry, Visit visit) {
   const auto one = [&](std::uint32_t e, double share) { visit(mesh.joints[e], mesh.inverse_bind[e], share); };
   if (entry < mesh.joint_count) return one(entry, 1);
-  const HalfJoint& half = mesh.half_joints[entry - mesh.joint_count];
-  one(half.parent, 1 - static_cast<double>(half.share));
-  one(half.joint, static_cast<double>(half.share));
+  const Helper& helper = mesh.helpers[entry - mesh.joint_count];
+  one(helper.first, 1 - static_cast<double>(helper.share));
+  one(helper.second, static_cast<double>(helper.share));
 }
 
 glm::dvec4 transformed(const Affine& m, const glm::dvec4& v) {
