@@ -12,7 +12,7 @@ using Linears = Linear<f32x4>;
 
 // Squares: of the lengths and sines below which there is no direction, of how far helpers may take what is at 0, and of
 // the difference to a turn that is none.
-constexpr float kLeastSquare = 1e-30f, kLeastSine = 1e-10f, kMostSquare = 1e36f, kNoStretch = 1e-10f;
+constexpr float kLeastSquare = 1e-30f, kLeastSine = 1e-10f, kMostSquare = 1e36f, kNoStretch = 1e-9f;
 // 1 + the trace of a turn by 166°; of what turns farther w is small.
 constexpr float kFarTurn = 0.0625f;
 

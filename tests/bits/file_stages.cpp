@@ -29,6 +29,7 @@ void hash_files(StageHashes& out) {
   out.push_back({"a coded clip", file_hash(golden_coded_copy())});
   out.push_back({"a clip pack", file_hash(golden_pack_copy())});
   out.push_back({"half-joints", file_hash(golden_half_joint_copy())});
+  out.push_back({"a helper about a centre", file_hash(golden_centres_copy())});
   out.push_back({"materials, nodes", file_hash(golden_looks_copy())});
   out.push_back({"levels of detail", file_hash(golden_lod_copy())});
   out.push_back({"limits", file_hash(golden_limits_copy())});

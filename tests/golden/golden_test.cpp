@@ -153,6 +153,49 @@ TEST(GoldenStride, FramesAtUnevenTimes) {
   }
 }
 
+// The helper's matrix, from elbow.gltf and the centre in double precision: at times of keys.
+TEST(GoldenCentres, TheHelperTurnsAboutItsCentre) {
+  const test::AlignedBlock block = test::golden_centres_copy();
+  File file;
+  ASSERT_EQ(load(block, file), Status::ok);
+  const Mesh mesh = file.mesh(0);
+  ASSERT_EQ(mesh.helpers.size, 1u);
+  EXPECT_EQ(mesh.helpers[0].first, 0u);
+  EXPECT_EQ(mesh.helpers[0].second, 1u);
+  EXPECT_EQ(mesh.helpers[0].share, 0.25f);
+  ASSERT_EQ(mesh.helper_centres.size, 3u);
+  EXPECT_EQ(mesh.helper_centres[0], 0.0625f);
+  EXPECT_EQ(mesh.helper_centres[1], -0.03125f);
+  EXPECT_EQ(mesh.helper_centres[2], 0.015625f);
+  struct Moment {
+    float time_s, rows[3][4];
+  };
+  const Moment moments[] = {
+      {0, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
+      {1.0f,
+       {{0.9229775f, -0.3356448f, 0.1882953f, 0.3183563f},
+        {0.2453355f, 0.8901076f, 0.384082f, 0.0966733f},
+        {-0.2965182f, -0.3083035f, 0.9038949f, 0.2987308f}}},
+      {1.25f,
+       {{0.9020895f, -0.1990911f, 0.3828803f, 0.1834328f},
+        {0.0487963f, 0.9285905f, 0.367884f, 0.057521f},
+        {-0.4287814f, -0.3131811f, 0.8473866f, 0.3156355f}}},
+      {2.5f,
+       {{0.8716493f, -0.0626014f, 0.4861158f, 0.0414925f},
+        {0.017642f, 0.9951743f, 0.0965237f, 0.0001236f},
+        {-0.4898125f, -0.0755588f, 0.8685474f, 0.0874782f}}},
+  };
+  for (const Moment& m : moments) {
+    SoaTransform local;
+    Affine joints[2], palette[3];
+    ASSERT_EQ(sample(file.skeleton(0), file.clip(0), m.time_s, {&local, 1}), Status::ok);
+    ASSERT_EQ(local_to_model(file.skeleton(0), {&local, 1}, joints), Status::ok);
+    ASSERT_EQ(build_palette(mesh, joints, palette), Status::ok);
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 4; ++c) EXPECT_NEAR(palette[2].rows[r][c], m.rows[r][c], 2e-6f) << m.time_s;
+  }
+}
+
 // What the file's numbers say, evaluated in double precision by a decoder of its own.
 TEST(GoldenElbow, DeformsWithAHalfJoint) {
   const test::AlignedBlock block = test::golden_half_joint_copy();

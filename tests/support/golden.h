@@ -18,6 +18,8 @@ extern const unsigned char looks_v1[];
 extern const unsigned long long looks_v1_size;
 extern const unsigned char stride_v1[];
 extern const unsigned long long stride_v1_size;
+extern const unsigned char centres_v1[];
+extern const unsigned long long centres_v1_size;
 extern const unsigned char elbow_v1[];
 extern const unsigned long long elbow_v1_size;
 extern const unsigned char lod_v1[];
@@ -57,6 +59,11 @@ inline AlignedBlock golden_uneven_copy() {
 // A file with a residual and a half-joint.
 inline AlignedBlock golden_half_joint_copy() {
   return AlignedBlock(embedded::elbow_v1, static_cast<std::size_t>(embedded::elbow_v1_size));
+}
+
+// The same, but the helper turns about a centre.
+inline AlignedBlock golden_centres_copy() {
+  return AlignedBlock(embedded::centres_v1, static_cast<std::size_t>(embedded::centres_v1_size));
 }
 
 // A file with materials, embedded images and kept nodes.

@@ -132,8 +132,9 @@ std::vector<std::vector<float>> all_poses() {
   std::vector<std::vector<float>> out;
   for (const std::uint64_t seed : {51u, 52u, 53u}) out.push_back(poses_of(test::make_character(seed, 67, 8, false)));
   out.push_back(poses_of(minute_character()));
-  for (const auto copy : {test::golden_copy, test::golden_coded_copy, test::golden_uneven_copy,
-                          test::golden_half_joint_copy, test::golden_limits_copy, test::golden_lod_copy}) {
+  for (const auto copy :
+       {test::golden_copy, test::golden_coded_copy, test::golden_uneven_copy, test::golden_half_joint_copy,
+        test::golden_centres_copy, test::golden_limits_copy, test::golden_lod_copy}) {
     const AlignedBlock block(copy());
     File file;
     EXPECT_EQ(load(block, file), Status::ok);

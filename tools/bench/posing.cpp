@@ -120,6 +120,31 @@ class BuildPalette : public Workload {
   FullPalette palette_;
 };
 
+// A palette of all joints in whose frames the mesh stands, and a helper between each and its parent.
+class BuildHelpers : public Workload {
+ public:
+  BuildHelpers(const ClipOfModel& source, bool about_centres)
+      : joints_(joints_of(source.skeleton, pose_at(source, source.clip.duration_s / 2))), palette_(source.skeleton) {
+    palette_.bind.assign(joints_.size(), Affine{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+    for (std::uint32_t i = source.skeleton.root_count; i < source.skeleton.joint_count; ++i)
+      helpers_.push_back({source.skeleton.parents[i], static_cast<std::uint16_t>(i), 0.5f});
+    if (about_centres) centres_.assign(3 * helpers_.size(), 0.01f);
+    palette_.out.resize(joints_.size() + helpers_.size());
+  }
+  std::uint32_t items() const override { return static_cast<std::uint32_t>(joints_.size()); }
+  std::uint64_t hash_output(std::uint64_t state) const override { return hash_of(palette_.out, state); }
+  void run(std::uint64_t iterations) override {
+    for (std::uint64_t i = 0; i < iterations; ++i)
+      check(build_palette(palette_.joints, palette_.bind, joints_, palette_.out, helpers_, centres_));
+  }
+
+ private:
+  std::vector<Affine> joints_;
+  FullPalette palette_;
+  std::vector<Helper> helpers_;
+  std::vector<float> centres_;
+};
+
 // Of a palette whose every entry holds a box; what the boxes are costs nothing.
 class PaletteBounds : public Workload {
  public:
@@ -230,13 +255,17 @@ RowGroup pose_rows(const Models& models) {
   }
   add_row("local_to_model", [clip](Models& from) { return std::make_unique<LocalToModel>(clip(from, 0)); });
   add_row("palette", [clip](Models& from) { return std::make_unique<BuildPalette>(clip(from, 0)); });
+  add_row("palette_helpers", [clip](Models& from) { return std::make_unique<BuildHelpers>(clip(from, 0), false); });
+  add_row("palette_centres", [clip](Models& from) { return std::make_unique<BuildHelpers>(clip(from, 0), true); });
   add_row("bounds", [clip](Models& from) { return std::make_unique<PaletteBounds>(clip(from, 0)); });
   add_row("frame", [clip](Models& from) { return std::make_unique<Frame>(clip(from, 0), clip(from, 1)); });
   group.rows.back().clips.emplace_back(stage.clips[1]);
   add_row("character",
           [stage](Models& from) { return std::make_unique<CharacterFrame>(from.get(*stage.model), stage); });
   group.rows.back().clips.emplace_back(stage.clips[1]);
-  group.names = fmt::format("blend/{}\nlocal_to_model\npalette\nbounds\nframe\ncharacter\n", choice(blends));
+  group.names =
+      fmt::format("blend/{}\nlocal_to_model\npalette\npalette_helpers\npalette_centres\nbounds\nframe\ncharacter\n",
+                  choice(blends));
   return group;
 }
 

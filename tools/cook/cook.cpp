@@ -75,6 +75,7 @@ std::string key_of(const BuiltMesh& mesh) {
   add(mesh.joints.data(), mesh.joints.size());
   add(mesh.inverse_bind.data(), mesh.inverse_bind.size());
   add(mesh.helpers.data(), mesh.helpers.size());
+  add(mesh.helper_centres.data(), mesh.helper_centres.size());
   return key;
 }
 

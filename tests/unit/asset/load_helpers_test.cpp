@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,11 @@
 namespace marrow {
 namespace {
 
+constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
+
 class LoadHelpers : public ::testing::Test {
  protected:
-  LoadHelpers() : block_(test::golden_half_joint_copy()) {
+  explicit LoadHelpers(test::AlignedBlock block = test::golden_half_joint_copy()) : block_(std::move(block)) {
     File original;
     EXPECT_EQ(load(block_, original), Status::ok);
     for (const File::Section& s : original.sections())
@@ -22,22 +25,31 @@ class LoadHelpers : public ::testing::Test {
     format::MeshHeader header;
     std::memcpy(&header, block_.data() + mesh_.offset, sizeof header);
     first_ = mesh_.offset + layout(header).helpers;
-    EXPECT_EQ(first_ + sizeof(Helper), std::size_t{mesh_.offset} + mesh_.bytes);
+    end_ = mesh_.offset + layout(header).lods;
+    EXPECT_EQ(end_, std::size_t{mesh_.offset} + mesh_.bytes);
   }
   template <class T>
-  void refuse(std::size_t offset, T value, const char* what) {
+  void refuse_as(const char* rule, std::size_t place, std::size_t offset, T value, const char* what) {
     const test::DamageReport got = test::load_with(block_, offset, value);
     EXPECT_EQ(got.status, Status::bad_data) << what;
     EXPECT_EQ(got.mesh_count, 0u) << what;
-    EXPECT_STREQ(got.error.rule, "a helper blends two joints of the mesh") << what;
-    EXPECT_EQ(got.error.offset, first_) << what;
+    EXPECT_STREQ(got.error.rule, rule) << what;
+    EXPECT_EQ(got.error.offset, place) << what;
     ++refused_;
+  }
+  template <class T>
+  void refuse(std::size_t offset, T value, const char* what) {
+    refuse_as("a helper blends two joints of the mesh", first_, offset, value, what);
   }
 
   test::AlignedBlock block_;
   File::Section mesh_{};
-  std::size_t first_ = 0;
+  std::size_t first_ = 0, end_ = 0;  // of helpers and centres
   int refused_ = 0;
+};
+
+struct LoadCentres : LoadHelpers {
+  LoadCentres() : LoadHelpers(test::golden_centres_copy()) {}
 };
 
 TEST_F(LoadHelpers, BlendTwoJoints) {
@@ -47,9 +59,7 @@ TEST_F(LoadHelpers, BlendTwoJoints) {
   refuse(first_, std::uint16_t{0xFFFF}, "a first out of range");
   refuse(first_ + 2, std::uint16_t{2}, "its second is a helper");
   refuse(first_ + 2, std::uint16_t{0xFFFF}, "a second out of range");
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  for (const float share :
-       {0.0f, -0.0f, 1.0f, -0.5f, 1.5f, kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()})
+  for (const float share : {0.0f, -0.0f, 1.0f, -0.5f, 1.5f, kInfinity, -kInfinity, kNan})
     refuse(first_ + 4, share, "a share that is not between");
   EXPECT_EQ(refused_, 14);
 }
@@ -69,6 +79,32 @@ TEST_F(LoadHelpers, AreAsManyAsThePaletteLeavesAndTheSectionHolds) {
     ++refused;
   }
   EXPECT_EQ(refused, 4);
+}
+
+TEST_F(LoadCentres, AreNumbersOfSaneSize) {
+  ASSERT_EQ(end_ - first_, sizeof(Helper) + 12);
+  for (std::size_t at = end_ - 12; at < end_; at += 4)
+    for (const float c : {kNan, kInfinity, -kInfinity, 1.001e12f, -3e38f})
+      refuse_as("a number that is not finite, or beyond 1e12", at, at, c, "a centre");
+  EXPECT_EQ(refused_, 15);
+  EXPECT_EQ(test::load_with(block_, end_ - 12, -1e12f).status, Status::ok);
+  refuse(first_ + 4, 1.0f, "a share that is not between");
+}
+
+TEST_F(LoadCentres, AreThereOrNot) {
+  constexpr const char* kRule = "section size differs from its counts";
+  const std::size_t flags = mesh_.offset + 20;
+  for (const unsigned wrong : {0u, 2u, 3u})
+    refuse_as(kRule, mesh_.offset, flags, static_cast<std::uint8_t>(wrong), "no flag");
+  block_ = test::golden_half_joint_copy();
+  refuse_as(kRule, mesh_.offset, flags, std::uint8_t{4}, "no centres");
+  block_ = test::golden_copy();
+  File without;
+  ASSERT_EQ(load(block_, without), Status::ok);
+  for (const File::Section& s : without.sections())
+    if (s.type == format::kTypes[format::kMeshes])
+      refuse_as("centres without helpers", s.offset + 20, s.offset + 20, std::uint8_t{4}, "no helpers");
+  EXPECT_GT(refused_, 4);
 }
 
 }  // namespace

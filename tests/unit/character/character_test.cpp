@@ -55,10 +55,15 @@ struct Golden {
   const char* name;
   AlignedBlock (*copy)();
 };
-constexpr Golden kGolden[] = {
-    {"tiny", test::golden_copy},          {"dance", test::golden_coded_copy},      {"face", test::golden_channels_copy},
-    {"stride", test::golden_uneven_copy}, {"elbow", test::golden_half_joint_copy}, {"looks", test::golden_looks_copy},
-    {"lod", test::golden_lod_copy},       {"limits", test::golden_limits_copy}};
+constexpr Golden kGolden[] = {{"tiny", test::golden_copy},
+                              {"dance", test::golden_coded_copy},
+                              {"face", test::golden_channels_copy},
+                              {"stride", test::golden_uneven_copy},
+                              {"elbow", test::golden_half_joint_copy},
+                              {"centres", test::golden_centres_copy},
+                              {"looks", test::golden_looks_copy},
+                              {"lod", test::golden_lod_copy},
+                              {"limits", test::golden_limits_copy}};
 
 test::PosedMesh skin(const CharacterMesh& m, test::Deformer deformer) {
   const Geometry& g = m.mesh.geometry;

@@ -22,6 +22,10 @@ struct Bytes {
     return *this;
   }
   Bytes& u8(unsigned v) { return add(static_cast<std::uint8_t>(v)); }
+  Bytes& varint(unsigned v) {
+    for (; v > 127; v >>= 7) u8(v & 127 | 128);
+    return u8(v);
+  }
   Bytes& text(const std::string& s) {
     for (const char c : s) u8(static_cast<unsigned char>(c));
     return u8(0);
@@ -61,14 +65,17 @@ Bytes skeleton_record() {
 // Entry 0 follows joint 1, entry 1 joint 0.
 Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
   Bytes b;
-  b.u8(flags).u8(6).u8(12).u8(0).u8(0).u8(0).u8(2).u8(0);
+  b.varint(flags).u8(6).u8(12).u8(0).u8(0).u8(0).u8(2).u8(0);
   if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1);
   if ((flags & packed::kMeshHasLods) != 0) b.u8(2);
   if ((flags & packed::kMeshHasColour) != 0) b.add(0.25f).add(0.5f).add(0.75f).add(1.0f);
   if ((flags & packed::kMeshHasPlace) != 0) b.add(Affine{{{2, 0, 0, 5}, {0, 2, 0, 0}, {0, 0, 2, 0}}});
   b.u8(2).u8(3);  // one on from 0; two back from 2
   if ((flags & packed::kMeshGivesBinds) != 0) b.u8(2).add(Affine{{{1, 0, 0, 7}, {0, 1, 0, 8}, {0, 0, 1, 9}}});
-  if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1).u8(0).add(0.5f);
+  if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1).u8(0);
+  if ((flags & packed::kMeshSharesAreBytes) != 0) b.u8(192);
+  if ((flags & packed::kMeshHasHelpers) != 0 && (flags & packed::kMeshSharesAreBytes) == 0) b.add(0.5f);
+  if ((flags & packed::kMeshHasCentres) != 0) b.u8(0xFD).u8(6).u8(5).u8(0x80).u8(2);  // 3, -3 and 128 eighths
   if ((flags & packed::kMeshHasLods) != 0) b.u8(3).add(0.5f).u8(0xAC).u8(0x02).add(2.0f);
   return b;
 }
@@ -183,6 +190,24 @@ TEST_F(Structure, MeshWithAHelper) {
   EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).helpers, &want, sizeof want), 0);
   EXPECT_EQ(bytes_, layout(h).bytes);
   ASSERT_STRNE(mesh({record.span().data, record.span().size - 1}), nullptr);
+}
+
+TEST_F(Structure, MeshWithAHelperAboutACentre) {
+  ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
+  const Bytes record = mesh_record(packed::kMeshHasHelpers | packed::kMeshSharesAreBytes | packed::kMeshHasCentres |
+                                   packed::kMeshHasLods);
+  ASSERT_STREQ(mesh(record.span()), nullptr);
+  const format::MeshHeader h{6, 12, 0, 0, 2, format::kHelpersHaveCentres, 2, 1, {1, 1, 1, 1}, 0, 0};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
+  const Helper want{1, 0, 0.75f};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).helpers, &want, sizeof want), 0);
+  const float centre[] = {0.375f, -0.375f, 16};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).centres, centre, sizeof centre), 0);
+  const MeshLod lods[] = {{3, 0.5f}, {300, 2}};
+  EXPECT_EQ(std::memcmp(file_.data() + kMesh + layout(h).lods, lods, sizeof lods), 0);
+  EXPECT_EQ(bytes_, layout(h).bytes);
+  for (std::size_t less = 1; less < 20; ++less)
+    ASSERT_STRNE(mesh({record.span().data, record.span().size - less}), nullptr) << less;
 }
 
 TEST_F(Structure, MeshWithLevels) {

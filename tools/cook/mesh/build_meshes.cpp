@@ -16,6 +16,7 @@
 #include "cook/mesh/lod.h"
 #include "cook/mesh/scene_scale.h"
 #include "cook/scene/matrices.h"
+#include "cook/skeleton/round_rest.h"
 #include "cook/skin/bound_deformers.h"
 #include "cook/skin/primitive_palette.h"
 #include "cook/skin/split_primitives.h"
@@ -36,7 +37,7 @@ using Levels = std::map<std::pair<int, int>, std::vector<MeshLevel>>;        // 
 
 // Hung rigidly: one joint, the nearest at or above the node.
 Palette bind_to_node(const NearestJoint& nearest) {
-  return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}, {}};
+  return {{static_cast<std::uint16_t>(nearest.joint)}, {to_affine(nearest.joint_from_node)}, {}, {}};
 }
 
 // What build_geometry() is to make, each once.
@@ -225,6 +226,8 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.joints = palette.joints;
   mesh.inverse_bind = palette.inverse_bind;
   mesh.helpers = palette.helpers;
+  mesh.helper_centres = palette.helper_centres;
+  mesh.centre_exponent = round_centres(mesh.helper_centres);
   mesh.scene_scale = scale.of(mesh.skeleton, mesh.joints, mesh.inverse_bind);
   mesh.lods = bound.lods;
   if (subdivide > 0) mesh.source_triangles = primitive.indices.size() / 3 >> (2 * subdivide);

@@ -140,6 +140,8 @@ struct BuiltMesh {
   Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
   std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
   std::vector<Helper> helpers;
+  std::vector<float> helper_centres;     // as Mesh::helper_centres
+  std::int32_t centre_exponent = 0;      // they are whole numbers times 2 to this power
   double scene_scale = 1;                // scene units a unit of its own, at rest, at most
   std::vector<BuiltLod> lods;            // levels 1, 2, …
   std::size_t source_triangles = 0;      // of a subdivided mesh; else 0

@@ -46,6 +46,7 @@ Mesh view(const BuiltMesh& mesh, const BuiltGeometry& geometry) {
   out.joints = mesh.joints.data();
   out.inverse_bind = mesh.inverse_bind.data();
   out.helpers = {mesh.helpers.data(), mesh.helpers.size()};
+  out.helper_centres = {mesh.helper_centres.data(), mesh.helper_centres.size()};
   out.geometry = view_geometry(geometry.section.data());
   return out;
 }

@@ -1,6 +1,7 @@
 #include "cook/skeleton/round_rest.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "unpack/rest.h"
@@ -9,6 +10,7 @@ namespace marrow::cook {
 namespace {
 
 constexpr std::int32_t kLeastExponent = -120, kMostExponent = 120;  // fits a byte
+constexpr std::int32_t kMostCentre = (1 << 13) - 1;                 // two bytes of a packed file
 
 // Of any length but zero.
 std::uint64_t encode_rotation(const double (&q)[4]) {
@@ -30,11 +32,17 @@ std::uint64_t encode_rotation(const double (&q)[4]) {
 }
 
 // As small as lets the longest component fit.
-std::int32_t exponent_for(float longest) {
+std::int32_t exponent_for(float longest, std::int32_t most) {
   if (!(longest > 0)) return 0;
-  std::int32_t exponent = std::max(std::ilogb(longest) - 22, kLeastExponent);
-  if (std::round(std::ldexp(static_cast<double>(longest), -exponent)) > kMostTranslation) ++exponent;
+  const auto bits = static_cast<std::int32_t>(std::bit_width(static_cast<std::uint32_t>(most)));
+  std::int32_t exponent = std::max(std::ilogb(longest) + 1 - bits, kLeastExponent);
+  if (std::round(std::ldexp(static_cast<double>(longest), -exponent)) > most) ++exponent;
   return std::min(exponent, kMostExponent);
+}
+
+float whole_steps(float number, std::int32_t exponent) {
+  const double steps = std::ldexp(static_cast<double>(number), -exponent);
+  return decode_translation(static_cast<std::int32_t>(std::round(steps)), exponent);
 }
 
 }  // namespace
@@ -44,15 +52,12 @@ void round_rest(BuiltSkeleton& skeleton) {
   for (const SoaTransform& four : skeleton.rest)
     for (const auto& axis : four.translation)
       for (const float t : axis) longest = std::max(longest, std::abs(t));
-  skeleton.translation_exponent = exponent_for(longest);
+  skeleton.translation_exponent = exponent_for(longest, kMostTranslation);
   skeleton.rotation_codes.clear();
   for (std::size_t joint = 0; joint < skeleton.parents.size(); ++joint) {
     SoaTransform& four = skeleton.rest[joint / 4];
     const std::size_t lane = joint % 4;
-    for (auto& axis : four.translation) {
-      const double steps = std::ldexp(static_cast<double>(axis[lane]), -skeleton.translation_exponent);
-      axis[lane] = decode_translation(static_cast<std::int32_t>(std::round(steps)), skeleton.translation_exponent);
-    }
+    for (auto& axis : four.translation) axis[lane] = whole_steps(axis[lane], skeleton.translation_exponent);
     double q[4];
     for (int i = 0; i < 4; ++i) q[i] = static_cast<double>(four.rotation[i][lane]);
     skeleton.rotation_codes.push_back(encode_rotation(q));
@@ -62,6 +67,14 @@ void round_rest(BuiltSkeleton& skeleton) {
     for (auto& axis : four.scale)
       if (std::abs(axis[lane] - 1.0f) <= 1e-6f) axis[lane] = 1.0f;
   }
+}
+
+std::int32_t round_centres(std::vector<float>& centres) {
+  float longest = 0;
+  for (const float c : centres) longest = std::max(longest, std::abs(c));
+  const std::int32_t exponent = exponent_for(longest, kMostCentre);
+  for (float& c : centres) c = whole_steps(c, exponent);
+  return exponent;
 }
 
 }  // namespace marrow::cook

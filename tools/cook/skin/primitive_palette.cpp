@@ -57,8 +57,11 @@ Palette some_of(const Palette& whole, const std::vector<std::uint16_t>& entries)
       out.joints.push_back(whole.joints[entry]);
       out.inverse_bind.push_back(whole.inverse_bind[entry]);
     } else {
-      const Helper& helper = whole.helpers[entry - whole.joints.size()];
+      const std::size_t h = entry - whole.joints.size();
+      const Helper& helper = whole.helpers[h];
       out.helpers.push_back({place_of(helper.first), place_of(helper.second), helper.share});
+      for (std::size_t i = 3 * h; i < 3 * h + 3 && i < whole.helper_centres.size(); ++i)
+        out.helper_centres.push_back(whole.helper_centres[i]);
     }
   }
   return out;

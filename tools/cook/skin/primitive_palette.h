@@ -14,6 +14,7 @@ struct Palette {
   std::vector<std::uint16_t> joints;  // of the skeleton
   std::vector<Affine> inverse_bind;
   std::vector<Helper> helpers;
+  std::vector<float> helper_centres;  // as Mesh::helper_centres
   std::size_t size() const { return joints.size() + helpers.size(); }
 };
 

@@ -20,6 +20,32 @@ void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
   for (int shift = 0; shift < 24; shift += 8) out.push_back(static_cast<std::byte>(value >> shift & 0xFF));
 }
 
+// 0, -1, 1, -2 … as 0, 1, 2, 3 …
+void add_signed(std::int32_t value, std::vector<std::byte>& out) {
+  const auto bits = static_cast<std::uint32_t>(value);
+  add_varint(bits << 1 ^ (0 - (bits >> 31)), out);
+}
+
+bool shares_are_bytes(const BuiltMesh& mesh) {
+  return std::ranges::all_of(mesh.helpers, [](const Helper& h) { return h.share * 256 == std::floor(h.share * 256); });
+}
+
+void add_helpers(const BuiltMesh& mesh, std::vector<std::byte>& out) {
+  const bool bytes = shares_are_bytes(mesh);
+  for (const Helper& helper : mesh.helpers) {
+    add_varint(helper.first, out);
+    add_varint(helper.second, out);
+    if (bytes)
+      add_value(static_cast<std::uint8_t>(helper.share * 256), out);
+    else
+      add_value(helper.share, out);
+  }
+  if (mesh.helper_centres.empty()) return;
+  add_value(static_cast<std::int8_t>(mesh.centre_exponent), out);
+  for (const float c : mesh.helper_centres)
+    add_signed(static_cast<std::int32_t>(std::ldexp(c, -mesh.centre_exponent)), out);
+}
+
 std::uint32_t shared_start(const std::string& a, const std::string& b) {
   const std::size_t most = std::min({a.size(), b.size(), std::size_t{63}});
   return static_cast<std::uint32_t>(
@@ -132,6 +158,8 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
   add_varint((mesh.double_sided ? packed::kMeshIsDoubleSided : 0u) | (mesh.part > 0 ? packed::kMeshIsNextPart : 0u) |
                  (coloured ? packed::kMeshHasColour : 0u) | (placed ? packed::kMeshHasPlace : 0u) |
                  (gives ? packed::kMeshGivesBinds : 0u) | (helps ? packed::kMeshHasHelpers : 0u) |
+                 (helps && shares_are_bytes(mesh) ? packed::kMeshSharesAreBytes : 0u) |
+                 (mesh.helper_centres.empty() ? 0u : packed::kMeshHasCentres) |
                  (mesh.lods.empty() ? 0u : packed::kMeshHasLods),
              out);
   for (const std::uint32_t n :
@@ -144,7 +172,7 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
   std::uint32_t next = 0;
   for (const std::uint16_t joint : mesh.joints) {
     const std::uint32_t step = joint - next;
-    add_varint(step << 1 ^ (0 - (step >> 31)), out);
+    add_signed(static_cast<std::int32_t>(step), out);
     next = joint + 1u;
   }
   if (gives) {
@@ -162,11 +190,7 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
     add_varint(t.channel, out);
     add_value(t.weight, out);
   }
-  for (const Helper& helper : mesh.helpers) {
-    add_varint(helper.first, out);
-    add_varint(helper.second, out);
-    add_value(helper.share, out);
-  }
+  add_helpers(mesh, out);
   for (const BuiltLod& lod : mesh.lods) {
     add_varint(lod.geometry, out);
     add_value(static_cast<float>(lod.max_error_m), out);

@@ -135,7 +135,8 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.joint_count = static_cast<std::uint32_t>(m.joints.size());
   h.material_section = m.material_section;
   h.flags =
-      static_cast<std::uint8_t>((m.double_sided ? format::kDoubleSided : 0u) | (m.part > 0 ? format::kNextPart : 0u));
+      static_cast<std::uint8_t>((m.double_sided ? format::kDoubleSided : 0u) | (m.part > 0 ? format::kNextPart : 0u) |
+                                (m.helper_centres.empty() ? 0u : format::kHelpersHaveCentres));
   h.lod_count = static_cast<std::uint8_t>(m.lods.size());
   h.helper_count = static_cast<std::uint16_t>(m.helpers.size());
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
@@ -148,6 +149,7 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   out.add_all(m.joints);
   if ((!m.helpers.empty() || !m.lods.empty()) && m.joints.size() % 2 != 0) out.add(std::uint16_t{0});
   out.add_all(m.helpers);
+  out.add_all(m.helper_centres);
   for (const BuiltLod& lod : m.lods) out.add(MeshLod{lod.geometry, static_cast<float>(lod.max_error_m)});
   if (!m.bind_is_given.empty()) out.compact = compact_mesh(m, h, targets);
   return out;
