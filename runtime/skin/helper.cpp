@@ -19,7 +19,7 @@ constexpr float kFarTurn = 0.0625f;
 f32x4 mixed(f32x4 a, f32x4 b, f32x4 share) {
   return a + (b - a) * share;
 }
-Linears columns(const FourAffines& m) {
+Linears columns_of(const FourAffines& m) {
   return {{m.a.linear.x, m.b.linear.x, m.c.linear.x},
           {m.a.linear.y, m.b.linear.y, m.c.linear.y},
           {m.a.linear.z, m.b.linear.z, m.c.linear.z}};
@@ -50,7 +50,7 @@ struct Parts {
   return out;
 }
 
-// From one matrix to another, as far as that turns.
+// From one matrix to another.
 struct Way {
   Linears turn;
   Linears stretched;  // the first, with the stretch of both
@@ -69,11 +69,13 @@ struct Way {
   out.good = a.good * b.good;
   return out;
 }
+
 bool all_turns(const Linears& m) {
   const f32x4 one = splat(1.0f), x = dot(m.x, m.x) - one, y = dot(m.y, m.y) - one, xy = dot(m.x, m.y);
   const Vectors z = m.z - cross(m.x, m.y);
   return all(x * x + y * y + xy * xy + dot(z, z) < splat(kNoStretch));
 }
+// b a⁻¹
 Linears product_with_inverse(const Linears& b, const Linears& a) {
   const Linears inverse = cofactors(a);
   const f32x4 scale = splat(1.0f) / dot(a.x, inverse.x);
@@ -82,7 +84,7 @@ Linears product_with_inverse(const Linears& b, const Linears& a) {
           b * Vectors{inverse.x.z, inverse.y.z, inverse.z.z} * scale};
 }
 
-// A turn as a quaternion of some length, w ≥ 0.
+// A turn as a quaternion of some length, w ≥ 0: the shorter way.
 struct Turn {
   Vectors v;
   f32x4 w, length;
@@ -99,7 +101,7 @@ struct Turn {
   out.w = select(is_far, absolute(w), out.w);
   out.length = select(is_far, sqrt(dot(v, v) + w * w), out.length);
 }
-Turn turn_of(const Linears& m) {
+Turn shorter_turn(const Linears& m) {
   Turn out;
   out.v = {m.y.z - m.z.y, m.z.x - m.x.z, m.x.y - m.y.x};
   out.w = splat(1.0f) + (m.x.x + m.y.y + m.z.z);
@@ -110,8 +112,8 @@ Turn turn_of(const Linears& m) {
 }
 
 // What four matrices take to `places`.
-[[gnu::noinline]] Vectors before(const FourAffines& bind, const Vectors& places) {
-  const Linears m = columns(bind), cofactor = cofactors(m);
+[[gnu::noinline]] Vectors place_before(const FourAffines& bind, const Vectors& places) {
+  const Linears m = columns_of(bind), cofactor = cofactors(m);
   return transposed_times(cofactor, places - origin(bind)) * (splat(1.0f) / dot(m.x, cofactor.x));
 }
 
@@ -123,7 +125,7 @@ struct Four {
   alignas(16) float share[4];
   const float* centres[4];  // null: dual quaternions
 };
-FourAffines load(const Affine* const (&m)[4]) {
+FourAffines load_four(const Affine* const (&m)[4]) {
   return load_affines(*m[0], *m[1], *m[2], *m[3]);
 }
 Vectors load_centres(const Four& f) {
@@ -131,32 +133,29 @@ Vectors load_centres(const Four& f) {
   return f.centres[0] == nullptr ? splat(0.0f, 0.0f, 0.0f) : Vectors{axis(0), axis(1), axis(2)};
 }
 
-// Gives those that are good.
-mask4 blend(const Four& f, FourAffines& out) {
-  const FourAffines a = load(f.first), b = load(f.second);
+// Gives those that are good. The turn between two entries is the product of one and the other's inverse, unless their
+// stretches differ; then all four are taken apart.
+mask4 blend_four(const Four& f, FourAffines& out) {
+  const FourAffines a = load_four(f.first), b = load_four(f.second);
   const f32x4 one = splat(1.0f), share = load_aligned(f.share), rest = one - share;
-  const bool about_centres = f.centres[0] != nullptr;
-  Way way = {product_with_inverse(columns(b), columns(a)), columns(a), one};
-  const bool stretched = !all_turns(way.turn);
+  Way way = {product_with_inverse(columns_of(b), columns_of(a)), columns_of(a), one};
+  const bool stretched = !all_turns(way.turn), about_centres = f.centres[0] != nullptr;
   if (stretched) [[unlikely]]
-    way = stretched_way(columns(a), columns(b), share);
-  const Turn turn = turn_of(way.turn);
-  Linears m = matrix_of(quaternion(turn.v * share, turn.w * share + turn.length * rest));
-  m = m * way.stretched;
+    way = stretched_way(columns_of(a), columns_of(b), share);
+  const Turn turn = shorter_turn(way.turn);
+  const Quaternion<f32x4> q = quaternion(turn.v * share, turn.w * share + turn.length * rest);
+  const Linears m = matrix_of(q) * way.stretched;
 
   Vectors from = origin(a), step = origin(b) - from, place;
   if (about_centres || stretched) {
-    place = before(load(f.bind), load_centres(f));
+    place = place_before(load_four(f.bind), load_centres(f));
     from = transform(a, place);
     step = transform(b, place) - from;
   }
-  (void)m;
-  (void)place;
   Vectors at;
   if (about_centres) {
     at = from + step * share;
-  } else {  // by the dual part
-    const Quaternion<f32x4> q = quaternion(turn.v * share, turn.w * share + turn.length * rest);
+  } else {  // the dual part
     const Vectors sum = step * (turn.w * rest + turn.length * share) + cross(step, turn.v) * rest;
     at = from + sum * (share * turn.length / dot(q, q));
   }
@@ -171,7 +170,7 @@ void blend_straight(const Affine& a, const Affine& b, float share, Affine& out) 
     store(out.rows[r], load_aligned(a.rows[r]) * splat(1.0f - share) + load_aligned(b.rows[r]) * splat(share));
 }
 
-void store_row(FourRows rows, int row, std::size_t count, Affine* out) {
+void store_one_row(FourRows rows, int row, std::size_t count, Affine* out) {
   transpose(rows.linear.x, rows.linear.y, rows.linear.z, rows.origin);
   store(out[0].rows[row], rows.linear.x);
   if (count > 1) store(out[1].rows[row], rows.linear.y);
@@ -196,10 +195,10 @@ void add_helpers(Span<const Helper> helpers, const float* centres, Span<const Af
       four.centres[i] = centres == nullptr ? nullptr : centres + 3 * n;
     }
     FourAffines made;
-    const mask4 good = blend(four, made);
-    store_row(made.a, 0, count, out);
-    store_row(made.b, 1, count, out);
-    store_row(made.c, 2, count, out);
+    const mask4 good = blend_four(four, made);
+    store_one_row(made.a, 0, count, out);
+    store_one_row(made.b, 1, count, out);
+    store_one_row(made.c, 2, count, out);
     if (all(good)) [[likely]]
       continue;
     float ok[4];

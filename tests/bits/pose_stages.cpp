@@ -265,6 +265,37 @@ void hash_surface_normals(StageHashes& out) {
   out.push_back({"skin_as, normals by tangents", h});
 }
 
+// Helpers between joints that only turn, far and near, and between such as have scales, mirrors and no size.
+void hash_helpers(StageHashes& out) {
+  constexpr double kScales[][3] = {{1, 1, 1}, {1, 1, 1}, {0.5, 2, 1.25}, {-1, 1, 1}, {0, 0, 0}, {1, 0, 1}};
+  std::vector<std::uint16_t> joints;
+  std::vector<Helper> helpers;
+  for (std::uint16_t j = 0; j < 30; ++j) {
+    joints.push_back(j);
+    for (const float share : {0.25f, 0.5f, 0.7f})
+      helpers.push_back({j, static_cast<std::uint16_t>((j + 7) % 30), share});
+  }
+  Random random(71);
+  std::vector<Affine> bind(joints.size()), scene(joints.size()), palette(joints.size() + helpers.size());
+  std::vector<float> centres(3 * helpers.size());
+  std::uint64_t by_dual_quaternions = kHashStart, about_centres = kHashStart;
+  for (std::size_t moment = 0; moment < 24; ++moment) {
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const auto place = [&] { return Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; };
+      const double* const s = kScales[j % 10 == 0 ? moment % std::size(kScales) : 0];
+      bind[j] = to_affine(from_trs(place(), random.rotation(), {1, 1, 1}));
+      scene[j] = to_affine(from_trs(place(), random.rotation(), {s[0], s[1], s[2]}));
+    }
+    for (float& c : centres) c = static_cast<float>(random.between(-1, 1));
+    must(build_palette(joints, bind, scene, palette, helpers));
+    by_dual_quaternions = hash_of(palette, by_dual_quaternions);
+    must(build_palette(joints, bind, scene, palette, helpers, centres));
+    about_centres = hash_of(palette, about_centres);
+  }
+  out.push_back({"helpers", by_dual_quaternions});
+  out.push_back({"helpers about centres", about_centres});
+}
+
 }  // namespace
 
 void must(Status status, Status wanted) {
@@ -279,6 +310,7 @@ void hash_poses(StageHashes& out) {
   out.push_back({"the creature of noise", creature_hash(creature)});
   hash_creature(creature, out);
   hash_creature(make_character(52, 34, 90, true), out);
+  hash_helpers(out);
   hash_curves(out);
   hash_blends(out);
   hash_playback(out);

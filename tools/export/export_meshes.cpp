@@ -158,13 +158,14 @@ class Meshes {
     Json out = found->second;
     if (part_->skin) {
       const Skin& skin = skins_[*part_->skin];
-      std::vector<std::vector<std::uint16_t>> joints;
+      std::vector<std::vector<EntryJoints>> joints;
       for (const Mesh& part : parts) {
         joints.emplace_back();
         for (std::uint32_t i = 0; i < part.joint_count; ++i)
-          joints.back().push_back(static_cast<std::uint16_t>(skin.at.at(part.joints[i])));
-        // Helpers have no weights but what rounding leaves.
-        for (const Helper& helper : part.helpers) joints.back().push_back(joints.back()[helper.second]);
+          joints.back().push_back({static_cast<std::uint16_t>(skin.at.at(part.joints[i]))});
+        for (const Helper& helper : part.helpers)
+          joints.back().push_back(
+              {joints.back()[helper.first].first, joints.back()[helper.second].first, helper.share});
       }
       Json& weights = weights_[{numbers, joints}];
       if (weights.is_null())
@@ -297,8 +298,8 @@ class Meshes {
   std::optional<Part> part_;
   std::vector<Skin> skins_;
   using Numbers = std::vector<std::uint32_t>;
-  std::map<Numbers, Json> vertices_;                                                     // geometries of parts
-  std::map<std::pair<Numbers, std::vector<std::vector<std::uint16_t>>>, Json> weights_;  // and their palettes
+  std::map<Numbers, Json> vertices_;                                                   // geometries of parts
+  std::map<std::pair<Numbers, std::vector<std::vector<EntryJoints>>>, Json> weights_;  // and their palettes
   std::map<std::string, std::size_t> known_;
   std::map<std::uint32_t, bool> complete_;  // skeletons
 };

@@ -10,9 +10,19 @@ namespace marrow::tools {
 namespace {
 
 struct Influence {
-  std::uint16_t entry = 0;  // of the palette
+  std::uint16_t joint = 0;  // of the skin
   float weight = 0;
 };
+
+void add(std::uint16_t joint, float weight, std::vector<Influence>& out) {
+  if (!(weight > 0)) return;
+  const auto same = std::ranges::find(out, joint, &Influence::joint);
+  if (same == out.end()) {
+    out.push_back({joint, weight});
+  } else {
+    same->weight += weight;
+  }
+}
 
 // Of arrays of blocks of `components` components, a part each, the vertices in `order`.
 std::vector<float> unpack(std::span<const Geometry> parts, const float* Geometry::*blocks, std::size_t components,
@@ -62,14 +72,16 @@ std::vector<Block> blocks_of(const Geometry& g) {
 
 // Largest first; the smallest is what the others leave, so that the sum in float is exactly 1 (if what is taken from 1
 // is below a half, the rounding of the difference is too small to be seen beside 1; if above, there is none).
-std::vector<Influence> influences_of(const Block& block, std::uint32_t lane) {
+std::vector<Influence> influences_of(const Block& block, std::uint32_t lane, const std::vector<EntryJoints>& entries) {
   std::vector<Influence> out;
   float left = 1;
   for (std::uint32_t j = 0; j < block.influences; ++j) {
     const bool last = j + 1 == block.influences;
     const float weight = last ? left : block.skin[12 + 4 * j + lane];
     left -= weight;
-    if (weight > 0) out.push_back({block.set[j], weight});
+    const EntryJoints& entry = entries[block.set[j]];
+    add(entry.first, weight * (1 - entry.share), out);
+    add(entry.second, weight * entry.share, out);
   }
   std::stable_sort(out.begin(), out.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
   while (out.size() > 1) {
@@ -79,7 +91,7 @@ std::vector<Influence> influences_of(const Block& block, std::uint32_t lane) {
     if (out.back().weight > 0) return out;
     out.pop_back();  // too small to count
   }
-  return {{out.empty() ? block.set[0] : out[0].entry, 1.0f}};
+  return {{out.empty() ? entries[block.set[0]].first : out[0].joint, 1.0f}};
 }
 
 template <class T>
@@ -139,21 +151,23 @@ Json export_vertices(Glb& glb, std::span<const Geometry> parts) {
   return out;
 }
 
-void export_weights(Glb& glb, std::span<const Geometry> parts,
-                    const std::vector<std::vector<std::uint16_t>>& skin_joints, bool wide, Json& attributes) {
+void export_weights(Glb& glb, std::span<const Geometry> parts, const std::vector<std::vector<EntryJoints>>& entries,
+                    bool wide, Json& attributes) {
   const std::vector<std::vector<Block>> blocks = blocks_of_all(parts);
-  std::size_t most = 0;
-  for (const std::vector<Block>& of_part : blocks)
-    for (const Block& block : of_part) most = std::max<std::size_t>(most, block.influences);
+  std::vector<std::vector<Influence>> vertices;
+  std::size_t most = 1;
+  for (const auto& [part, slot] : vertex_order(parts)) {
+    vertices.push_back(influences_of(blocks[part][slot / 4], slot % 4, entries[part]));
+    most = std::max(most, vertices.back().size());
+  }
   const std::size_t sets = (most + 3) / 4;
   std::vector<std::vector<std::uint16_t>> joints(sets);
   std::vector<std::vector<float>> weights(sets);
-  for (const auto& [part, slot] : vertex_order(parts)) {
-    std::vector<Influence> influences = influences_of(blocks[part][slot / 4], slot % 4);
+  for (std::vector<Influence>& influences : vertices) {
+    influences.resize(sets * 4);
     for (std::size_t i = 0; i < sets * 4; ++i) {
-      const bool used = i < influences.size();
-      joints[i / 4].push_back(used ? skin_joints[part][influences[i].entry] : std::uint16_t{0});
-      weights[i / 4].push_back(used ? influences[i].weight : 0.0f);
+      joints[i / 4].push_back(influences[i].joint);
+      weights[i / 4].push_back(influences[i].weight);
     }
   }
   for (std::size_t s = 0; s < sets; ++s) {

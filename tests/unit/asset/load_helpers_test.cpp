@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +16,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::
 
 class LoadHelpers : public ::testing::Test {
  protected:
-  explicit LoadHelpers(test::AlignedBlock block = test::golden_half_joint_copy()) : block_(std::move(block)) {
+  explicit LoadHelpers(test::AlignedBlock (*copy)() = test::golden_half_joint_copy) : block_(copy()) {
     File original;
     EXPECT_EQ(load(block_, original), Status::ok);
     for (const File::Section& s : original.sections())
@@ -29,8 +28,9 @@ class LoadHelpers : public ::testing::Test {
     EXPECT_EQ(end_, std::size_t{mesh_.offset} + mesh_.bytes);
   }
   template <class T>
-  void refuse_as(const char* rule, std::size_t place, std::size_t offset, T value, const char* what) {
-    const test::DamageReport got = test::load_with(block_, offset, value);
+  void refuse_as(test::AlignedBlock& block, const char* rule, std::size_t place, std::size_t offset, T value,
+                 const char* what) {
+    const test::DamageReport got = test::load_with(block, offset, value);
     EXPECT_EQ(got.status, Status::bad_data) << what;
     EXPECT_EQ(got.mesh_count, 0u) << what;
     EXPECT_STREQ(got.error.rule, rule) << what;
@@ -39,7 +39,7 @@ class LoadHelpers : public ::testing::Test {
   }
   template <class T>
   void refuse(std::size_t offset, T value, const char* what) {
-    refuse_as("a helper blends two joints of the mesh", first_, offset, value, what);
+    refuse_as(block_, "a helper blends two joints of the mesh", first_, offset, value, what);
   }
 
   test::AlignedBlock block_;
@@ -49,7 +49,7 @@ class LoadHelpers : public ::testing::Test {
 };
 
 struct LoadCentres : LoadHelpers {
-  LoadCentres() : LoadHelpers(test::golden_centres_copy()) {}
+  LoadCentres() : LoadHelpers(test::golden_centres_copy) {}
 };
 
 TEST_F(LoadHelpers, BlendTwoJoints) {
@@ -85,7 +85,7 @@ TEST_F(LoadCentres, AreNumbersOfSaneSize) {
   ASSERT_EQ(end_ - first_, sizeof(Helper) + 12);
   for (std::size_t at = end_ - 12; at < end_; at += 4)
     for (const float c : {kNan, kInfinity, -kInfinity, 1.001e12f, -3e38f})
-      refuse_as("a number that is not finite, or beyond 1e12", at, at, c, "a centre");
+      refuse_as(block_, "a number that is not finite, or beyond 1e12", at, at, c, "a centre");
   EXPECT_EQ(refused_, 15);
   EXPECT_EQ(test::load_with(block_, end_ - 12, -1e12f).status, Status::ok);
   refuse(first_ + 4, 1.0f, "a share that is not between");
@@ -95,15 +95,15 @@ TEST_F(LoadCentres, AreThereOrNot) {
   constexpr const char* kRule = "section size differs from its counts";
   const std::size_t flags = mesh_.offset + 20;
   for (const unsigned wrong : {0u, 2u, 3u})
-    refuse_as(kRule, mesh_.offset, flags, static_cast<std::uint8_t>(wrong), "no flag");
-  block_ = test::golden_half_joint_copy();
-  refuse_as(kRule, mesh_.offset, flags, std::uint8_t{4}, "no centres");
-  block_ = test::golden_copy();
+    refuse_as(block_, kRule, mesh_.offset, flags, static_cast<std::uint8_t>(wrong), "no flag");
+  test::AlignedBlock none = test::golden_half_joint_copy();
+  refuse_as(none, kRule, mesh_.offset, flags, std::uint8_t{4}, "no centres");
+  test::AlignedBlock plain = test::golden_copy();
   File without;
-  ASSERT_EQ(load(block_, without), Status::ok);
+  ASSERT_EQ(load(plain, without), Status::ok);
   for (const File::Section& s : without.sections())
     if (s.type == format::kTypes[format::kMeshes])
-      refuse_as("centres without helpers", s.offset + 20, s.offset + 20, std::uint8_t{4}, "no helpers");
+      refuse_as(plain, "centres without helpers", s.offset + 20, s.offset + 20, std::uint8_t{4}, "no helpers");
   EXPECT_GT(refused_, 4);
 }
 

@@ -23,7 +23,7 @@ struct Bytes {
   }
   Bytes& u8(unsigned v) { return add(static_cast<std::uint8_t>(v)); }
   Bytes& varint(unsigned v) {
-    for (; v > 127; v >>= 7) u8(v & 127 | 128);
+    for (; v > 127; v >>= 7) u8((v & 127) | 128);
     return u8(v);
   }
   Bytes& text(const std::string& s) {

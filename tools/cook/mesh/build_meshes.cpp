@@ -1,6 +1,7 @@
 #include "cook/mesh/build_meshes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <set>
@@ -16,7 +17,7 @@
 #include "cook/mesh/lod.h"
 #include "cook/mesh/scene_scale.h"
 #include "cook/scene/matrices.h"
-#include "cook/skeleton/round_rest.h"
+#include "cook/scene/whole_steps.h"
 #include "cook/skin/bound_deformers.h"
 #include "cook/skin/primitive_palette.h"
 #include "cook/skin/split_primitives.h"
@@ -207,6 +208,14 @@ std::vector<std::vector<std::uint32_t>> build_tasks(const std::string& source, c
   return numbers;
 }
 
+// Helpers' centres to 2^-13 of the largest coordinate, two bytes each in a packed file.
+void round_centres(BuiltMesh& mesh) {
+  float longest = 0;
+  for (const float c : mesh.helper_centres) longest = std::max(longest, std::abs(c));
+  mesh.centre_exponent = exponent_for(longest, (1 << 13) - 1);
+  for (float& c : mesh.helper_centres) c = whole_steps(c, mesh.centre_exponent);
+}
+
 BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const RawPrimitive& primitive,
                      const Bound& bound, std::uint32_t part, int skin, int subdivide, const BuiltScene& built,
                      const SceneScale& scale) {
@@ -227,7 +236,7 @@ BuiltMesh build_mesh(const RawScene& scene, const RawInstance& instance, const R
   mesh.inverse_bind = palette.inverse_bind;
   mesh.helpers = palette.helpers;
   mesh.helper_centres = palette.helper_centres;
-  mesh.centre_exponent = round_centres(mesh.helper_centres);
+  round_centres(mesh);
   mesh.scene_scale = scale.of(mesh.skeleton, mesh.joints, mesh.inverse_bind);
   mesh.lods = bound.lods;
   if (subdivide > 0) mesh.source_triangles = primitive.indices.size() / 3 >> (2 * subdivide);

@@ -1,16 +1,13 @@
 #include "cook/skeleton/round_rest.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include "cook/scene/whole_steps.h"
 #include "unpack/rest.h"
 
 namespace marrow::cook {
 namespace {
-
-constexpr std::int32_t kLeastExponent = -120, kMostExponent = 120;  // fits a byte
-constexpr std::int32_t kMostCentre = (1 << 13) - 1;                 // two bytes of a packed file
 
 // Of any length but zero.
 std::uint64_t encode_rotation(const double (&q)[4]) {
@@ -29,20 +26,6 @@ std::uint64_t encode_rotation(const double (&q)[4]) {
     shift += 20;
   }
   return code;
-}
-
-// As small as lets the longest component fit.
-std::int32_t exponent_for(float longest, std::int32_t most) {
-  if (!(longest > 0)) return 0;
-  const auto bits = static_cast<std::int32_t>(std::bit_width(static_cast<std::uint32_t>(most)));
-  std::int32_t exponent = std::max(std::ilogb(longest) + 1 - bits, kLeastExponent);
-  if (std::round(std::ldexp(static_cast<double>(longest), -exponent)) > most) ++exponent;
-  return std::min(exponent, kMostExponent);
-}
-
-float whole_steps(float number, std::int32_t exponent) {
-  const double steps = std::ldexp(static_cast<double>(number), -exponent);
-  return decode_translation(static_cast<std::int32_t>(std::round(steps)), exponent);
 }
 
 }  // namespace
@@ -67,14 +50,6 @@ void round_rest(BuiltSkeleton& skeleton) {
     for (auto& axis : four.scale)
       if (std::abs(axis[lane] - 1.0f) <= 1e-6f) axis[lane] = 1.0f;
   }
-}
-
-std::int32_t round_centres(std::vector<float>& centres) {
-  float longest = 0;
-  for (const float c : centres) longest = std::max(longest, std::abs(c));
-  const std::int32_t exponent = exponent_for(longest, kMostCentre);
-  for (float& c : centres) c = whole_steps(c, exponent);
-  return exponent;
 }
 
 }  // namespace marrow::cook
