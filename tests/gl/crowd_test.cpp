@@ -38,7 +38,7 @@ TEST(Crowd, DrawsNoiseWithEightInfluences) {
 }
 
 // Helpers are in the baked palettes; on a baked frame they are the CPU's.
-TEST(Crowd, HelpersAreTheCpusOnFrames) {
+void expect_helper_on_frames(Span<const float> centre) {
   const TestCharacter character = make_character(31, 9, 13, false);
   TestRun run;
   run.set = {2};  // the helper
@@ -48,6 +48,7 @@ TEST(Crowd, HelpersAreTheCpusOnFrames) {
   Mesh mesh = with_box(source);
   const Helper helper{0, 1, 0.5f};
   mesh.helpers = {&helper, 1};
+  mesh.helper_centres = centre;
   const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 16);
   const gles3::CrowdClip& clip = reel.clips[0];
   Troop troop(mesh, reel, 1);
@@ -60,6 +61,13 @@ TEST(Crowd, HelpersAreTheCpusOnFrames) {
   const Worst worst = compare_instance(mesh, reel.frames, instance, 0, gles3::Deformer::ssd, {}, {},
                                        troop.capture(gles3::Deformer::ssd, 0, 1)[0]);
   EXPECT_LE(worst.position, kMostCrowdPosition);
+}
+TEST(Crowd, HelpersAreTheCpusOnFrames) {
+  expect_helper_on_frames({});
+}
+TEST(Crowd, HelpersAboutCentresAreTheCpusOnFrames) {
+  const float centre[] = {0.5f, -0.25f, 1};
+  expect_helper_on_frames(centre);
 }
 
 // A vertex that hangs on one joint, at that joint's origin, is where crowd_joint() says that the joint is.
