@@ -112,34 +112,28 @@ Turn shorter_turn(const Linears& m) {
 }
 
 // What four matrices take to `places`.
-[[gnu::noinline]] Vectors place_before(const FourAffines& bind, const Vectors& places) {
+Vectors place_before(const FourAffines& bind, const Vectors& places) {
   const Linears m = columns_of(bind), cofactor = cofactors(m);
   return transposed_times(cofactor, places - origin(bind)) * (splat(1.0f) / dot(m.x, cofactor.x));
 }
 
-// Four helpers.
-struct Four {
-  const Affine* first[4];
-  const Affine* second[4];
-  const Affine* bind[4];
-  alignas(16) float share[4];
-  const float* centres[4];  // null: dual quaternions
-};
-FourAffines load_four(const Affine* const (&m)[4]) {
-  return load_affines(*m[0], *m[1], *m[2], *m[3]);
+[[gnu::always_inline]] inline FourAffines load_four(const Affine* from, std::size_t a, std::size_t b, std::size_t c,
+                                                    std::size_t d) {
+  return load_affines(from[a], from[b], from[c], from[d]);
 }
-Vectors load_centres(const Four& f) {
-  const auto axis = [&](int c) { return lanes(f.centres[0][c], f.centres[1][c], f.centres[2][c], f.centres[3][c]); };
-  return f.centres[0] == nullptr ? splat(0.0f, 0.0f, 0.0f) : Vectors{axis(0), axis(1), axis(2)};
+Vectors load_centres(const float* c) {
+  if (c == nullptr) return splat(0.0f, 0.0f, 0.0f);
+  return {lanes(c[0], c[3], c[6], c[9]), lanes(c[1], c[4], c[7], c[10]), lanes(c[2], c[5], c[8], c[11])};
 }
 
-// Gives those that are good. The turn between two entries is the product of one and the other's inverse, unless their
-// stretches differ; then all four are taken apart.
-mask4 blend_four(const Four& f, FourAffines& out) {
-  const FourAffines a = load_four(f.first), b = load_four(f.second);
-  const f32x4 one = splat(1.0f), share = load_aligned(f.share), rest = one - share;
+// Four helpers; gives those that are good. The turn between two entries is the product of one and the other's inverse,
+// unless their stretches differ; then all four are taken apart.
+mask4 blend_four(const Helper* h, const float* centres, const Affine* bind, const Affine* palette, FourAffines& out) {
+  const FourAffines a = load_four(palette, h[0].first, h[1].first, h[2].first, h[3].first);
+  const FourAffines b = load_four(palette, h[0].second, h[1].second, h[2].second, h[3].second);
+  const f32x4 one = splat(1.0f), share = lanes(h[0].share, h[1].share, h[2].share, h[3].share), rest = one - share;
   Way way = {product_with_inverse(columns_of(b), columns_of(a)), columns_of(a), one};
-  const bool stretched = !all_turns(way.turn), about_centres = f.centres[0] != nullptr;
+  const bool stretched = !all_turns(way.turn), about_centres = centres != nullptr;
   if (stretched) [[unlikely]]
     way = stretched_way(columns_of(a), columns_of(b), share);
   const Turn turn = shorter_turn(way.turn);
@@ -148,7 +142,7 @@ mask4 blend_four(const Four& f, FourAffines& out) {
 
   Vectors from = origin(a), step = origin(b) - from, place;
   if (about_centres || stretched) {
-    place = place_before(load_four(f.bind), load_centres(f));
+    place = place_before(load_four(bind, h[0].second, h[1].second, h[2].second, h[3].second), load_centres(centres));
     from = transform(a, place);
     step = transform(b, place) - from;
   }
@@ -170,7 +164,7 @@ void blend_straight(const Affine& a, const Affine& b, float share, Affine& out) 
     store(out.rows[r], load_aligned(a.rows[r]) * splat(1.0f - share) + load_aligned(b.rows[r]) * splat(share));
 }
 
-void store_one_row(FourRows rows, int row, std::size_t count, Affine* out) {
+[[gnu::always_inline]] inline void store_one_row(FourRows rows, int row, std::size_t count, Affine* out) {
   transpose(rows.linear.x, rows.linear.y, rows.linear.z, rows.origin);
   store(out[0].rows[row], rows.linear.x);
   if (count > 1) store(out[1].rows[row], rows.linear.y);
@@ -178,34 +172,40 @@ void store_one_row(FourRows rows, int row, std::size_t count, Affine* out) {
   if (count > 3) store(out[3].rows[row], rows.origin);
 }
 
+[[gnu::noinline]] void add_four(const Helper* helpers, const float* centres, const Affine* bind, const Affine* palette,
+                                std::size_t count, Affine* out) {
+  FourAffines made;
+  const mask4 good = blend_four(helpers, centres, bind, palette, made);
+  store_one_row(made.a, 0, count, out);
+  store_one_row(made.b, 1, count, out);
+  store_one_row(made.c, 2, count, out);
+  if (all(good)) [[likely]]
+    return;
+  float ok[4];
+  store(ok, only_where(good, splat(1.0f)));
+  for (std::size_t i = 0; i < count; ++i)
+    if (ok[i] == 0) blend_straight(palette[helpers[i].first], palette[helpers[i].second], helpers[i].share, out[i]);
+}
+
 }  // namespace
 
 void add_helpers(Span<const Helper> helpers, const float* centres, Span<const Affine> bind, Affine* palette) {
-  Affine* out = palette + bind.size;
-  for (std::size_t done = 0; done < helpers.size; done += 4, out += 4) {
-    const std::size_t left = helpers.size - done, count = left < 4 ? left : 4;
-    Four four;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t n = done + (i < count ? i : 0);
-      const Helper& h = helpers.data[n];
-      four.first[i] = palette + h.first;
-      four.second[i] = palette + h.second;
-      four.bind[i] = bind.data + h.second;
-      four.share[i] = h.share;
-      four.centres[i] = centres == nullptr ? nullptr : centres + 3 * n;
-    }
-    FourAffines made;
-    const mask4 good = blend_four(four, made);
-    store_one_row(made.a, 0, count, out);
-    store_one_row(made.b, 1, count, out);
-    store_one_row(made.c, 2, count, out);
-    if (all(good)) [[likely]]
-      continue;
-    float ok[4];
-    store(ok, only_where(good, splat(1.0f)));
-    for (std::size_t i = 0; i < count; ++i)
-      if (ok[i] == 0) blend_straight(*four.first[i], *four.second[i], four.share[i], out[i]);
+  Affine* const out = palette + bind.size;
+  std::size_t i = 0;
+  for (; i + 4 <= helpers.size; i += 4) {
+    add_four(helpers.data + i, centres, bind.data, palette, 4, out + i);
+    if (centres != nullptr) centres += 12;
   }
+  if (i == helpers.size) return;
+  // The rest, and the first of it once more for each that is missing.
+  Helper last[4];
+  float last_centres[12];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t from = i + k < helpers.size ? k : 0;
+    last[k] = helpers.data[i + from];
+    for (std::size_t c = 0; c < 3 && centres != nullptr; ++c) last_centres[3 * k + c] = centres[3 * from + c];
+  }
+  add_four(last, centres == nullptr ? nullptr : last_centres, bind.data, palette, helpers.size - i, out + i);
 }
 
 }  // namespace marrow

@@ -1,5 +1,6 @@
 #include "marrow/palette.h"
 
+#include "core/builtins.h"
 #include "core/check.h"
 #include "core/mark.h"
 #include "math/affine.h"
@@ -17,6 +18,20 @@ double volume(const Affine& map) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
+// Whether all keep the rules in file.h. Of a number above 0 and below 1 the bits are between those of the two.
+bool blend_two(Span<const Helper> helpers, std::size_t joint_count) {
+  constexpr std::uint32_t kOne = 0x3F800000;
+  const auto count = static_cast<std::uint32_t>(joint_count < 65536 ? joint_count : 65536);
+  std::uint32_t bad = 0;
+  for (const Helper& h : helpers) {
+    const std::uint32_t first = h.first, second = h.second;
+    bad |= static_cast<std::uint32_t>(first >= count) | static_cast<std::uint32_t>(second >= count) |
+           static_cast<std::uint32_t>(first == second) |
+           static_cast<std::uint32_t>(bit_cast<std::uint32_t>(h.share) - 1 >= kOne - 1);
+  }
+  return bad == 0;
+}
+
 }  // namespace
 
 Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
@@ -26,10 +41,7 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
   MARROW_REQUIRE(holds(bind, joints.size));
   MARROW_REQUIRE(holds(out, joints.size + helpers.size));
   MARROW_REQUIRE(centres.empty() || holds(centres, 3 * helpers.size));
-  for (const Helper& h : helpers) {
-    MARROW_REQUIRE(h.first < joints.size && h.second < joints.size && h.first != h.second);
-    MARROW_REQUIRE(h.share > 0 && h.share < 1);
-  }
+  MARROW_REQUIRE(blend_two(helpers, joints.size) && "two joints of the palette, a share between 0 and 1");
   std::uint16_t last = 0;
   for (const std::uint16_t joint : joints) last = last < joint ? joint : last;
   MARROW_REQUIRE(joints.empty() || last < scene_from_joint.size);

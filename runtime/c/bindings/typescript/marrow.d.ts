@@ -3972,7 +3972,8 @@ export class Marrow {
    * not finite, the two are blended as numbers.
    *
    * The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-   * Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64.
+   * Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a centre
+   * 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
    * Thread-safe on different outputs; out overlaps none of the inputs.
    */
   build_palette_of_joints(joints: List<number> | null, bind: List<Affine> | null, scene_from_joint: List<Affine> | null, out: List<Affine> | null, helpers: List<Helper> | null, centres: List<number> | null): Status;
