@@ -157,9 +157,9 @@ const char* read_counts(ByteReader& reader, MeshStreams& out) {
   if ((out.flags & format::kHasTangents) != 0 && (out.flags & format::kHasNormals) == 0)
     return "tangents without normals";
   if (out.influences > out.joint_count || out.apart.influences > out.joint_count) return "more influences than joints";
-  if (is_apart && ((out.flags & format::kHasAsResidual) == 0 || (out.flags & format::kHasMwe) != 0 ||
-                   out.influences < 2 || out.apart.influences < out.influences ||
-                   out.apart.influences > kMaxInfluences))
+  if (is_apart &&
+      ((out.flags & format::kHasAsResidual) == 0 || (out.flags & format::kHasMwe) != 0 || out.influences < 2 ||
+       out.apart.influences < out.influences || out.apart.influences > kMaxInfluences))
     return "a residual apart that none can be";
   return nullptr;
 }

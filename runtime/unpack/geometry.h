@@ -39,8 +39,8 @@ struct GeometryInWork {
   ResidualInWork* residual = nullptr;  // begun
 };
 
-// A record's streams, decoded; finish_streams(), until it is done, arrange_geometry() and write_geometry() of them follow. Returns null, or the rule that
-// is broken; `decoded` is what the codec says.
+// A record's streams, decoded; finish_streams(), until it is done, arrange_geometry() and write_geometry() of them
+// follow. Returns null, or the rule that is broken; `decoded` is what the codec says.
 const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                             GeometryInWork& out, Status& decoded);
 

@@ -8,8 +8,8 @@ namespace {
 // Less than 0, 0 or more, by what two vertices have in the streams that say how they move.
 std::int32_t compare(const Stream* const (&streams)[3], std::uint32_t a, std::uint32_t b) {
   for (const Stream* const s : streams) {
-    const std::int32_t *const x = s->values + std::size_t{a} * s->components,
-                              *const y = s->values + std::size_t{b} * s->components;
+    const std::int32_t *const x = s->values + std::size_t{a} * s->components, *const y = s->values +
+                                                                                         std::size_t{b} * s->components;
     for (std::uint32_t c = 0; c < s->components; ++c)
       if (x[c] != y[c]) return x[c] < y[c] ? -1 : 1;
   }

@@ -7,12 +7,13 @@
 namespace marrow {
 
 struct Neighbours {
-  std::uint32_t* leader = nullptr;  // of each vertex the first that lies where it does and follows the same joints alike
-  std::uint32_t* first = nullptr;   // of each vertex in `all`, which has entries for leaders alone
+  std::uint32_t* leader =
+      nullptr;                     // of each vertex the first that lies where it does and follows the same joints alike
+  std::uint32_t* first = nullptr;  // of each vertex in `all`, which has entries for leaders alone
   std::uint32_t* count = nullptr;
-  std::uint32_t* all = nullptr;        // leaders, each once a row; in an order that the mesh's own order decides
-  std::uint8_t* is_inside = nullptr;   // whether each edge round a leader has two triangles, and there are some
-  std::uint32_t* scratch = nullptr;    // a number a vertex, free when find_neighbours() is done; two of these
+  std::uint32_t* all = nullptr;       // leaders, each once a row; in an order that the mesh's own order decides
+  std::uint8_t* is_inside = nullptr;  // whether each edge round a leader has two triangles, and there are some
+  std::uint32_t* scratch = nullptr;   // a number a vertex, free when find_neighbours() is done; two of these
   std::uint32_t* scratch_2 = nullptr;
 };
 

@@ -36,15 +36,15 @@ struct NumberModels {
 
 struct ResidualModels {
   BitModel is_like_leader, is_as_guessed[2][4];
-  BitModel carried[8][4][kMaxInfluences + 1];      // by weight, by neighbours that follow it, by room
+  BitModel carried[8][4][kMaxInfluences + 1];  // by weight, by neighbours that follow it, by room
   BitModel of_neighbour[4][kMaxInfluences + 1], is_another[2];
-  NumberModels numbers[2][3];                      // x, y, z or w; of the last joint, the first or others
+  NumberModels numbers[2][3];  // x, y, z or w; of the last joint, the first or others
 };
 
 // What is coded, of all vertices: sets and how far their residuals are from what was guessed.
 struct ResidualTable {
   std::uint32_t influences = 1;
-  std::int32_t* joints = nullptr;  // influences a vertex; the last repeats
+  std::int32_t* joints = nullptr;           // influences a vertex; the last repeats
   std::int32_t* rows[kMaxInfluences] = {};  // an influence: four a vertex
 
   JointSet set_of(std::uint32_t vertex) const {
@@ -60,12 +60,13 @@ struct ResidualTable {
   }
 };
 
-// The guess at a vertex's residual in steps, by what its leader carries: with c_j the weighed offset of joint j, W_j its
-// weight, v_j the weight that the vertex has of it: d_j = (c_j - W_j / W Σ c) / W and δ_j = W_j / W - v_j, where
-// W = Σ W_j, over the joints of the set. Those that are not carried count as 0.
+// The guess at a vertex's residual in steps, by what its leader carries: with c_j the weighed offset of joint j, W_j
+// its weight, v_j the weight that the vertex has of it: d_j = (c_j - W_j / W Σ c) / W and δ_j = W_j / W - v_j, where W
+// = Σ W_j, over the joints of the set. Those that are not carried count as 0.
 class ResidualGuess {
  public:
-  // Steps of residuals: of their w, and of x, y, z in steps of positions. 0 and what is not finite guesses nothing good.
+  // Steps of residuals: of their w, and of x, y, z in steps of positions. 0 and what is not finite guesses nothing
+  // good.
   ResidualGuess(const Smoothed& smoothed, float step_of_w, double step_in_positions)
       : smoothed_(&smoothed), of_w_(1.0 / static_cast<double>(step_of_w)), of_d_(1.0 / step_in_positions) {}
 
@@ -87,8 +88,7 @@ class ResidualGuess {
     const double all = static_cast<double>(weight > 0 ? weight : 1), one = static_cast<double>(smoothed_->one());
     for (std::uint32_t k = 0; k < set.count; ++k) {
       const double share = static_cast<double>(weights[k]) / all;
-      for (int c = 0; c < 3; ++c)
-        out[k][c] = whole((offsets[k][c] - share * offset[c]) / all * of_d_);
+      for (int c = 0; c < 3; ++c) out[k][c] = whole((offsets[k][c] - share * offset[c]) / all * of_d_);
       out[k][3] = whole((share - static_cast<double>(own[k]) / one) * of_w_);
     }
   }
@@ -144,7 +144,8 @@ class ResidualCodec {
   }
   bool is_same(std::uint32_t a, std::uint32_t b) const {
     for (std::uint32_t j = 0; j < table_.influences; ++j) {
-      if (table_.joints[std::size_t{a} * table_.influences + j] != table_.joints[std::size_t{b} * table_.influences + j])
+      if (table_.joints[std::size_t{a} * table_.influences + j] !=
+          table_.joints[std::size_t{b} * table_.influences + j])
         return false;
       for (int c = 0; c < 4; ++c)
         if (row(j, a)[c] != row(j, b)[c]) return false;
@@ -257,7 +258,8 @@ class ResidualCodec {
     return as_guessed || code_numbers(vertex, set, all, of_joint);
   }
 
-  bool code_numbers(std::uint32_t vertex, const JointSet& set, const Seen& all, const Seen (&of_joint)[kMaxInfluences]) {
+  bool code_numbers(std::uint32_t vertex, const JointSet& set, const Seen& all,
+                    const Seen (&of_joint)[kMaxInfluences]) {
     std::int64_t here[2] = {}, here_count[2] = {};
     std::int32_t sum[4] = {};
     for (std::uint32_t k = 0; k < set.count; ++k) {
@@ -310,7 +312,8 @@ class ResidualCodec {
     std::uint32_t out = 1;
     for (std::uint32_t bit = length; bit-- > 0;) {
       const bool wants = (wanted >> bit & 1) != 0;
-      out = out << 1 | ((bit + 1 == length ? coder_.bit(models.second[length], wants) : coder_.even_bit(wants)) ? 1u : 0u);
+      out = out << 1 |
+            ((bit + 1 == length ? coder_.bit(models.second[length], wants) : coder_.even_bit(wants)) ? 1u : 0u);
     }
     return negative ? -static_cast<std::int32_t>(out) : static_cast<std::int32_t>(out);
   }

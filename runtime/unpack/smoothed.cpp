@@ -6,10 +6,10 @@ namespace marrow {
 namespace {
 
 constexpr std::uint32_t kWeightBits = packed::kMaxWeightBits;
-constexpr std::uint32_t kColumnBits = 30;        // of a weight times a position
-constexpr std::uint64_t kStepWork = 1 << 17;     // vertices times iterations that a step takes, or some more
-constexpr std::uint64_t kMostWork = 1024;        // for each vertex
-constexpr std::int32_t kLeastShare = 1 << 13;    // of the whole, that a joint is carried for
+constexpr std::uint32_t kColumnBits = 30;      // of a weight times a position
+constexpr std::uint64_t kStepWork = 1 << 17;   // vertices times iterations that a step takes, or some more
+constexpr std::uint64_t kMostWork = 1024;      // for each vertex
+constexpr std::int32_t kLeastShare = 1 << 13;  // of the whole, that a joint is carried for
 
 std::int64_t position(const Stream& s, std::uint32_t vertex, std::uint32_t axis) {
   const std::int32_t x = s.values[std::size_t{vertex} * 3 + axis], most = (1 << s.bits) - 1;
@@ -68,9 +68,8 @@ bool Smoothed::begin(const MeshStreams& mesh, const Neighbours& near, std::uint3
     const std::uint32_t n = influence_count(mesh, v);
     own_[v] = all_[v] = static_cast<std::uint8_t>(n);
     for (std::uint32_t j = 0; j < n; ++j)
-      carried_[std::size_t{v} * kMostCarried + j] = {joints.values[std::size_t{v} * joints.components + j],
-                                                     own_weight(v, j),
-                                                     {0, 0, 0}};
+      carried_[std::size_t{v} * kMostCarried + j] = {
+          joints.values[std::size_t{v} * joints.components + j], own_weight(v, j), {0, 0, 0}};
   }
   if (iterations == 0) return true;
   for (std::uint32_t j = 0; j <= mesh.joint_count; ++j) first_of_[j] = 0;
@@ -129,8 +128,8 @@ void Smoothed::iterate() {
         for (int c = 0; c < 4; ++c) sum[c] += now_[row[i]][c];
     for (int c = 0; c < 4; ++c) {
       const std::int64_t missing = sum[c] - std::int64_t{now_[v][c]} * n;
-      next_[v][c] = pace_[v] == 0 ? now_[v][c]
-                                  : static_cast<std::int32_t>(now_[v][c] + ((missing * pace_[v] + (1 << 29)) >> 30));
+      next_[v][c] =
+          pace_[v] == 0 ? now_[v][c] : static_cast<std::int32_t>(now_[v][c] + ((missing * pace_[v] + (1 << 29)) >> 30));
     }
   }
   Column* const last = now_;
@@ -145,8 +144,8 @@ void Smoothed::keep(std::uint32_t joint) {
     const std::uint32_t v = active_[k];
     Carried it{static_cast<std::int32_t>(joint), now_[v][3], {}};
     for (std::uint32_t c = 0; c < 3; ++c)
-      it.offset[c] = static_cast<float>((std::int64_t{now_[v][c]} << place_shift_) -
-                                      it.weight * position(positions, v, c));
+      it.offset[c] =
+          static_cast<float>((std::int64_t{now_[v][c]} << place_shift_) - it.weight * position(positions, v, c));
     for (int c = 0; c < 4; ++c) now_[v][c] = next_[v][c] = 0;
     Carried* const list = carried_ + std::size_t{v} * kMostCarried;
     std::uint32_t at = 0;

@@ -62,7 +62,7 @@ class Smoothed {
   std::uint64_t work_ = 0;  // vertices that steps have taken
   Carried* carried_ = nullptr;
   std::uint8_t *own_ = nullptr, *all_ = nullptr;
-  std::uint32_t* pace_ = nullptr;     // a leader: of a sum of differences how much a step takes, of 2^30
+  std::uint32_t* pace_ = nullptr;      // a leader: of a sum of differences how much a step takes, of 2^30
   std::uint32_t* first_of_ = nullptr;  // a joint and one: of those that follow it in followers_
   std::uint32_t* followers_ = nullptr;
   Column *now_ = nullptr, *next_ = nullptr;

@@ -53,7 +53,7 @@ class OwnedStreams {
   std::vector<std::int16_t> rotations;            // of examples, as MeshStreams'
   std::vector<std::uint16_t> parents;
   std::vector<std::byte> residual_bits;  // of mesh.apart
-  bool has_collapsed = false;  // triangles without an area that are kept for their vertices
+  bool has_collapsed = false;            // triangles without an area that are kept for their vertices
 
   Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits);
   // With the arrays' addresses, until one of them changes.

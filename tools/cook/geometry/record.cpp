@@ -33,9 +33,9 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
   std::vector<std::byte> out;
   const bool has_map = !s.source_map.empty();
   const ResidualApart& apart = s.mesh.apart;
-  add_varint(s.mesh.flags | (has_map ? format::kHasSourceSlots : 0u) |
-                 (apart.influences > 0 ? packed::kResidualIsApart : 0u),
-             out);
+  add_varint(
+      s.mesh.flags | (has_map ? format::kHasSourceSlots : 0u) | (apart.influences > 0 ? packed::kResidualIsApart : 0u),
+      out);
   add_varint(s.mesh.vertex_count, out);
   add_varint(static_cast<std::uint32_t>(s.indices.size() / 3), out);
   add_varint(s.mesh.joint_count, out);

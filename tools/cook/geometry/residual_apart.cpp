@@ -165,8 +165,7 @@ class Work {
     for (std::uint32_t v = 0; v < work_.mesh.vertex_count; ++v) {
       bool is_near = work_.near.is_inside[work_.near.leader[v]] != 0;
       for (std::uint32_t j = 0; j < table.influences; ++j)
-        for (std::size_t c = 0; c < 4; ++c)
-          is_near = is_near && std::abs(table.rows[j][std::size_t{v} * 4 + c]) <= 1;
+        for (std::size_t c = 0; c < 4; ++c) is_near = is_near && std::abs(table.rows[j][std::size_t{v} * 4 + c]) <= 1;
       for (std::uint32_t j = 0; is_near && j < table.influences; ++j)
         std::fill_n(table.rows[j] + std::size_t{v} * 4, 4, 0);
     }

@@ -16,8 +16,8 @@ struct PackedApart {
 };
 
 // encode: as encode_draco(). `streams`, welded, then are in its order, and where they come of smoothing alone their
-// residual may have gone a step towards the guess. Returns nothing, and changes nothing, where a residual cannot be apart:
-// without one; beside multi-weights; where no vertex follows two joints; and where vertices differ in it alone.
+// residual may have gone a step towards the guess. Returns nothing, and changes nothing, where a residual cannot be
+// apart: without one; beside multi-weights; where no vertex follows two joints; and where vertices differ in it alone.
 std::optional<PackedApart> pack_apart(OwnedStreams& streams, const ResidualSource& source,
                                       const std::function<std::vector<std::byte>(OwnedStreams&)>& encode);
 
