@@ -20,21 +20,13 @@ constexpr std::uint32_t bit_length(std::uint64_t x) {
 // faster while they have seen little.
 class BitModel {
  public:
-  std::uint32_t chance() const { return (std::uint32_t{fast_} + slow_) >> 1; }  // of 2^16; never 0 or 2^16
-  void learn(bool bit) {
-    constexpr std::uint32_t kSeenMost = 32, kFast = 4;
-    fast_ = moved(fast_, bit, seen_ + 1u < kFast ? seen_ + 1u : kFast);
-    slow_ = moved(slow_, bit, 1 + bit_length(seen_));
-    if (seen_ < kSeenMost) ++seen_;
-  }
+  std::uint32_t chance() const {
+    return static_cast<std::uint32_t>((1 << 16) + fast_ + slow_) >> 1;
+  }  // of 2^16; never 0 or 2^16
+  void learn(bool bit);
 
  private:
-  static std::uint16_t moved(std::uint32_t chance, bool bit, std::uint32_t shift) {
-    constexpr std::uint32_t kOne = 1 << 16, kLeast = 32;
-    chance = bit ? chance + ((kOne - chance) >> shift) : chance - (chance >> shift);
-    return static_cast<std::uint16_t>(chance < kLeast ? kLeast : chance > kOne - kLeast ? kOne - kLeast : chance);
-  }
-  std::uint16_t fast_ = 1 << 15, slow_ = 1 << 15, seen_ = 0;
+  std::int16_t fast_ = 0, slow_ = 0, seen_ = 0;  // chances less a half, so that all is 0 at first
 };
 
 // The interval that encoder and decoder narrow alike.
@@ -60,32 +52,17 @@ class BitDecoder {
  public:
   static constexpr bool kEncodes = false;
 
-  explicit BitDecoder(Span<const std::byte> bytes) : bytes_(bytes) {
-    for (int i = 0; i < 4; ++i) code_ = code_ << 8 | next();
-  }
+  explicit BitDecoder(Span<const std::byte> bytes);
   // What is passed is what an encoder would write.
-  bool bit(BitModel& model, bool) {
-    const bool bit = take(model.chance());
-    model.learn(bit);
-    return bit;
-  }
+  bool bit(BitModel& model, bool);
   bool even_bit(bool) { return take(kEvenChance); }
   // Whether there are as many bytes as an encoder writes for these bits: four are read ahead, of which it writes one
   // where zeros do not do.
   bool at_end() const { return read_ == bytes_.size + 3 || read_ == bytes_.size + 4; }
 
  private:
-  bool take(std::uint32_t chance) {
-    const std::uint32_t middle = interval_.middle(chance);
-    const bool bit = code_ <= middle;
-    interval_.take(bit, middle);
-    for (; interval_.agrees(); interval_.shift()) code_ = code_ << 8 | next();
-    return bit;
-  }
-  std::uint32_t next() {
-    const std::size_t at = read_++;
-    return at < bytes_.size ? static_cast<std::uint32_t>(bytes_[at]) : 0;
-  }
+  bool take(std::uint32_t chance);
+  std::uint32_t next();
 
   Span<const std::byte> bytes_;
   std::size_t read_ = 0;
