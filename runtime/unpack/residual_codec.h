@@ -85,20 +85,24 @@ class ResidualGuess {
       }
       weight += weights[k];
     }
+    double carry[4] = {};  // what one is rounded by goes to the next: joints that move alike hardly notice
     const double all = static_cast<double>(weight > 0 ? weight : 1), one = static_cast<double>(smoothed_->one());
     for (std::uint32_t k = 0; k < set.count; ++k) {
       const double share = static_cast<double>(weights[k]) / all;
-      for (int c = 0; c < 3; ++c) out[k][c] = whole((offsets[k][c] - share * offset[c]) / all * of_d_);
-      out[k][3] = whole((share - static_cast<double>(own[k]) / one) * of_w_);
+      for (int c = 0; c < 3; ++c) out[k][c] = whole((offsets[k][c] - share * offset[c]) / all * of_d_, carry[c]);
+      out[k][3] = whole((share - static_cast<double>(own[k]) / one) * of_w_, carry[3]);
     }
   }
 
  private:
   // The nearest, and 0 of what is too far from it to matter.
-  static std::int32_t whole(double x) {
+  static std::int32_t whole(double x, double& carry) {
     constexpr double kMost = 1 << 22;
     if (!(x > -kMost && x < kMost)) return 0;
-    return static_cast<std::int32_t>(x < 0 ? x - 0.5 : x + 0.5);
+    x += carry;
+    const auto out = static_cast<std::int32_t>(x < 0 ? x - 0.5 : x + 0.5);
+    carry = x - static_cast<double>(out);
+    return out;
   }
 
   const Smoothed* smoothed_;
