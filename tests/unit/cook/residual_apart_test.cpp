@@ -111,7 +111,7 @@ TEST(ResidualApart, GuessesWhatSmoothingGives) {
   }
   EXPECT_GE(compared, 14u);
   EXPECT_GT(largest, 3);
-  EXPECT_LE(farthest, 0.51) << "half a step by rounding, the rest by whole numbers";
+  EXPECT_LE(farthest, 1.01) << "half a step by rounding, half by what the joint before was rounded by";
 }
 
 struct CylinderSource {
@@ -156,7 +156,7 @@ TEST(ResidualApart, SmoothingAloneTakesHardlyMoreThanLinearBlendSkinning) {
       return static_cast<double>(build_geometry(source.primitive, bindings, 2, grid, options).record.size());
     };
     const double linear = bytes(source.linear, source.grid);
-    EXPECT_LE(bytes(source.smoothed, apart), 1.02 * linear);
+    EXPECT_LE(bytes(source.smoothed, apart), linear + 50);
     EXPECT_GT(bytes(source.smoothed, among), linear + 1000) << "without knowing what it comes from";
   }
 }
