@@ -46,36 +46,6 @@ void direction(const Stream& s, std::uint32_t vertex, float out[3]) {
   }
 }
 
-// Null, or what is wrong with numbers that nobody has checked.
-const char* check(const MeshStreams& mesh) {
-  for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i)
-    if (mesh.indices[i] >= mesh.vertex_count) return "a triangle has no such vertex";
-  for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
-    if (mesh.source_map[i] >= mesh.vertex_count && mesh.source_map[i] != kNoSlot)
-      return "a source vertex has become none";
-  if (const Stream* const joints = mesh.find(StreamKind::joints))
-    for (std::size_t i = 0; i < std::size_t{mesh.vertex_count} * joints->components; ++i)
-      if (joints->values[i] < 0 || static_cast<std::uint32_t>(joints->values[i]) >= mesh.joint_count)
-        return "a palette entry beyond joint_count";
-  for (std::uint32_t i = 0; i < mesh.stream_count; ++i) {
-    const Stream& s = mesh.streams[i];
-    if (!is_centred(s.kind) || s.bits == 0) continue;
-    for (std::size_t k = 0; k < std::size_t{mesh.vertex_count} * s.components; ++k)
-      if (s.values[k] < 0 || s.values[k] >> s.bits != 0) return "a change beyond its bits";
-  }
-  const Stream* const weights = mesh.find(StreamKind::weights);
-  if (weights == nullptr || weights->bits == 0) return nullptr;
-  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
-    std::int64_t left = (std::int64_t{1} << weights->bits) - 1;
-    for (std::uint32_t j = 0; j < weights->components; ++j) {
-      const std::int32_t w = weights->values[std::size_t{v} * weights->components + j];
-      left = w < 0 ? -1 : left - w;
-      if (left < 0) return "weights that sum to more than one";
-    }
-  }
-  return nullptr;
-}
-
 GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a) {
   GeometryHeader h{};
   h.flags = mesh.flags;
@@ -357,8 +327,37 @@ std::uint64_t expand_scratch_bytes(const MeshStreams& mesh) {
   return arrange_scratch_bytes(mesh.vertex_count);
 }
 
+const char* check_streams(const MeshStreams& mesh) {
+  for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i)
+    if (mesh.indices[i] >= mesh.vertex_count) return "a triangle has no such vertex";
+  for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
+    if (mesh.source_map[i] >= mesh.vertex_count && mesh.source_map[i] != kNoSlot)
+      return "a source vertex has become none";
+  if (const Stream* const joints = mesh.find(StreamKind::joints))
+    for (std::size_t i = 0; i < std::size_t{mesh.vertex_count} * joints->components; ++i)
+      if (joints->values[i] < 0 || static_cast<std::uint32_t>(joints->values[i]) >= mesh.joint_count)
+        return "a palette entry beyond joint_count";
+  for (std::uint32_t i = 0; i < mesh.stream_count; ++i) {
+    const Stream& s = mesh.streams[i];
+    if (!is_centred(s.kind) || s.bits == 0) continue;
+    for (std::size_t k = 0; k < std::size_t{mesh.vertex_count} * s.components; ++k)
+      if (s.values[k] < 0 || s.values[k] >> s.bits != 0) return "a change beyond its bits";
+  }
+  const Stream* const weights = mesh.find(StreamKind::weights);
+  if (weights == nullptr || weights->bits == 0) return nullptr;
+  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    std::int64_t left = (std::int64_t{1} << weights->bits) - 1;
+    for (std::uint32_t j = 0; j < weights->components; ++j) {
+      const std::int32_t w = weights->values[std::size_t{v} * weights->components + j];
+      left = w < 0 ? -1 : left - w;
+      if (left < 0) return "weights that sum to more than one";
+    }
+  }
+  return nullptr;
+}
+
 const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, Arrangement& out) {
-  if (const char* const rule = check(mesh)) return rule;
+  if (const char* const rule = check_streams(mesh)) return rule;
   return arrange(mesh, scratch, out) ? nullptr : "memory_bytes too small";
 }
 

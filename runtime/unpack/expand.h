@@ -10,6 +10,9 @@ namespace marrow {
 // Bytes of the scratch memory that arrange_geometry() takes.
 std::uint64_t expand_scratch_bytes(const MeshStreams& mesh);
 
+// Null, or the rule that is broken, by numbers that nobody has checked: all that is needed to go by them.
+const char* check_streams(const MeshStreams& mesh);
+
 // Checks the streams and decides where each vertex goes. Palette entries are for load() to check. Returns null, or the
 // rule that is broken. Cost: one sort of the vertices.
 const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, Arrangement& out);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "unpack/residual.h"
+
 namespace marrow {
 namespace {
 
@@ -140,6 +142,9 @@ const char* read_counts(ByteReader& reader, MeshStreams& out) {
   if ((out.flags & format::kHasMorphTargets) != 0) out.target_count = reader.take_varint();
   const bool has_examples = (out.flags & format::kHasPoseSpace) != 0;
   if (has_examples) out.example_count = reader.take_varint();
+  const bool is_apart = (out.flags & packed::kResidualIsApart) != 0;
+  out.flags &= ~packed::kResidualIsApart;
+  if (is_apart) out.apart.influences = reader.take_varint();
   if (out.example_count > kMaxPoseExamples || (out.example_count == 0) == has_examples)
     return "a count of examples out of range";
   if ((out.flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return "unknown geometry flags";
@@ -151,7 +156,12 @@ const char* read_counts(ByteReader& reader, MeshStreams& out) {
     return "joint_count or influences out of range";
   if ((out.flags & format::kHasTangents) != 0 && (out.flags & format::kHasNormals) == 0)
     return "tangents without normals";
-  return out.influences > out.joint_count ? "more influences than joints" : nullptr;
+  if (out.influences > out.joint_count || out.apart.influences > out.joint_count) return "more influences than joints";
+  if (is_apart &&
+      ((out.flags & format::kHasAsResidual) == 0 || (out.flags & format::kHasMwe) != 0 || out.influences < 2 ||
+       out.apart.influences < out.influences || out.apart.influences > kMaxInfluences))
+    return "a residual apart that none can be";
+  return nullptr;
 }
 
 // Streams, whose counts have been read.
@@ -181,7 +191,9 @@ const char* read_streams(Reading& in) {
     sane = sane && read_bits(reader, 1, packed::kMaxWeightBits, weights);
     if (sane) weights.step = weight_step(weights.bits);
   }
-  if (has(format::kHasAsResidual)) {
+  if (out.apart.influences > 0) {
+    sane = sane && read_residual_apart(reader, out);
+  } else if (has(format::kHasAsResidual)) {
     Stream& first = in.add(StreamKind::residual, 4, 0);
     sane = sane && read_values(reader, 1, first);
     for (std::uint32_t j = 1; j < out.influences; ++j) in.add(Stream{first}).target = j;
@@ -197,12 +209,20 @@ const char* read_streams(Reading& in) {
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";
 }
 
+// Of what comes after decoding. What a residual leaves free, the arrangement takes.
+std::uint64_t work_bytes(const MeshStreams& mesh) {
+  const std::uint64_t arranging = expand_scratch_bytes(mesh);
+  if (mesh.apart.influences == 0) return arranging;
+  const ResidualBytes residual = residual_apart_bytes(mesh);
+  return residual.kept + std::max(residual.freed, arranging);
+}
+
 // At most: each vertex may be in a run of its own, and be moved by all targets and examples.
 std::uint64_t most_section_bytes(const MeshStreams& mesh) {
   format::GeometryHeader h{};
   h.flags = mesh.flags;
   h.block_count = h.run_count = mesh.vertex_count;
-  h.influence_blocks = h.set_count = mesh.vertex_count * mesh.influences;
+  h.influence_blocks = h.set_count = mesh.vertex_count * std::max(mesh.influences, mesh.apart.influences);
   h.index_count = 3 * mesh.triangle_count;
   h.source_vertex_count = mesh.source_vertex_count;
   const std::uint64_t moves = std::uint64_t{mesh.target_count} + mesh.example_count, blocks = mesh.vertex_count;
@@ -231,7 +251,7 @@ const char* measure_geometry_record(Span<const std::byte> record, GeometryNeeds&
   memory.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3);
   memory.take<std::uint32_t>(mesh.source_vertex_count);
   if (memory.failed) return "more memory than there can be";
-  out = {memory.whole() + expand_scratch_bytes(mesh), most_section_bytes(mesh)};
+  out = {memory.whole() + work_bytes(mesh), most_section_bytes(mesh)};
   return nullptr;
 }
 
@@ -244,13 +264,13 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
              format::align16(std::uint64_t{mesh.joint_count} * mesh.example_count * 8);
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
     bytes += array(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components);
-  return bytes + expand_scratch_bytes(mesh);
+  return bytes + work_bytes(mesh);
 }
 
 const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                             GeometryInWork& out, Status& decoded) {
   ByteReader reader(record.data, record.size);
-  out = {{scratch.data, 0, scratch.size}, {}, {}};
+  out = {{scratch.data, 0, scratch.size}, {}, {}, nullptr};
   Memory& memory = out.scratch;
   MeshStreams& mesh = out.streams;
   if (const char* const rule = read_geometry_record(reader, memory, mesh)) return rule;
@@ -266,6 +286,13 @@ const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& dec
   decoded = decoder.decode({reader.at(), reader.left()}, mesh);
   if (decoded == Status::ok) return nullptr;
   return decoded == Status::out_of_memory ? to_string(decoded) : "damaged mesh data";
+}
+
+const char* finish_streams(GeometryInWork& mesh, bool& done) {
+  done = mesh.streams.apart.influences == 0;
+  if (done) return nullptr;
+  if (mesh.residual == nullptr) return begin_residual_apart(mesh.streams, mesh.scratch, mesh.residual);
+  return unpack_residual_apart(*mesh.residual, mesh.scratch, mesh.streams, done);
 }
 
 }  // namespace marrow

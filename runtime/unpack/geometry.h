@@ -9,6 +9,8 @@
 
 namespace marrow {
 
+struct ResidualInWork;
+
 // How many streams there are at most.
 constexpr std::uint64_t geometry_stream_count(std::uint64_t target_count, std::uint64_t example_count) {
   return kBindStreams + 3 * target_count + example_count;
@@ -34,18 +36,24 @@ struct GeometryInWork {
   Memory scratch;
   MeshStreams streams;
   Arrangement arrangement;
+  ResidualInWork* residual = nullptr;  // begun
 };
 
-// A record's streams, decoded; arrange_geometry() and write_geometry() of them follow. Returns null, or the rule that
-// is broken; `decoded` is what the codec says.
+// A record's streams, decoded; finish_streams(), until it is done, arrange_geometry() and write_geometry() of them
+// follow. Returns null, or the rule that is broken; `decoded` is what the codec says.
 const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                             GeometryInWork& out, Status& decoded);
 
-// All three in one go, for the cooker and for tests.
+// Goes on with a residual that stands apart, of which a large mesh's takes several steps; without one there is nothing
+// to do. Returns null, or the rule that is broken.
+const char* finish_streams(GeometryInWork& mesh, bool& done);
+
+// All in one go, for the cooker and for tests.
 inline const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                                    Span<std::byte> out, std::uint32_t& bytes, Status& decoded) {
   GeometryInWork mesh;
   const char* rule = decode_geometry(record, decoder, scratch, mesh, decoded);
+  for (bool done = false; rule == nullptr && !done;) rule = finish_streams(mesh, done);
   if (rule == nullptr) rule = arrange_geometry(mesh.streams, mesh.scratch, mesh.arrangement);
   return rule != nullptr ? rule : write_geometry(mesh.streams, mesh.arrangement, out, bytes);
 }

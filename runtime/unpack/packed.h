@@ -61,6 +61,9 @@ enum PackedClipFlags : std::uint32_t {
   kAllClipFlags = 31,
 };
 
+// Of a compressed GEOM, beside GEOM's own: its residual is not among the codec's streams.
+inline constexpr std::uint32_t kResidualIsApart = 4096;
+
 inline constexpr std::uint32_t kMaxDirectionBits = 16;
 inline constexpr std::uint32_t kMaxWeightBits = 16;
 inline constexpr std::uint32_t kMaxTargetBits = 16;

@@ -47,6 +47,15 @@ constexpr float weight_step(std::uint32_t bits) {
   return 1.0f / static_cast<float>((1 << bits) - 1);
 }
 
+// Animation space's residual, in bits of its own: the streams are linear blend skinning's.
+struct ResidualApart {
+  std::uint32_t influences = 0;  // that a vertex may have in animation space; 0: there is none apart
+  std::uint32_t iterations = 0;  // of smoothing, by which it is guessed; 0: it is not
+  std::uint32_t share = 0;       // of the way to its neighbours' mean that each goes, of 2^15
+  float step_of_w = 1, step = 1;
+  Span<const std::byte> bits;
+};
+
 struct MeshStreams {
   std::uint32_t flags = 0;  // format::GeometryFlags
   std::uint32_t vertex_count = 0;
@@ -62,6 +71,7 @@ struct MeshStreams {
   float sigma = 0;
   const std::int16_t* rotations = nullptr;  // for each example and palette entry x y z w
   const std::uint16_t* parents = nullptr;   // a palette entry
+  ResidualApart apart;
   Stream* streams = nullptr;
   std::uint32_t stream_count = 0;
 

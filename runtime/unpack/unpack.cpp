@@ -79,7 +79,7 @@ const char* codec_name(std::uint32_t codec) {
 }
 
 // What a mesh record waits for.
-enum class MeshStage : std::uint8_t { decoding, ordering, writing };
+enum class MeshStage : std::uint8_t { decoding, finishing, ordering, writing };
 
 // Writes sections one behind the other into the front part of memory, a step at a time. Lies in Unpacking::state.
 class Unpacker {
@@ -194,7 +194,11 @@ class Unpacker {
       Status decoded = Status::ok;
       rule = decode_geometry(record_.bytes, *decoder, scratch(), mesh_, decoded);
       if (decoded == Status::out_of_memory) return decoded;
-      stage_ = MeshStage::ordering;
+      stage_ = mesh_.streams.apart.influences > 0 ? MeshStage::finishing : MeshStage::ordering;
+    } else if (stage_ == MeshStage::finishing) {
+      bool done = false;
+      rule = finish_streams(mesh_, done);
+      if (done) stage_ = MeshStage::ordering;
     } else if (stage_ == MeshStage::ordering) {
       rule = arrange_geometry(mesh_.streams, mesh_.scratch, mesh_.arrangement);
       stage_ = MeshStage::writing;

@@ -2,6 +2,7 @@
 #include "bits/stages.h"
 #include "support/fan.h"
 #include "support/golden.h"
+#include "support/ring.h"
 
 namespace marrow::test {
 namespace {
@@ -20,6 +21,13 @@ std::uint64_t unpacked_hash(const std::vector<std::byte>& packed) {
   return exercise(file);
 }
 
+std::uint64_t section_hash(const std::vector<std::byte>& record) {
+  const UnpackedGeometry geometry = unpack_plain(record);
+  std::uint64_t hash = geometry.rule == nullptr ? 0xCBF29CE484222325u : 0;
+  for (const std::byte b : geometry.section) hash = (hash ^ static_cast<std::uint64_t>(b)) * 0x100000001B3u;
+  return hash;
+}
+
 }  // namespace
 
 void hash_files(StageHashes& out) {
@@ -35,6 +43,7 @@ void hash_files(StageHashes& out) {
   out.push_back({"limits", file_hash(golden_limits_copy())});
   out.push_back({"unpack", unpacked_hash(packed_fan())});
   out.push_back({"unpack, deformers", unpacked_hash(packed_deformers())});
+  out.push_back({"unpack, a residual apart", section_hash(ring_record())});
 }
 
 }  // namespace marrow::test

@@ -68,6 +68,7 @@ constexpr StageHash kStored[] = {
     {"limits", 0x29D2E77DC9998191},
     {"unpack", 0x97846384F63C80E5},
     {"unpack, deformers", 0xEA4789054240AE97},
+    {"unpack, a residual apart", 0xC7586506C8AFD90B},
 };
 
 int run() {

@@ -40,14 +40,17 @@ void smooth_columns(const Surface& surface, int iterations, double step, Columns
     for (int i = 0; i < iterations; ++i) surface.smooth(column, step, scratch);
 }
 
-// The joints with the largest weights of a vertex, ascending.
-std::vector<Influence> largest(const Columns<double>& weights, std::size_t v, std::size_t most) {
+// The joints with the largest weights of a vertex, and its own, ascending.
+std::vector<Influence> largest(const Columns<double>& weights, const std::vector<Influence>& own, std::size_t v,
+                               std::size_t most) {
   constexpr double kLeast = 1e-4;
   std::vector<Influence> out;
   for (std::uint32_t j = 0; j < weights.size(); ++j)
     if (weights[j][v] > kLeast) out.push_back({j, weights[j][v]});
   std::stable_sort(out.begin(), out.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
-  if (out.size() > most) out.resize(most);
+  for (std::size_t i = out.size(); i-- > most;)
+    if (std::ranges::find(own, out[i].joint, &Influence::joint) == own.end())
+      out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
   double sum = 0;
   for (const Influence& i : out) sum += i.weight;
   for (Influence& i : out) i.weight /= sum;
@@ -68,7 +71,7 @@ Coordinates smoothed_ssd(const SkinnedMesh& mesh, const Surface& surface, int it
   smooth_columns(surface, iterations, step, carried);
   Coordinates out(mesh.positions.size());
   for (std::size_t v = 0; v < out.size(); ++v) {
-    const std::vector<Influence> kept = largest(weights, v, most);
+    const std::vector<Influence> kept = largest(weights, mesh.influences[v], v, most);
     // Of each joint the mean of the places that it carries, as if it still had the weight it has now.
     glm::dvec3 sum(0);
     for (const Influence& i : kept) {

@@ -25,8 +25,8 @@ Coordinates lift(const SkinnedMesh& mesh);
 
 // SSD smoothed, which is linear, with the detail that smoothing takes from the bind pose put back by the smoothed
 // weights: the third variant of Le and Lewis, "Direct delta mush skinning and variants", ACM TOG 38(4), 2019, in closed
-// form. most: influences that a vertex keeps, the largest; what the others carried goes to those, and the bind pose
-// stays.
+// form. most: influences that a vertex keeps, the largest, and its own beyond that; what the others carried goes to
+// those, and the bind pose stays.
 Coordinates smoothed_ssd(const SkinnedMesh& mesh, const Surface& surface, int iterations, double step,
                          std::size_t most);
 

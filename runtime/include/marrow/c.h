@@ -183,7 +183,8 @@ void mrw_unpacking_init(mrw_unpacking* out);
 mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
     size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error) MRW_NODISCARD;
 
-// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+// Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
+// in several steps of a few milliseconds and decoding that, ordering and writing. The
 // last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
 // meshopt's is short. A clip takes a copy of its bytes.
 //

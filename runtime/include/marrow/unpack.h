@@ -67,7 +67,8 @@ struct Unpacking {
 MARROW_API Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
                                Unpacking& out, DataError* error = nullptr);
 
-// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+// Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
+// in several steps of a few milliseconds and decoding that, ordering and writing. The
 // last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
 // meshopt's is short. A clip takes a copy of its bytes.
 //

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <optional>
 
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/geometry/encode_streams.h"
 #include "cook/geometry/part_of_streams.h"
 #include "cook/geometry/record.h"
+#include "cook/geometry/residual_apart.h"
 #include "marrow/draco.h"
 #include "marrow/meshopt.h"
 #include "unpack/expand.h"
@@ -79,11 +81,14 @@ void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& opti
   if (is_packed(options)) {
     const bool draco = options.mesh_codec == MeshCodec::draco && streams.streams.size() <= kMostDracoStreams &&
                        !streams.has_collapsed;  // Draco drops triangles that name a vertex twice
-    const std::vector<std::byte> encoded = draco ? encode_draco(streams) : encode_meshopt(streams);
+    const auto encode = [&](OwnedStreams& s) { return draco ? encode_draco(s) : encode_meshopt(s); };
+    std::optional<PackedApart> apart = pack_apart(streams, grid.residual_source, encode);
+    const std::vector<std::byte> encoded = apart ? std::move(apart->encoded) : encode(streams);
+    OwnedStreams& stored = apart ? apart->streams : streams;
     out.codec = draco ? packed::kDraco : packed::kMeshopt;
     out.position_step = grid.step;
-    out.record = geometry_record(streams, encoded);
-    out.scratch_bytes = geometry_scratch_bytes(streams.view());
+    out.record = geometry_record(stored, encoded);
+    out.scratch_bytes = geometry_scratch_bytes(stored.view());
   }
   streams.mesh.flags |= streams.source_map.empty() ? 0u : format::kHasSourceSlots;
   out.section = expand(streams);

@@ -31,6 +31,7 @@ MeshStreams OwnedStreams::view() {
   out.stream_count = static_cast<std::uint32_t>(streams.size());
   out.rotations = rotations.data();
   out.parents = parents.data();
+  out.apart.bits = {residual_bits.data(), residual_bits.size()};
   return out;
 }
 

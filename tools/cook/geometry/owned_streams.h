@@ -8,6 +8,7 @@
 #include "cook/scene/built.h"
 #include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"
+#include "cook/scene/residual_source.h"
 #include "unpack/streams.h"
 
 namespace marrow::cook {
@@ -51,7 +52,8 @@ class OwnedStreams {
   std::vector<std::vector<std::int32_t>> values;  // a stream
   std::vector<std::int16_t> rotations;            // of examples, as MeshStreams'
   std::vector<std::uint16_t> parents;
-  bool has_collapsed = false;  // triangles without an area that are kept for their vertices
+  std::vector<std::byte> residual_bits;  // of mesh.apart
+  bool has_collapsed = false;            // triangles without an area that are kept for their vertices
 
   Stream& add(StreamKind kind, std::uint32_t components, std::uint32_t bits);
   // With the arrays' addresses, until one of them changes.
@@ -68,6 +70,7 @@ struct MeshGrid {
   // Of residuals: metres, and of their w; 0: there are none.
   double residual_step = 0;
   double residual_weight_step = 0;
+  ResidualSource residual_source = {};
 };
 
 // Every vertex of the source as it is, bits of floats.

@@ -198,16 +198,16 @@ std::vector<RoundedResidual> rounded_residual(const Binding& b, const glm::vec3&
   constexpr double kMost = (1 << (packed::kMaxValueBits - 2)) - 1;
   std::vector<RoundedResidual> out;
   std::int32_t sum = 0;
-  glm::dvec3 carry(0);  // what one influence is rounded by goes to the next: joints that move alike hardly notice
+  glm::dvec4 carry(0);  // what one influence is rounded by goes to the next: joints that move alike hardly notice
   for (const glm::dvec4& r : b.residual) {
-    const glm::dvec3 d = (glm::dvec3(r) - glm::dvec3(v) * r.w) / grid.residual_step + carry;
+    const glm::dvec3 d = (glm::dvec3(r) - glm::dvec3(v) * r.w) / grid.residual_step;
+    const glm::dvec4 steps = glm::dvec4(d, r.w / grid.residual_weight_step) + carry;
     RoundedResidual& to = out.emplace_back();
-    for (int c = 0; c < 3; ++c) {
-      const double whole = std::round(std::clamp(d[c], -kMost, kMost));
-      carry[c] = d[c] - whole;
+    for (int c = 0; c < 4; ++c) {
+      const double most = c < 3 ? kMost : kMost / 8, whole = std::round(std::clamp(steps[c], -most, most));
+      carry[c] = steps[c] - whole;
       to[static_cast<std::size_t>(c)] = static_cast<std::int32_t>(whole);
     }
-    to[3] = static_cast<std::int32_t>(std::lround(std::clamp(r.w / grid.residual_weight_step, -kMost / 8, kMost / 8)));
     sum += to[3];
   }
   // They sum to 0; what rounding made of that goes where it is the least of its share.

@@ -18,12 +18,24 @@ void add_pose_space(const OwnedStreams& s, std::vector<std::byte>& out) {
   }
 }
 
+void add_residual_apart(const ResidualApart& apart, const std::vector<std::byte>& bits, std::vector<std::byte>& out) {
+  add_varint(apart.iterations, out);
+  add_value(static_cast<std::uint16_t>(apart.share), out);
+  add_value(apart.step_of_w, out);
+  add_value(apart.step, out);
+  add_varint(static_cast<std::uint32_t>(bits.size()), out);
+  out.insert(out.end(), bits.begin(), bits.end());
+}
+
 }  // namespace
 
 std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<std::byte>& encoded) {
   std::vector<std::byte> out;
   const bool has_map = !s.source_map.empty();
-  add_varint(s.mesh.flags | (has_map ? format::kHasSourceSlots : 0u), out);
+  const ResidualApart& apart = s.mesh.apart;
+  add_varint(
+      s.mesh.flags | (has_map ? format::kHasSourceSlots : 0u) | (apart.influences > 0 ? packed::kResidualIsApart : 0u),
+      out);
   add_varint(s.mesh.vertex_count, out);
   add_varint(static_cast<std::uint32_t>(s.indices.size() / 3), out);
   add_varint(s.mesh.joint_count, out);
@@ -31,6 +43,7 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
   if (has_map) add_varint(static_cast<std::uint32_t>(s.source_map.size()), out);
   if (s.mesh.target_count > 0) add_varint(s.mesh.target_count, out);
   if (s.mesh.example_count > 0) add_varint(s.mesh.example_count, out);
+  if (apart.influences > 0) add_varint(apart.influences, out);
   for (std::size_t i = 0; i < s.streams.size(); ++i) {
     const Stream& stream = s.streams[i];
     if (stream.kind == StreamKind::residual && stream.target > 0) continue;  // as the first
@@ -53,6 +66,7 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
         break;
     }
   }
+  if (apart.influences > 0) add_residual_apart(apart, s.residual_bits, out);
   if (const Stream* const weights = s.find(StreamKind::multi_weight)) {
     add_value(weights->bits, out);
     add_value(weights->step, out);

@@ -181,6 +181,8 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
                                   " is no better than linear blend skinning in poses left out; the lift is shipped"});
     return {std::move(binding), report};
   }
+  if (!fits || options.truth == Truth::delta_mush)
+    binding.residual_source = {options.delta_mush.iterations, options.delta_mush.step, !fits};
   report.kind = fits ? "fit" : "smooth";
   report.half_joints = learnt.half_joints.size();
   const double size_m = deform::diagonal(source.mesh);

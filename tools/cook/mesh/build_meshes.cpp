@@ -122,6 +122,7 @@ Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const Ra
   task.deformers = deformer_data(binding, number, entry_of, palette.size());
   task.grid.residual_step = binding.residual_step_m;
   task.grid.residual_weight_step = binding.residual_weight_step;
+  task.grid.residual_source = binding.residual_source;
   task.joint_count = palette.size();
   const auto add = [&](const RawPrimitive& part, const std::vector<BoundVertex>& vertices,
                        const std::vector<std::uint32_t>& part_of) {

@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include "cook/scene/raw.h"
+#include "cook/scene/residual_source.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
 #include "deform/half_joints.h"
@@ -36,6 +37,7 @@ struct SkinBinding {
   // How finely residuals are to be stored; 0: there are none.
   double residual_step_m = 0;
   double residual_weight_step = 0;
+  ResidualSource residual_source = {};
   BoundDeformers deformers;
   int report = kNone;  // index into BuiltScene::learnt
 };

@@ -3796,7 +3796,8 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_begin_unpack", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status BeginUnpack(void* packed, UIntPtr packed_bytes, MeshDecoder* decoders, UIntPtr decoder_count, void* memory, UIntPtr memory_bytes, Unpacking* @out, DataError* error);
     /// <summary>
-    /// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+    /// Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
+    /// in several steps of a few milliseconds and decoding that, ordering and writing. The
     /// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
     /// meshopt's is short. A clip takes a copy of its bytes.
     ///

@@ -3609,7 +3609,8 @@ extern "C" {
     /// May be null: error.
     #[link_name = "mrw_begin_unpack"]
     pub fn begin_unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, out: *mut Unpacking, error: *mut DataError) -> Status;
-    /// Goes on with one record, or with one of a mesh's three stages: decoding, ordering and writing. The
+    /// Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
+    /// in several steps of a few milliseconds and decoding that, ordering and writing. The
     /// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
     /// meshopt's is short. A clip takes a copy of its bytes.
     ///

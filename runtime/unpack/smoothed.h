@@ -1,0 +1,74 @@
+// What smoothing linear blend skinning over the surface would make of a mesh, in whole numbers: a guess at animation
+// space's residual that the rest of the file decides.
+#pragma once
+
+#include "core/memory.h"
+#include "unpack/neighbours.h"
+#include "unpack/streams.h"
+
+namespace marrow {
+
+// A joint that a vertex would follow: its weight, and the place that it would carry less the vertex, times the weight.
+struct Carried {
+  std::int32_t joint;
+  std::int32_t weight;  // of Smoothed::one()
+  float offset[3];      // in steps of positions
+};
+
+// After Le and Lewis, "Direct delta mush skinning and variants", ACM TOG 38(4), 2019, the third variant, as
+// tools/deform/animation_space.h has it: steps towards the mean of all neighbours, but for vertices on a border. Sums
+// are of whole numbers, so that the order of neighbours does not matter. Only leaders are smoothed.
+class Smoothed {
+ public:
+  static constexpr std::uint32_t kMostCarried = kMaxInfluences;
+  static constexpr std::uint32_t kWholeStep = 1 << 15;
+
+  // All own joints of a vertex in their order, then of the others those with the largest weights, the largest first.
+  struct Joints {
+    const Carried* carried;
+    std::uint32_t own, all;
+  };
+  Joints of(std::uint32_t leader) const {
+    return {carried_ + std::size_t{leader} * kMostCarried, own_[leader], all_[leader]};
+  }
+  std::int32_t one() const { return one_; }
+  // That the file gives an own joint, of one().
+  std::int32_t own_weight(std::uint32_t leader, std::uint32_t influence) const;
+
+  // Bytes that begin() takes. With no iterations there are only the own joints.
+  static std::uint64_t bytes(const MeshStreams& mesh, std::uint32_t iterations);
+  // share: of the way to the mean that a step goes, of kWholeStep. Both must outlive this. Returns false if the memory
+  // does not suffice.
+  bool begin(const MeshStreams& mesh, const Neighbours& near, std::uint32_t iterations, std::uint32_t share,
+             Memory& memory);
+  // Smooths some joints, those that come next, until that is a good step's work. Returns null, or the rule that is
+  // broken: joints that spread so far that it would take too long.
+  const char* step();
+  bool at_end() const { return joint_ == joint_count_; }
+
+ private:
+  using Column = std::int32_t[4];  // of a joint and a vertex: its weight times the position, and its weight
+
+  void begin_own(std::uint32_t joint);
+  void activate(std::uint32_t vertex);
+  void iterate();
+  void keep(std::uint32_t joint);
+
+  const MeshStreams* mesh_ = nullptr;
+  const Neighbours* near_ = nullptr;
+  std::uint32_t iterations_ = 0, joint_count_ = 0, joint_ = 0;
+  std::int32_t one_ = 0;
+  std::uint32_t weight_shift_ = 0, place_shift_ = 0;
+  std::uint64_t work_ = 0;  // vertices that steps have taken
+  Carried* carried_ = nullptr;
+  std::uint8_t *own_ = nullptr, *all_ = nullptr;
+  std::uint32_t* pace_ = nullptr;      // a leader: of a sum of differences how much a step takes, of 2^30
+  std::uint32_t* first_of_ = nullptr;  // a joint and one: of those that follow it in followers_
+  std::uint32_t* followers_ = nullptr;
+  Column *now_ = nullptr, *next_ = nullptr;
+  // The vertices that a joint has reached, those that the last step reached from grown_ on, and by which joint last.
+  std::uint32_t *active_ = nullptr, *reached_by_ = nullptr;
+  std::uint32_t active_count_ = 0, grown_ = 0;
+};
+
+}  // namespace marrow
