@@ -10,7 +10,7 @@
 #include "gles3/gl_size.h"
 #include "gles3/label.h"
 #include "gles3/morph.h"
-#include "gles3/pose_space.h"
+#include "gles3/pose_examples.h"
 #include "marrow/gles3.h"
 #include "marrow/skin.h"
 #include "math/finite.h"

@@ -2,7 +2,7 @@
 //
 // The texture holds the changes of one vertex next to each other, a texel for each example that moves it, so a vertex
 // reads what moves it and no more. What no example moves costs four bytes and one comparison.
-#include "gles3/pose_space.h"
+#include "gles3/pose_examples.h"
 
 #include <cstring>
 
