@@ -36,8 +36,8 @@ void expect_range_of_motion(const nlohmann::json& motion) {
   EXPECT_LT(ssd.at("volume_over_truth").get<double>(), 0.8);
   EXPECT_EQ(rows.at("as_lift").at("worse_poses"), 0) << "rounding is not worse";
   EXPECT_EQ(rows.at("rigid").at("worse_poses"), motion["poses"]);
-  EXPECT_GT(rows.at("as_fit_half2").at("ring_over_truth").get<double>(), 0.8);
-  EXPECT_LT(rows.at("as_fit_half2").at("of_ssd").get<double>(), 0.3);
+  EXPECT_GT(rows.at("as_helpers_fit4").at("ring_over_truth").get<double>(), 0.8);
+  EXPECT_LT(rows.at("as_helpers_fit4").at("of_ssd").get<double>(), 0.3);
 }
 
 // The figures of a study of this cylinder are 0.35 and 0.05 of linear blend skinning's error.
@@ -54,8 +54,8 @@ TEST(Compare, TheCylinder) {
   const nlohmann::json costs = nlohmann::json::parse(read_text(in_source("tools/gpu_cost/table.json")));
   std::map<std::string, nlohmann::json> rows;
   for (const auto& row : r.at("rows")) rows[row.at("deformer")] = row;
-  for (const char* const name :
-       {"rigid", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_fit_half1", "as_fit_half2", "mwe", "psd"}) {
+  for (const char* const name : {"rigid", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_helpers",
+                                 "as_helpers_fit4", "as_helpers_fit5", "mwe", "psd"}) {
     ASSERT_TRUE(rows.contains(name)) << name;
     for (const char* const field : {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume",
                                     "crease_deg", "normal_deg", "blended_normal_deg"})
@@ -91,10 +91,13 @@ TEST(Compare, TheCylinder) {
   EXPECT_NEAR(ssd, 0.12, 0.01);  // metres, of a radius of one
   EXPECT_NEAR(rows["as_lift"]["held_rms"].get<double>(), ssd, 1e-9);
   EXPECT_LT(rows["as_fit"]["held_rms"].get<double>(), 0.40 * ssd);
-  EXPECT_LT(rows["as_fit_half1"]["held_rms"].get<double>(), 0.06 * ssd);
-  EXPECT_NEAR(rows["as_fit_half1"]["volume"].get<double>(), 1, 0.01);
-  EXPECT_LT(rows["as_fit_half2"]["held_rms"].get<double>(), 0.03 * ssd);
-  for (const char* const name : {"as_lift", "as_smooth", "as_fit", "as_fit_half1", "as_fit_half2"}) {
+  EXPECT_LT(rows["as_helpers"]["held_rms"].get<double>(), 0.12 * ssd);
+  EXPECT_EQ(rows["as_helpers"]["worse_share"], 0);
+  EXPECT_LE(rows["as_helpers"]["influences"], rows["ssd"]["influences"]);
+  EXPECT_LE(rows["as_helpers"]["bytes_per_vertex"].get<double>(), 1.5 * rows["ssd"]["bytes_per_vertex"].get<double>());
+  EXPECT_LT(rows["as_helpers_fit4"]["held_rms"].get<double>(), 0.05 * ssd);
+  EXPECT_NEAR(rows["as_helpers_fit4"]["volume"].get<double>(), 1, 0.01);
+  for (const char* const name : {"as_lift", "as_smooth", "as_fit", "as_helpers", "as_helpers_fit4"}) {
     EXPECT_LT(rows[name]["normal_deg"].get<double>(), 0.5) << name;
     EXPECT_GT(rows[name]["blended_normal_deg"].get<double>(), 10) << name;
   }
@@ -125,7 +128,7 @@ TEST(Compare, WritesOnePage) {
   const std::string first = ran.out.substr(0, ran.out.find('\n'));
   EXPECT_EQ(first.find("Use "), 0u) << first;
   EXPECT_NE(page.find("<h1>Use "), std::string::npos);
-  EXPECT_NE(page.find("as_fit_half1"), std::string::npos);
+  EXPECT_NE(page.find("as_helpers_fit5"), std::string::npos);
   EXPECT_EQ(page.find("://"), std::string::npos) << "self-contained; pictures in base64 have no colons";
   // The figures are there without the script, which finds them by these marks.
   EXPECT_NE(ran.out.find("Poses of the range of motion worse than linear blend skinning"), std::string::npos)
@@ -140,7 +143,7 @@ TEST(Compare, WritesOnePage) {
 #ifdef MARROW_HAS_GLES
   EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
   for (const char* const mark :
-       {"<figure data-name=\"truth\">", "<figure data-name=\"as_fit_half1\">", "linear-gradient(90deg,#"})
+       {"<figure data-name=\"truth\">", "<figure data-name=\"as_helpers_fit5\">", "linear-gradient(90deg,#"})
     EXPECT_NE(page.find(mark), std::string::npos) << mark;
 #endif
 }
@@ -177,11 +180,11 @@ TEST(CookAs, ReportsWhatWasLearnt) {
   const TemporaryFolder folder;
   const std::string out = folder / "t.mrw";
   const Ran ran =
-      run_marrow({"cook", tiny_gltf(), "-o", out, "--as", "fit", "--truth", "dqs", "--half-joints", "1", "--json"});
+      run_marrow({"cook", tiny_gltf(), "-o", out, "--as", "fit", "--truth", "dqs", "--helpers", "auto", "--json"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const nlohmann::json learnt = nlohmann::json::parse(ran.out).at("meshes").at(0).at("animation_space");
   for (const char* const field :
-       {"kind", "truth", "poses", "made_up_poses", "half_joints", "held_out_share", "worse_share"})
+       {"kind", "truth", "poses", "made_up_poses", "helpers", "held_out_share", "worse_share"})
     EXPECT_TRUE(learnt.contains(field)) << field;
   EXPECT_EQ(learnt.at("truth"), "dqs");
   EXPECT_EQ(run_marrow({"pose", out, "--deformer", "as", "-o", folder / "p.obj"}).code, 0);
@@ -282,11 +285,12 @@ TEST(CookAs, RefusesWhatMakesNoSense) {
                                                 {"--psd", "0", "--truth", "dqs"},
                                                 {"--psd", "33", "--truth", "dqs"},
                                                 {"--psd", "2.5", "--truth", "dqs"},
-                                                {"--mwe", "--truth", "dqs", "--half-joints", "1"},
+                                                {"--as", "smooth", "--helpers", "1"},
                                                 {"--as", "fit", "--delta-mush", "0"},
                                                 {"--as", "fit", "--delta-mush", "10,2"},
                                                 {"--as", "fit", "--delta-mush", "10,0.5,hard"},
-                                                {"--as", "fit", "--half-joints", "3"},
+                                                {"--as", "fit", "--helpers", "-1"},
+                                                {"--as", "fit", "--helpers", "many"},
                                                 {"--subdivide", "4"},
                                                 {"--subdivide", "1.5"},
                                                 {"--subdivide", "-1"},

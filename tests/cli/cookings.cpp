@@ -27,7 +27,7 @@ std::vector<Cooking> cookings(const TemporaryFolder& folder) {
       {"newt-raw", newt, {"--mesh-codec", "none", "--clip-codec", "raw", "--position-error", "0.05mm"}},
       {"dance", in_golden("dance.gltf"), {"--mesh-codec", "none"}},
       {"looks", in_golden("looks.gltf"), {"--images", "embed", "--keep", "*"}},
-      {"half", elbow, {"--as", "fit", "--truth", "dqs", "--half-joints", "2"}},
+      {"half", elbow, {"--as", "fit", "--truth", "dqs", "--helpers", "3"}},
       {"gaussian", bare, {"--auto-weights", "gaussian", "--mesh-codec", "none"}},
   };
 #if defined(__SANITIZE_ADDRESS__)

@@ -169,14 +169,14 @@ TEST(Split, PartsAreBoundAlike) {
   EXPECT_LT(apart, 40e-6) << "a millionth of its length";
 }
 
-// Whatever is learnt goes along: half-joints, the root of multi-weights, parents and rotations of pose space.
+// Whatever is learnt goes along: helpers, the root of multi-weights, parents and rotations of pose space.
 TEST(Split, WhatIsLearntGoesAlong) {
   Millipede millipede(8);  // 40 joints
   for (cook::RawChannel& channel : millipede.scene.clips[0].channels) channel.values[1] = {0, 0.3f, 0, 0.9539392f};
   cook::CookOptions options;
   options.learn.animation_space = cook::AnimationSpace::fit;
   options.learn.truth = cook::Truth::dual_quaternions;
-  options.learn.half_joints = 1;
+  options.learn.helpers = cook::kAutoHelpers;
   options.learn.multi_weights = true;
   options.learn.pose_examples = 3;
   for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco}) {

@@ -14,7 +14,6 @@ constexpr Named<Truth> kTruths[] = {{"cor", Truth::centres_of_rotation},
                                     {"dqs", Truth::dual_quaternions},
                                     {"delta-mush", Truth::delta_mush},
                                     {"examples", Truth::examples}};
-constexpr Named<int> kHalfJoints[] = {{"0", 0}, {"1", 1}, {"2", 2}};
 
 // "N", "N,STEP" or "N,STEP,cotangent".
 void set_delta_mush(CookOptions& options, const Value& given) {
@@ -62,14 +61,20 @@ constexpr Option kLearnOptions[] = {
      "all alike; the default is 10,0.5",
      {},
      set_delta_mush},
-    {"half-joints", OptionKind::text, "N", "helpers that --as fit may put between a joint and its parent",
-     names_in<kHalfJoints>,
-     [](CookOptions& o, const Value& v) { o.learn.half_joints = *value_of(kHalfJoints, v.text); }},
+    {"helpers",
+     OptionKind::text,
+     "N|auto",
+     "matrices between those of joints that vertices share, at most so many a mesh, for --as lift and --as fit: "
+     "elbows keep their shape, wrists their volume; auto: as many as the mesh is worth",
+     {},
+     [](CookOptions& o, const Value& v) {
+       o.learn.helpers = v.text == "auto" ? kAutoHelpers : whole_number(v, 0, kMostHelpers);
+     }},
     {"influences",
      OptionKind::text,
      "N",
      "joints that a vertex may follow in animation space, 1 to 8, the most important ones; those that it has weights "
-     "of it follows anyway; the default is 4, with half-joints 5",
+     "of it follows anyway; the default is 4, with helpers 5",
      {},
      [](CookOptions& o, const Value& v) { o.learn.influences = whole_number(v, 1, kMaxInfluences); }},
     {"keep-bind-pose",

@@ -100,7 +100,7 @@ constexpr Option kMeshOptions[] = {
     {"palette",
      OptionKind::text,
      "ENTRIES",
-     "joints and half-joints that a mesh may have, 24 to 32767; what has more is split into several meshes; the "
+     "joints and helpers that a mesh may have, 24 to 32767; what has more is split into several meshes; the "
      "default, 341, is what the GPU paths take",
      {},
      set_palette},

@@ -20,14 +20,15 @@ void refuse_idle(const CookOptions& options, const Given& given) {
   refuse_unless(options.weights.make.has_value(), "rebind", "new weights", "give --auto-weights too");
   const bool fits = learn.animation_space == AnimationSpace::fit,
              beside = learn.multi_weights || learn.pose_examples > 0;
-  refuse_unless(fits || beside, "truth", "a fit", "give --as fit, --mwe or --psd too");
+  const bool lifts = learn.animation_space == AnimationSpace::lift && learn.helpers != 0;
+  refuse_unless(fits || beside || lifts, "truth", "a fit", "give --as fit, --helpers, --mwe or --psd too");
   refuse_unless(learn.truth == Truth::examples, "examples", "their truth", "give --truth examples too");
   refuse_unless(learn.truth != Truth::examples || !learn.examples_file.empty(), "truth", "its examples",
                 "give --examples FILE too");
   refuse_unless(learn.animation_space != AnimationSpace::lift, "influences", "a choice of them",
                 "give --as fit or --as smooth too");
-  for (const char* const name : {"half-joints", "keep-bind-pose"})
-    refuse_unless(fits, name, "a fit", "give --as fit too");
+  refuse_unless(fits, "keep-bind-pose", "a fit", "give --as fit too");
+  refuse_unless(fits || lifts, "helpers", "what may follow them", "leave out --as smooth, or give --as fit");
   refuse_unless(learn.animation_space != AnimationSpace::lift || (beside && learn.truth == Truth::delta_mush),
                 "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
   refuse_unless((fits || beside) && learn.truth != Truth::examples, "wide-poses", "a fit to a deformer",

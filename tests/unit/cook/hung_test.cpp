@@ -90,7 +90,7 @@ TEST(Hung, EveryDeformerAndLevelKeepsThePromise) {
   CookOptions options;
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
-  options.learn.half_joints = 1;
+  options.learn.helpers = kAutoHelpers;
   options.lod = {{0.5, kMaxInfluences}};
   const RawScene elbow = read_gltf(test::in_golden("elbow.gltf"));
   const CookedScene cooked(elbow, options, true, 0);

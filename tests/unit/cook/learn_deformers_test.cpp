@@ -233,13 +233,13 @@ TEST(LearnDeformers, TheReportSaysHowGoodTheyAre) {
   EXPECT_FALSE(cook_scene(moving_cylinder(), {}).report["meshes"][0].contains("multi_weights"));
 }
 
-// Multi-weights may follow the half-joints that animation space does; pose space goes its own way.
+// Multi-weights may follow the helpers that animation space does; pose space goes its own way.
 TEST(LearnDeformers, StandBesideAnimationSpace) {
   const Offline offline(moving_cylinder());
   for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco}) {
     CookOptions options = options_for(codec);
     options.learn.animation_space = AnimationSpace::fit;
-    options.learn.half_joints = 1;
+    options.learn.helpers = 1;
     const LoadedCook cooked(cook_scene(moving_cylinder(), options));
     EXPECT_EQ(cooked.file.mesh(0).palette_size(), 3u);
     EXPECT_NE(cooked.file.mesh(0).geometry.as_residual, nullptr);
@@ -269,7 +269,7 @@ TEST(LearnDeformers, TheRootIsTheHighestJointThatIsFollowed) {
   DeformSource source;
   source.joints = {4, 1, 2, 0};  // of the skeleton
   source.mesh.influences = {{{0, 0.5}, {2, 0.5}}, {{0, 0.25}, {1, 0.75}}, {{2, 0.5}, {4, 0.5}}};
-  EXPECT_EQ(multi_weight_root(source), 1u) << "joint 3 is higher, but no vertex follows it; 4 is a half-joint";
+  EXPECT_EQ(multi_weight_root(source), 1u) << "joint 3 is higher, but no vertex follows it; 4 is a helper";
 }
 
 }  // namespace

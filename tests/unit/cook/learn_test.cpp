@@ -28,7 +28,7 @@ CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
   options.mesh_codec = codec;
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
-  options.learn.half_joints = 1;
+  options.learn.helpers = kAutoHelpers;
   return options;
 }
 
@@ -99,12 +99,12 @@ TEST(Learn, WhatIsFittedIsWhatTheRuntimeDeforms) {
     const auto& learnt = cooked.report["meshes"][0]["animation_space"];
     EXPECT_EQ(learnt["kind"], "fit");
     EXPECT_EQ(learnt["truth"], "dqs");
-    EXPECT_GT(learnt["half_joints"], 5);
+    EXPECT_GT(learnt["helpers"], 5);
     EXPECT_LT(learnt["held_out_share"], 0.6);
   }
 }
 
-// Who does not use animation space gets what the artist painted.
+// Where helpers are straight means of their joints, linear blend skinning is what the artist painted.
 TEST(Learn, LeavesSsdAlone) {
   CookOptions lift = fitted_to_dual_quaternions(MeshCodec::none);
   lift.learn = {};
@@ -114,7 +114,7 @@ TEST(Learn, LeavesSsdAlone) {
   std::size_t compared = 0;
   for (std::uint32_t m = 0; m < fitted.file.mesh_count(); ++m) {
     const Mesh a = fitted.file.mesh(m), b = plain.file.mesh(m);
-    const Skins one = skins_at(fitted.file, 0, 0.5f, a), other = skins_at(plain.file, 0, 0.5f, b);
+    const Skins one = skins_at(fitted.file, 0, 0.5f, a, true), other = skins_at(plain.file, 0, 0.5f, b);
     ASSERT_EQ(a.geometry.source_slots.size, b.geometry.source_slots.size);
     for (std::size_t v = 0; v < a.geometry.source_slots.size; ++v) {
       if (a.geometry.source_slots[v] == kNoSlot) continue;

@@ -35,13 +35,21 @@ struct Skins {
   std::vector<glm::vec3> ssd, as;  // a slot each
 };
 
-inline Skins skins_at(const File& file, std::uint32_t clip, float time_s, const Mesh& mesh) {
+// straight: helpers are means of their joints' matrices.
+inline Skins skins_at(const File& file, std::uint32_t clip, float time_s, const Mesh& mesh, bool straight = false) {
   const Skeleton skeleton = file.skeleton(mesh.skeleton);
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<Affine> model(skeleton.joint_count), palette(mesh.palette_size());
   EXPECT_EQ(sample(skeleton, file.clip(clip), time_s, local), Status::ok);
   EXPECT_EQ(local_to_model(skeleton, local, model), Status::ok);
   EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
+  for (std::size_t h = 0; straight && h < mesh.helpers.size; ++h) {
+    const Helper& helper = mesh.helpers[h];
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 4; ++c)
+        palette[mesh.joint_count + h].rows[r][c] =
+            palette[helper.first].rows[r][c] * (1 - helper.share) + palette[helper.second].rows[r][c] * helper.share;
+  }
   std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), at(std::size_t{3} * mesh.geometry.slot_count);
   EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
   const auto places = [&at] {

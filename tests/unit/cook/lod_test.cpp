@@ -115,12 +115,12 @@ TEST(Lod, FewerInfluencesAreThose) {
   EXPECT_GT(reported[2]["rms_error_m"], reported[0]["rms_error_m"]);
 }
 
-// A learnt residual goes along, with the half-joints that it follows.
+// A learnt residual goes along, with the helpers that it follows.
 TEST(Lod, AnimationSpaceHasLevels) {
   CookOptions options = levels("0.25:3");
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
-  options.learn.half_joints = 1;
+  options.learn.helpers = kAutoHelpers;
   const LoadedCook cooked(cook_file(test::newt_glb(), options));
   const Mesh full = cooked.file.mesh(0), less = cooked.file.mesh(0, 1);
   ASSERT_NE(full.geometry.as_residual, nullptr);

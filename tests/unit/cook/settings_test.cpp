@@ -64,7 +64,7 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
                               : shape == "JOINT=MASK.png"                                  ? "\"hand=hand.png\""
                                                                                            : "\"0.1mm\"";
     // A truth is only for fits, examples for a truth, rebinding for weights that are made.
-    const bool of_fit = name == "truth" || name == "half-joints" || name == "keep-bind-pose" || name == "delta-mush" ||
+    const bool of_fit = name == "truth" || name == "helpers" || name == "keep-bind-pose" || name == "delta-mush" ||
                         name == "mwe" || name == "psd" || name == "influences" || name == "wide-poses";
     const std::string pack = name == "truth"      ? "as = 'fit'\nexamples = 'poses.glb'\n"
                              : name == "rebind"   ? "auto-weights = 'nearest'\n"

@@ -188,10 +188,9 @@ TEST(Split, ATriangleThatNeedsMoreIsRefused) {
     ADD_FAILURE() << "not refused";
   } catch (const tools::Failure& failure) {
     EXPECT_EQ(failure.code(), tools::Exit::unsupported);
-    EXPECT_STREQ(
-        failure.what(),
-        "millipede.gltf: /meshes/0/primitives/0: a triangle follows 6 joints and half-joints: give --palette 6 "
-        "or more");
+    EXPECT_STREQ(failure.what(),
+                 "millipede.gltf: /meshes/0/primitives/0: a triangle follows 6 joints and helpers: give --palette 6 "
+                 "or more");
   }
 }
 

@@ -72,7 +72,7 @@ CookOptions finer(int steps, MeshCodec codec = MeshCodec::none, bool fits = true
   if (fits) {
     options.learn.animation_space = AnimationSpace::fit;
     options.learn.truth = Truth::dual_quaternions;
-    options.learn.half_joints = 1;
+    options.learn.helpers = kAutoHelpers;
   }
   return options;
 }

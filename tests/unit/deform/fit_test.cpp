@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
-#include "deform/half_joints.h"
+#include "deform/helpers/helpers.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {
@@ -104,7 +104,7 @@ TEST(Fit, IsTheSameEveryTime) {
   EXPECT_GT(compared, 2500u);
 }
 
-// Of five joints that a vertex may follow the truth needs two; a third it keeps since its weights have it.
+// Of five joints that a vertex may follow the truth needs two; a third it keeps since its weights are of it.
 TEST(Fit, FollowsTheJointsThatMatter) {
   SkinnedMesh mesh = cylinder();
   mesh.joint_count = 5;
@@ -125,7 +125,11 @@ TEST(Fit, FollowsTheJointsThatMatter) {
     return out;
   };
   FitOptions options;
-  options.kept = &kept;
+  const std::vector<Helper> helpers;
+  const Likeness likeness(kept, {});
+  const ClosedForm weights(kept, helpers, likeness);
+  options.weights = &weights;
+  options.is_lift = false;
   options.most_joints = 3;
   options.ridges = {1e-9};
   const Fit fit =
@@ -140,14 +144,16 @@ TEST(Fit, FollowsTheJointsThatMatter) {
 }
 
 // What a study found for animation space on this cylinder: 0.35 of SSD's error against dual quaternions, with a
-// half-joint 0.05; within 4 % of an oracle that is fitted to the very poses it is judged by.
+// helper 0.05; within 4 % of an oracle that is fitted to the very poses it is judged by.
 TEST(Fit, ReachesWhatAStudyFoundOnACylinder) {
   const SkinnedMesh mesh = cylinder();
   const Deformer truth = dual_quaternions(mesh), reference = ssd(mesh);
   Coordinates half = lift(mesh);
-  const std::vector<HalfJoint> half_joints = add_half_joints({-1, 0}, {{0, 0, 0}, {0, 0, 0}}, 1, half);
+  for (std::vector<Coordinate>& vertex : half)
+    if (vertex.size() == 2) vertex.push_back({2, glm::dvec4(0)});
+  const std::vector<Helper> helpers = {{0, 1, 0.5, {}, true}};
   const auto with_half = [&](std::vector<Pose> poses) {
-    for (Pose& pose : poses) append_half_joints(half_joints, pose);
+    for (Pose& pose : poses) append_helpers(helpers, pose);
     return poses;
   };
   double plain = 0, helped = 0;

@@ -66,10 +66,10 @@ ordered_json report(const CompareArguments& a, const Study& study, const Deforme
 }
 
 #ifdef MARROW_HAS_GLES
-// SSD, and the best fits without and with half-joints.
+// SSD, and the best fits without and with helpers.
 std::vector<std::size_t> shown(const DeformerComparison& c) {
   std::vector<std::size_t> out;
-  for (const char* const name : {"ssd", "as_fit", "as_fit_half1"})
+  for (const char* const name : {"ssd", "as_fit", "as_helpers_fit5"})
     out.push_back(static_cast<std::size_t>(std::ranges::find(c.rows, name, &DeformerRow::deformer) - c.rows.begin()));
   return out;
 }
@@ -135,6 +135,7 @@ void run_compare(const CompareArguments& a) {
   cook::LearnOptions options = cook::to_options(given).learn;
   if (!a.sample.empty() && options.wide_poses)
     throw Failure(Exit::usage, "--wide-poses", "", "the cylinder's poses are wide", "leave it out");
+  if (!a.given.contains("helpers")) options.helpers = cook::kAutoHelpers;
   if (!a.sample.empty() && !a.given.contains("delta-mush"))
     options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
   if (!a.sample.empty() && options.truth == cook::Truth::examples)

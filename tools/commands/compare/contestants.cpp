@@ -45,7 +45,7 @@ Trained by_coordinates(const SkinnedMesh& mesh, cook::Learnt learnt) {
   const auto kept = std::make_shared<const cook::Learnt>(std::move(learnt));
   Trained out;
   out.extend = [kept](Pose pose) {
-    deform::append_half_joints(kept->half_joints, pose);
+    deform::append_helpers(kept->helpers, pose);
     return pose;
   };
   out.deform = [kept, extend = out.extend, deformer = deform::animation_space(kept->coordinates)](
@@ -85,9 +85,10 @@ Trained in_pose_space(const Study& study, const Round& round, const deform::Defo
   return out;
 }
 
-LearnOptions with(LearnOptions options, AnimationSpace kind, int half_joints) {
+LearnOptions with(LearnOptions options, AnimationSpace kind, int helpers, int influences = 0) {
   options.animation_space = kind;
-  options.half_joints = half_joints;
+  options.helpers = helpers;
+  if (influences > 0) options.influences = influences;
   return options;
 }
 
@@ -156,8 +157,9 @@ std::vector<Contestant> contestants(const LearnOptions& options) {
           in_animation_space("as_lift", lift),
           in_animation_space("as_smooth", with(options, AnimationSpace::smooth, 0)),
           in_animation_space("as_fit", with(options, AnimationSpace::fit, 0)),
-          in_animation_space("as_fit_half1", with(options, AnimationSpace::fit, 1)),
-          in_animation_space("as_fit_half2", with(options, AnimationSpace::fit, 2)),
+          in_animation_space("as_helpers", with(options, AnimationSpace::lift, options.helpers)),
+          in_animation_space("as_helpers_fit4", with(options, AnimationSpace::fit, options.helpers, 4)),
+          in_animation_space("as_helpers_fit5", with(options, AnimationSpace::fit, options.helpers, 5)),
           mwe,
           psd};
 }

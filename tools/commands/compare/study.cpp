@@ -113,6 +113,7 @@ void hold_made_up(const BuiltScene& built, Study& study) {
 void add_motion(const BuiltSkeleton& skeleton, Study& study) {
   for (const std::uint16_t joint : study.source.joints) study.joint_names.push_back(skeleton.joint_names[joint]);
   study.motion = range_of_motion(study.source, skeleton);
+  study.source.motion = study.motion.poses;
   study.left_out_of_motion = left_out_of_motion(study.source, skeleton, study.motion.left_out);
 }
 
@@ -241,6 +242,7 @@ Study study_cylinder() {
   study.rest = deform::cylinder_pose(0, 0);
   study.joint_names = {"root", "bend"};
   study.motion = deform::range_of_motion(mesh, study.source.parents, study.source.centres);
+  study.source.motion = study.motion.poses;
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     std::mt19937 random(seed);
     const auto up_to = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };

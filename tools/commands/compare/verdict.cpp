@@ -50,8 +50,9 @@ std::string verdict(const DeformerComparison& c) {
   const char* how = "";
   const std::pair<const char*, const char*> choices[] = {{"as_smooth", "--as smooth"},
                                                          {"as_fit", "--as fit"},
-                                                         {"as_fit_half1", "--as fit --half-joints 1"},
-                                                         {"as_fit_half2", "--as fit --half-joints 2"}};
+                                                         {"as_helpers", "--helpers auto"},
+                                                         {"as_helpers_fit4", "--as fit --helpers auto --influences 4"},
+                                                         {"as_helpers_fit5", "--as fit --helpers auto"}};
   for (const auto& [name, options] : choices) {
     const DeformerRow* const row = find(c, name);
     if (row == nullptr || row->held_rms > kWorthIt * best->held_rms) continue;

@@ -238,7 +238,7 @@ deform::Deformer as_shown(const deform::SkinnedMesh& mesh, const std::vector<Sho
   table->emplace(deform::Pose(mesh.joint_count, deform::Matrix(1.0)), mesh.positions);
   return [table, joints = mesh.joint_count, vertices = mesh.positions.size()](const deform::Pose& pose,
                                                                               deform::Positions& out) {
-    // Half-joints stand behind the joints.
+    // Helpers stand behind the joints.
     const auto found = table->find(deform::Pose(pose.begin(), pose.begin() + static_cast<std::ptrdiff_t>(joints)));
     if (found != table->end()) {
       out = found->second;

@@ -8,25 +8,40 @@
 
 #include "common/failure.h"
 #include "cook/learn/check_truth.h"
+#include "cook/skin/joint_motion.h"
+#include "deform/helpers/choose_helpers.h"
+#include "deform/motion/motion_errors.h"
 #include "marrow/file.h"
 
 namespace marrow::cook {
 namespace {
 
-constexpr std::size_t kCandidates = 8;  // of smoothed weights
+constexpr std::size_t kSmoothed = 8;          // joints of smoothed weights
+constexpr std::size_t kMostCandidates = 24;   // joints and helpers that a vertex chooses from
+constexpr std::size_t kMostEntries = 341;     // what fits into a uniform block
+constexpr std::size_t kVerticesAHelper = 16;  // so that posing helpers costs less than the vertices
 
-// With half-joints one more, as they come beside joints.
 std::size_t most_joints(const LearnOptions& options) {
-  return static_cast<std::size_t>(options.influences > 0 ? options.influences : options.half_joints > 0 ? 5 : 4);
+  return static_cast<std::size_t>(options.influences > 0 ? options.influences : options.helpers != 0 ? 5 : 4);
 }
 
-// What a vertex may follow, and the best guess without examples: to delta mush the joints that smoothing reaches, of
+// Of `auto` one a joint, more where there are vertices to pay for them, and no more than the palette has room for.
+std::size_t most_helpers(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
+  if (options.helpers != kAutoHelpers) return static_cast<std::size_t>(options.helpers);
+  std::set<std::uint32_t> joints;
+  for (const std::vector<deform::Influence>& influences : mesh.influences)
+    for (const deform::Influence& i : influences) joints.insert(i.joint);
+  const std::size_t room = joints.size() < kMostEntries ? kMostEntries - joints.size() : joints.size();
+  return std::min(room, std::max(joints.size(), mesh.positions.size() / kVerticesAHelper));
+}
+
+// The best guess without examples, over joints that a vertex may follow: to delta mush those that smoothing reaches, of
 // which much is known in closed form; else its own.
-deform::Coordinates make_candidates(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
+deform::Coordinates guess(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
   if (options.truth != Truth::delta_mush) return deform::lift(mesh);
   const deform::DeltaMushOptions& mush = options.delta_mush;
   deform::Coordinates out =
-      deform::smoothed_ssd(mesh, deform::Surface(mesh, mush.weights), mush.iterations, mush.step, kCandidates);
+      deform::smoothed_ssd(mesh, deform::Surface(mesh, mush.weights), mush.iterations, mush.step, kSmoothed);
   for (std::size_t v = 0; v < out.size(); ++v) {
     for (const deform::Influence& i : mesh.influences[v])
       if (std::ranges::find(out[v], i.joint, &deform::Coordinate::joint) == out[v].end())
@@ -34,6 +49,27 @@ deform::Coordinates make_candidates(const deform::SkinnedMesh& mesh, const Learn
     std::ranges::sort(out[v], {}, &deform::Coordinate::joint);
   }
   return out;
+}
+
+// The mesh with the joints of `coordinates`.
+deform::SkinnedMesh following(deform::SkinnedMesh mesh, const deform::Coordinates& coordinates) {
+  for (std::size_t v = 0; v < coordinates.size(); ++v) {
+    mesh.influences[v].clear();
+    for (const deform::Coordinate& c : coordinates[v]) mesh.influences[v].push_back({c.joint, std::max(0.0, c.q.w)});
+  }
+  return mesh;
+}
+
+// Lets vertices follow helpers between their joints too: adds them as zeros.
+void add_helpers(const deform::ClosedForm& form, deform::Coordinates& candidates) {
+  for (std::size_t v = 0; v < candidates.size(); ++v) {
+    for (const std::uint32_t entry : form.entries_of(v)) {
+      if (candidates[v].size() >= kMostCandidates) break;
+      if (std::ranges::find(candidates[v], entry, &deform::Coordinate::joint) == candidates[v].end())
+        candidates[v].push_back({entry, glm::dvec4(0)});
+    }
+    std::ranges::sort(candidates[v], {}, &deform::Coordinate::joint);
+  }
 }
 
 // SSD smoothed, or SSD where its joints and those leave no room for each other.
@@ -52,7 +88,25 @@ deform::Coordinates smoothed(const deform::SkinnedMesh& mesh, const LearnOptions
 }
 
 Learnt as_it_is(const deform::SkinnedMesh& mesh) {
-  return {deform::lift(mesh), {}, {}, 0};
+  return {deform::lift(mesh), mesh.influences, {}, {}, 0};
+}
+
+std::vector<deform::Pose> only_poses(const std::vector<deform::TrainingPose>& poses) {
+  std::vector<deform::Pose> out;
+  for (const deform::TrainingPose& p : poses) out.push_back(p.pose);
+  return out;
+}
+
+// Poses of the range of motion in which the truth is one: finite, and not folded. Evenly, so many at most.
+void add_motion(const DeformSource& source, const deform::Deformer& truth, std::vector<deform::TrainingPose>& poses) {
+  constexpr std::size_t kMostPoses = 512;
+  const std::vector<deform::MotionErrors> errors = deform::motion_errors(source.mesh, source.motion, truth, {});
+  std::vector<std::size_t> usable;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (errors[i].is_usable && errors[i].truth_flipped == 0) usable.push_back(i);
+  const std::size_t count = std::min(usable.size(), kMostPoses);
+  for (std::size_t i = 0; i < count; ++i)
+    poses.push_back({source.motion[usable[i * usable.size() / count]].pose(), 0, false, false});
 }
 
 }  // namespace
@@ -89,24 +143,40 @@ Trainees find_trainees(const DeformSource& source, const BuiltScene& built, cons
 Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
   const deform::SkinnedMesh& mesh = source.mesh;
   const double size_m = deform::diagonal(mesh);
-  if (options.animation_space == AnimationSpace::lift || mesh.positions.empty() || !(size_m > 0)) return as_it_is(mesh);
-  Learnt out;
+  Learnt out = as_it_is(mesh);
+  if (mesh.positions.empty() || !(size_m > 0)) return out;
   if (options.animation_space == AnimationSpace::smooth) {
     out.coordinates = smoothed(mesh, options);
     return out;
   }
-  deform::Coordinates candidates = make_candidates(mesh, options);
-  if (options.half_joints > 0) {
-    out.half_joints = deform::add_half_joints(source.parents, source.centres, options.half_joints, candidates);
-    for (deform::TrainingPose& p : poses) deform::append_half_joints(out.half_joints, p.pose);
+  const bool fits = options.animation_space == AnimationSpace::fit;
+  deform::Coordinates candidates = fits ? guess(mesh, options) : out.coordinates;
+  const deform::SkinnedMesh reach = following(mesh, candidates);
+  const deform::Likeness likeness(reach, only_poses(poses));
+  out.helpers = deform::choose_helpers(reach, likeness, source.centres, most_helpers(mesh, options),
+                                       options.truth == Truth::centres_of_rotation);
+  const deform::ClosedForm form(mesh, out.helpers, likeness);
+  const bool is_lift = !fits || options.truth != Truth::delta_mush;
+  for (std::size_t v = 0; v < candidates.size(); ++v) {
+    out.weights[v] = form.weights_of(v);
+    if (is_lift) candidates[v] = deform::lift(out.weights[v], mesh.positions[v]);
   }
+  if (!fits) {
+    out.coordinates = std::move(candidates);
+    return out;
+  }
+  add_helpers(deform::ClosedForm(reach, out.helpers, likeness), candidates);
+  const deform::Deformer truth = make_truth(source, options);
+  if (options.helpers != 0) add_motion(source, truth, poses);
+  for (deform::TrainingPose& p : poses) deform::append_helpers(out.helpers, p.pose);
   deform::FitOptions fit;
-  fit.keep_bind_pose = options.keep_bind_pose;
-  fit.kept = &mesh;
+  // In most poses of a range of motion most of the mesh is as in the bind pose, where SSD is exact.
+  fit.keep_bind_pose = options.keep_bind_pose || options.helpers != 0;
+  fit.weights = &form;
+  fit.is_lift = is_lift;
   fit.most_joints = most_joints(options);
   fit.progress = options.progress;
-  deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), make_truth(source, options),
-                                               deform::ssd(mesh), fit);
+  deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), truth, deform::ssd(mesh), fit);
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
   if (!(fitted.quality.share < 1)) {
@@ -114,33 +184,39 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
     kept.quality = fitted.quality;
     return kept;
   }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    std::vector<std::uint32_t> entries;
+    for (const deform::Coordinate& c : fitted.coordinates[v]) entries.push_back(c.joint);
+    out.weights[v] = form.weights_of(v, entries).value_or(mesh.influences[v]);
+  }
   out.coordinates = std::move(fitted.coordinates);
   return out;
 }
 
 namespace {
 
-// The residual is what coordinates have beside the lift of the weights that SSD keeps.
-BoundVertex with_residual(const BoundVertex& old, const std::vector<deform::Coordinate>& coordinates,
-                          const glm::dvec3& v) {
+// The residual is what coordinates have beside the lift of the weights.
+BoundVertex bound(const std::vector<deform::Influence>& weights, const std::vector<deform::Coordinate>& coordinates,
+                  const glm::dvec3& v, bool has_residual) {
   BoundVertex out;
-  for (const deform::Coordinate& c : coordinates) out.push_back({c.joint, 0, c.q});
-  for (const BoundInfluence& i : old) {
-    const auto found = std::ranges::find(out, i.joint, &BoundInfluence::joint);
+  for (const deform::Influence& i : weights) out.push_back({i.joint, i.weight});
+  if (!has_residual) return out;
+  for (BoundInfluence& i : out) i.residual = -glm::dvec4(v, 1) * i.weight;
+  for (const deform::Coordinate& c : coordinates) {
+    const auto found = std::ranges::find(out, c.joint, &BoundInfluence::joint);
     if (found == out.end()) {
-      out.push_back({i.joint, i.weight});
+      out.push_back({c.joint, 0, c.q});
     } else {
-      found->weight = i.weight;
+      found->residual += c.q;
     }
   }
   std::ranges::sort(out, {}, &BoundInfluence::joint);
-  for (BoundInfluence& i : out) i.residual -= glm::dvec4(v, 1) * i.weight;
   return out;
 }
 
-// step_m: how finely residuals are to be stored.
+// step_m: how finely residuals are to be stored; 0: there are none.
 SkinBinding with_learnt(SkinBinding binding, const DeformSource& source, const Learnt& learnt, double step_m) {
-  binding.half_joints = learnt.half_joints;
+  binding.helpers = learnt.helpers;
   binding.residual_step_m = step_m;
   // A weight moves a vertex by at most how far joints take it apart: about a tenth of the size.
   binding.residual_weight_step = step_m / (0.1 * deform::diagonal(source.mesh));
@@ -148,9 +224,19 @@ SkinBinding with_learnt(SkinBinding binding, const DeformSource& source, const L
     for (std::size_t v = 0; v < binding.primitives[p].size(); ++v) {
       const std::uint32_t welded = source.vertex_of[p][v];
       binding.primitives[p][v] =
-          with_residual(binding.primitives[p][v], learnt.coordinates[welded], source.mesh.positions[welded]);
+          bound(learnt.weights[welded], learnt.coordinates[welded], source.mesh.positions[welded], step_m > 0);
     }
   return binding;
+}
+
+// Of the helpers those that some vertex follows.
+std::size_t helpers_followed(const SkinBinding& binding, std::size_t joint_count) {
+  std::set<std::uint32_t> out;
+  for (const std::vector<BoundVertex>& vertices : binding.primitives)
+    for (const BoundVertex& vertex : vertices)
+      for (const BoundInfluence& i : vertex)
+        if (i.joint >= joint_count) out.insert(i.joint);
+  return out.size();
 }
 
 }  // namespace
@@ -158,16 +244,18 @@ SkinBinding with_learnt(SkinBinding binding, const DeformSource& source, const L
 LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin, const BuiltScene& built,
                             const LearnOptions& given, SkinBinding binding, Notes& notes) {
   LearnReport report;
-  if (given.animation_space == AnimationSpace::lift) return {std::move(binding), report};
+  const bool fits = given.animation_space == AnimationSpace::fit,
+             smooths = given.animation_space == AnimationSpace::smooth;
+  if (!fits && !smooths && given.helpers == 0) return {std::move(binding), report};
   DeformSource source = deform_source(mesh, skin, binding, built);
   const std::string pointer = mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer;
   const LearnOptions options = with_gentle_steps(given, source.mesh, pointer, notes);
-  const bool fits = options.animation_space == AnimationSpace::fit;
   Trainees trained;
+  if (fits) source.shown = find_examples(options, {scene, mesh, skin, built, source}, notes);
+  if (!smooths) trained = find_trainees(source, built, options);
   if (fits) {
-    source.shown = find_examples(options, {scene, mesh, skin, built, source}, notes);
-    trained = find_trainees(source, built, options);
     drop_spoilt_poses(scene, skin, source.mesh, options.truth, pointer, trained.poses, notes);
+    source.motion = range_of_motion(source, built.skeletons[source.skeleton]).poses;
     report.truth = name_of(options.truth);
   }
   report.poses = trained.poses.size();
@@ -181,13 +269,14 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
                                   " is no better than linear blend skinning in poses left out; the lift is shipped"});
     return {std::move(binding), report};
   }
-  if (!fits || options.truth == Truth::delta_mush)
-    binding.residual_source = {options.delta_mush.iterations, options.delta_mush.step, !fits};
-  report.kind = fits ? "fit" : "smooth";
-  report.half_joints = learnt.half_joints.size();
+  if (smooths || (fits && options.truth == Truth::delta_mush))
+    binding.residual_source = {options.delta_mush.iterations, options.delta_mush.step, smooths};
+  report.kind = fits ? "fit" : smooths ? "smooth" : "lift";
   const double size_m = deform::diagonal(source.mesh);
-  return {with_learnt(std::move(binding), source, learnt, std::max(fits ? learnt.rms_m / 2 : 0, size_m / 16384)),
-          report};
+  const double step_m = fits || smooths ? std::max(fits ? learnt.rms_m / 2 : 0, size_m / 16384) : 0;
+  binding = with_learnt(std::move(binding), source, learnt, step_m);
+  report.helpers = helpers_followed(binding, source.mesh.joint_count);
+  return {std::move(binding), report};
 }
 
 }  // namespace marrow::cook

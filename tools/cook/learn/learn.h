@@ -21,16 +21,19 @@ Trainees find_trainees(const DeformSource& source, const BuiltScene& built, cons
 
 // Coordinates, and how good they are by cross-validation.
 struct Learnt {
-  deform::Coordinates coordinates;  // over the mesh's joints and, behind them, the half-joints
-  std::vector<deform::HalfJoint> half_joints;
+  deform::Coordinates coordinates;  // over the mesh's joints and, behind them, the helpers
+  // Over the same: what linear blend skinning makes of them is SSD (deform::on_joints()).
+  std::vector<std::vector<deform::Influence>> weights;
+  std::vector<deform::Helper> helpers;
   deform::FitQuality quality;
   double rms_m = 0;  // what is left, over shipped poses
 };
-// Without a better result than SSD's, SSD's. poses: of the joints; half-joints are added here.
+// Without a better result than SSD's, SSD's. poses: of the joints; helpers are added here. The lift takes
+// of poses how alike joints turn, and nothing else.
 Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options);
 
 struct LearntBinding {
-  SkinBinding binding;  // with residuals and half-joints
+  SkinBinding binding;  // with residuals and helpers
   LearnReport report;
 };
 // binding: of the mesh to the skin. Notes a fit that is not shipped.

@@ -4,7 +4,7 @@
 
 #include "cook/learn/check_truth.h"
 #include "cook/learn/learn.h"
-#include "deform/half_joints.h"
+#include "deform/helpers/helpers.h"
 
 namespace marrow::cook {
 namespace {
@@ -84,16 +84,20 @@ LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, cons
   // Where animation space is learnt from the truth as well, all has been said.
   Notes said;
   Notes& to_say = options.learn.animation_space == AnimationSpace::fit ? said : notes;
-  const deform::SkinnedMesh weighted_mesh = weighted_only(source.mesh);
-  const LearnOptions learn = with_gentle_steps(options.learn, weighted_mesh, pointer, to_say);
+  DeformSource original = source;  // what truths know: joints alone
+  original.mesh = weighted_only(source.mesh);
+  for (std::vector<deform::Influence>& influences : original.mesh.influences)
+    influences = deform::on_joints(influences, binding.helpers, original.mesh.joint_count);
+  const LearnOptions learn = with_gentle_steps(options.learn, original.mesh, pointer, to_say);
   source.shown = find_examples(learn, {scene, mesh, skin, built, source}, notes);
+  original.shown = source.shown;
   Trainees trained = find_trainees(source, built, learn);
-  drop_spoilt_poses(scene, skin, weighted_mesh, learn.truth, pointer, trained.poses, to_say);
-  for (deform::TrainingPose& p : trained.poses) deform::append_half_joints(binding.half_joints, p.pose);
-  source.parents.resize(source.parents.size() + binding.half_joints.size(), kNone);
+  drop_spoilt_poses(scene, skin, original.mesh, learn.truth, pointer, trained.poses, to_say);
+  for (deform::TrainingPose& p : trained.poses) deform::append_helpers(binding.helpers, p.pose);
+  for (const deform::Helper& h : binding.helpers) source.parents.push_back(static_cast<int>(h.first));
   DeformSource weighted = source;
-  weighted.mesh = weighted_mesh;
-  const deform::Deformer truth = make_truth(weighted, learn);
+  weighted.mesh = weighted_only(source.mesh);
+  const deform::Deformer truth = make_truth(original, learn);
   out.deformers.vertex_of = source.vertex_of;
   if (learn.multi_weights) {
     out.multi_weights = begin_report(learn, trained);

@@ -13,7 +13,7 @@ namespace marrow::cook {
 // A skin that the mesh is bound to.
 struct MovedBy {
   const SkinBinding* binding;                        // without deformers beside animation space
-  std::function<std::vector<deform::Pose>()> poses;  // where being close counts; half-joints among the joints
+  std::function<std::vector<deform::Pose>()> poses;  // where being close counts; helpers among the joints
 };
 
 struct FinerMesh {

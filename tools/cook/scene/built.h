@@ -115,7 +115,7 @@ struct DeformerReport {
 struct LearnReport {
   const char* kind = "lift";  // as it was shipped: lift, smooth or fit
   const char* truth = "";
-  std::size_t poses = 0, made_up = 0, half_joints = 0;
+  std::size_t poses = 0, made_up = 0, helpers = 0;
   double held_out_share = 1, worse_share = 0;  // see deform::FitQuality
   DeformerReport multi_weights, pose_space;
 };

@@ -65,14 +65,17 @@ struct WeightOptions {
 enum class AnimationSpace { lift, smooth, fit };
 enum class Truth { dual_quaternions, centres_of_rotation, delta_mush, examples };
 
+inline constexpr int kAutoHelpers = -1;
+inline constexpr int kMostHelpers = 32767;
+
 // Of animation space, and of what else is learnt.
 struct LearnOptions {
   AnimationSpace animation_space = AnimationSpace::lift;
   Truth truth = Truth::centres_of_rotation;
   deform::DeltaMushOptions delta_mush;
   std::string examples_file;
-  int half_joints = 0;  // between a joint and its parent, 0 … 2
-  int influences = 0;   // that a vertex may have, the weights' own aside; 0: 4, with half-joints 5
+  int helpers = 0;     // between the joints that vertices share, at most; or kAutoHelpers
+  int influences = 0;  // that a vertex may have, more where its weights need them; 0: 4, with helpers 5
   bool keep_bind_pose = false;
   bool wide_poses = false;  // learn from poses far beyond the clips' too
   bool multi_weights = false;

@@ -85,7 +85,7 @@ std::vector<deform::Pose> poses_of_clips(const DeformSource& source, const SkinB
   if (sampled.empty()) sampled = resampled_poses(skeleton, sampled, kMadeUpPoses);
   std::vector<deform::Pose> out(1, deform::Pose(source.joints.size(), deform::Matrix(1.0)));
   for (const SampledPose& pose : sampled) out.push_back(deform_pose(source, skeleton, pose.local));
-  for (deform::Pose& pose : out) deform::append_half_joints(binding.half_joints, pose);
+  for (deform::Pose& pose : out) deform::append_helpers(binding.helpers, pose);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "cook/skin/sampled_poses.h"
 #include "cook/skin/skin_binding.h"
 #include "deform/mesh.h"
+#include "deform/motion/range_of_motion.h"
 
 namespace marrow::cook {
 
@@ -29,17 +30,18 @@ struct DeformSource {
   std::vector<std::uint16_t> joints;
   std::vector<glm::dmat4> inverse_bind;
   std::uint32_t skeleton = 0;
-  std::vector<ShownPose> shown;  // in ascending order of clips; read_examples() has them
+  std::vector<ShownPose> shown;            // in ascending order of clips; read_examples() has them
+  std::vector<deform::MotionPose> motion;  // what fits are judged by too; range_of_motion() has them
 };
 
 DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding,
                            const BuiltScene& built);
 
-// The joints' matrices in a pose of the skeleton, half-joints not among them.
+// The joints' matrices in a pose of the skeleton, helpers not among them.
 deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skeleton,
                          const std::vector<SoaTransform>& local);
 
-// What the mesh does: the bind pose, then moments of all clips, without clips poses made up; half-joints among the
+// What the mesh does: the bind pose, then moments of all clips, without clips poses made up; helpers among the
 // joints.
 std::vector<deform::Pose> poses_of_clips(const DeformSource& source, const SkinBinding& binding,
                                          const BuiltScene& built);

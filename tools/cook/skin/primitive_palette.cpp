@@ -15,8 +15,8 @@ std::vector<std::uint32_t> palette_needs(const SkinBinding& binding, std::size_t
   for (const BoundInfluence& i : vertex) {
     out.push_back(i.joint);
     if (i.joint < joint_count) continue;
-    const deform::HalfJoint& half = binding.half_joints[i.joint - joint_count];
-    out.insert(out.end(), {half.parent, half.joint});
+    const deform::Helper& helper = binding.helpers[i.joint - joint_count];
+    out.insert(out.end(), {helper.first, helper.second});
   }
   tools::make_distinct(out);
   return out;
@@ -25,12 +25,12 @@ std::vector<std::uint32_t> palette_needs(const SkinBinding& binding, std::size_t
 Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
                      const std::vector<int>& joint_of_node, std::vector<std::uint16_t>& entry_of) {
   const std::size_t joints = skin.joints.size();
-  entry_of.assign(joints + binding.half_joints.size(), 0);
+  entry_of.assign(joints + binding.helpers.size(), 0);
   for (const BoundVertex& vertex : vertices)
     for (const std::uint32_t needed : palette_needs(binding, joints, vertex)) entry_of[needed] = 1;
   if (std::ranges::count(entry_of, 1) > static_cast<std::ptrdiff_t>(kMaxJoints))
     throw tools::Failure(tools::Exit::unsupported, "", "", "too-many-joints",
-                         "a primitive follows at most 32767 joints and half-joints");
+                         "a primitive follows at most 32767 joints and helpers");
   Palette out;
   for (std::size_t j = 0; j < joints; ++j) {
     if (entry_of[j] == 0) continue;
@@ -38,11 +38,14 @@ Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std:
     out.joints.push_back(static_cast<std::uint16_t>(joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
     out.inverse_bind.push_back(to_affine(skin.inverse_bind[j]));
   }
-  for (std::size_t h = 0; h < binding.half_joints.size(); ++h) {
+  for (std::size_t h = 0; h < binding.helpers.size(); ++h) {
     if (entry_of[joints + h] == 0) continue;
-    const deform::HalfJoint& half = binding.half_joints[h];
+    const deform::Helper& helper = binding.helpers[h];
     entry_of[joints + h] = static_cast<std::uint16_t>(out.size());
-    out.helpers.push_back({entry_of[half.parent], entry_of[half.joint], static_cast<float>(half.share)});
+    out.helpers.push_back({entry_of[helper.first], entry_of[helper.second], static_cast<float>(helper.share)});
+    if (helper.by_dual_quaternions) continue;
+    const glm::dvec4 centre = skin.inverse_bind[helper.second] * glm::dvec4(helper.centre, 1);
+    for (int c = 0; c < 3; ++c) out.helper_centres.push_back(static_cast<float>(centre[c]));
   }
   return out;
 }

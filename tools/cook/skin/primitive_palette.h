@@ -18,8 +18,8 @@ struct Palette {
   std::size_t size() const { return joints.size() + helpers.size(); }
 };
 
-// Joints and half-joints that a palette must have for a vertex, ascending: those that it and its deformers follow, and
-// those that half-joints stand between. joint_count: of the skin; half-joints stand behind.
+// Joints and helpers that a palette must have for a vertex, ascending: those that it and its deformers follow, and
+// those that helpers blend. joint_count: of the skin; helpers stand behind.
 std::vector<std::uint32_t> palette_needs(const SkinBinding& binding, std::size_t joint_count,
                                          const BoundVertex& vertex);
 
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> palette_needs(const SkinBinding& binding, std::size_t
 Palette make_palette(const RawSkin& skin, const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
                      const std::vector<int>& joint_of_node, std::vector<std::uint16_t>& entry_of);
 
-// Some entries of a palette, ascending; those that its half-joints stand between must be among them.
+// Some entries of a palette, ascending; those that its helpers blend must be among them.
 Palette some_of(const Palette& whole, const std::vector<std::uint16_t>& entries);
 
 // With palette entries in place of joints.

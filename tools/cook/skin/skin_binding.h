@@ -9,13 +9,13 @@
 #include "cook/scene/residual_source.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
-#include "deform/half_joints.h"
+#include "deform/helpers/helpers.h"
 
 namespace marrow::cook {
 
 struct BoundInfluence {
-  std::uint32_t joint;     // of the skin; from RawSkin::joints.size() on half-joints
-  double weight;           // of SSD
+  std::uint32_t joint;     // of the skin; from RawSkin::joints.size() on helpers
+  double weight;           // of SSD: a helper's is that of its two joints, by its share
   glm::dvec4 residual{0};  // of animation space: (d, δ)
 };
 using BoundVertex = std::vector<BoundInfluence>;  // by ascending joint; weights sum to 1, δ to 0
@@ -33,7 +33,7 @@ struct SkinBinding {
   std::vector<std::vector<BoundVertex>> primitives;  // vertex by vertex
   // Of each primitive that one palette is too small for, for each triangle which part it goes to; of others nothing.
   std::vector<std::vector<std::uint32_t>> part_of;
-  std::vector<deform::HalfJoint> half_joints;
+  std::vector<deform::Helper> helpers;
   // How finely residuals are to be stored; 0: there are none.
   double residual_step_m = 0;
   double residual_weight_step = 0;

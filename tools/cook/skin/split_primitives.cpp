@@ -146,7 +146,7 @@ std::vector<std::vector<std::uint32_t>> split_primitives(const std::string& sour
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
     const RawPrimitive& primitive = mesh.primitives[p];
     std::vector<Set> needs;
-    std::vector<char> used(joint_count + binding.half_joints.size(), 0);
+    std::vector<char> used(joint_count + binding.helpers.size(), 0);
     for (const BoundVertex& vertex : binding.primitives[p]) {
       needs.push_back(palette_needs(binding, joint_count, vertex));
       for (const std::uint32_t n : needs.back()) used[n] = 1;
@@ -155,8 +155,7 @@ std::vector<std::vector<std::uint32_t>> split_primitives(const std::string& sour
     std::size_t largest = 0;
     for (const Set& set : group_triangles(primitive.indices, needs).needs) largest = std::max(largest, set.size());
     if (largest > most)
-      refuse_split(source, primitive, "a triangle follows " + std::to_string(largest) + " joints and half-joints",
-                   largest);
+      refuse_split(source, primitive, "a triangle follows " + std::to_string(largest) + " joints and helpers", largest);
     out[p] = split_triangles(primitive.indices, needs, most);
     const std::size_t parts = std::size_t{1} + std::ranges::max(out[p]);
     if (parts > kMostParts)

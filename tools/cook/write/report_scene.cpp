@@ -35,7 +35,7 @@ ordered_json report_learnt(const LearnReport& learnt) {
           {"truth", learnt.truth},
           {"poses", learnt.poses},
           {"made_up_poses", learnt.made_up},
-          {"half_joints", learnt.half_joints},
+          {"helpers", learnt.helpers},
           {"held_out_share", learnt.held_out_share},
           {"worse_share", learnt.worse_share}};
 }

@@ -1,7 +1,7 @@
 #include "deform/fit/choose_joints.h"
 
 #include <algorithm>
-#include <limits>
+#include <functional>
 
 #include "common/parallel.h"
 #include "deform/dense.h"
@@ -25,7 +25,7 @@ struct System {
 };
 
 System make_system(const Group& group, const Coordinates& candidates, const Training& training) {
-  const Equations eq(group, training);
+  const Equations eq(group, training, training.motion.first);
   const VectorXd& weights = training.weights[kBalanced];
   const MatrixXd weighted = weights.asDiagonal() * eq.a;
   System out{eq.a.transpose() * weighted, weighted.transpose() * eq.truth};
@@ -39,24 +39,34 @@ System make_system(const Group& group, const Coordinates& candidates, const Trai
   return out;
 }
 
-// x, inverse: the solution for all joints, and the inverse of its normal matrix. Returns which joints stay.
-std::vector<bool> eliminate(MatrixXd inverse, VectorXd x, const std::vector<bool>& kept, std::size_t most) {
-  std::vector<bool> stays(kept.size(), true);
-  for (std::size_t count = kept.size(); count > most; --count) {
-    std::size_t least_of = kept.size();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < kept.size(); ++j) {
-      if (!stays[j] || kept[j]) continue;
+// Of a vertex's entries those that stay.
+using Stays = std::vector<bool>;
+
+// Whether those that stay can make up a vertex's weights.
+using Suffices = std::function<bool(const Stays&)>;
+
+// x, inverse: the solution for all entries, and the inverse of its normal matrix.
+Stays eliminate(MatrixXd inverse, VectorXd x, std::size_t most, const Suffices& suffices) {
+  Stays stays(static_cast<std::size_t>(x.size()) / 4, true);
+  Stays is_needed(stays.size(), false);  // and always will be, as fewer stay
+  for (std::size_t count = stays.size(); count > most; --count) {
+    std::vector<std::pair<double, std::size_t>> costs;
+    for (std::size_t j = 0; j < stays.size(); ++j) {
+      if (!stays[j] || is_needed[j]) continue;
       const Index at = 4 * index(j);
       const Vector4d part = x.segment<4>(at);
-      const double cost = part.dot(solve_symmetric(Matrix4d(inverse.block<4, 4>(at, at)), part));
-      if (!(cost < least)) continue;
-      least = cost;
-      least_of = j;
+      costs.emplace_back(part.dot(solve_symmetric(Matrix4d(inverse.block<4, 4>(at, at)), part)), j);
     }
-    if (least_of == kept.size()) break;
-    stays[least_of] = false;
-    const Index at = 4 * index(least_of);
+    std::ranges::sort(costs);
+    const auto goes = std::ranges::find_if(costs, [&](const auto& candidate) {
+      stays[candidate.second] = false;
+      if (suffices(stays)) return true;
+      stays[candidate.second] = true;
+      is_needed[candidate.second] = true;
+      return false;
+    });
+    if (goes == costs.end()) break;
+    const Index at = 4 * index(goes->second);
     const MatrixXd column = inverse.middleCols<4>(at);
     const Matrix4d block = inverse_of_symmetric(Matrix4d(inverse.block<4, 4>(at, at)));
     x -= (column * (block * x.segment<4>(at))).eval();
@@ -66,7 +76,7 @@ std::vector<bool> eliminate(MatrixXd inverse, VectorXd x, const std::vector<bool
 }
 
 // Without any w left `vertex` becomes empty.
-void keep(const std::vector<bool>& stays, std::vector<Coordinate>& vertex) {
+void keep(const Stays& stays, std::vector<Coordinate>& vertex) {
   glm::dvec4 lost(0);
   double w = 0;
   for (std::size_t j = 0; j < vertex.size(); ++j) {
@@ -82,12 +92,29 @@ void keep(const std::vector<bool>& stays, std::vector<Coordinate>& vertex) {
   vertex = std::move(out);
 }
 
+std::vector<std::uint32_t> staying(const std::vector<std::uint32_t>& entries, const Stays& stays) {
+  std::vector<std::uint32_t> out;
+  for (std::size_t j = 0; j < entries.size(); ++j)
+    if (stays[j]) out.push_back(entries[j]);
+  return out;
+}
+
+// The lift over `entries`, those of no weight among them. Precondition: they suffice.
+std::vector<Coordinate> lift_over(const std::vector<std::uint32_t>& entries, const std::vector<Influence>& weights,
+                                  const glm::dvec3& position) {
+  std::vector<Coordinate> out;
+  for (const std::uint32_t entry : entries) {
+    const auto found = std::ranges::find(weights, entry, &Influence::joint);
+    out.push_back({entry, glm::dvec4(position, 1) * (found == weights.end() ? 0.0 : found->weight)});
+  }
+  return out;
+}
+
 }  // namespace
 
-Coordinates choose_joints(const Coordinates& candidates, const SkinnedMesh& kept, std::size_t most,
+Coordinates choose_joints(const Coordinates& candidates, const ClosedForm& weights, bool is_lift, std::size_t most,
                           const Training& training) {
   Coordinates out = candidates;
-  const Coordinates lifted = lift(kept);
   const std::vector<Group> groups = group_by_joints(candidates);
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
     const Group& group = groups[g];
@@ -97,11 +124,13 @@ Coordinates choose_joints(const Coordinates& candidates, const SkinnedMesh& kept
     const MatrixXd x = inverse * system.right;
     for (std::size_t i = 0; i < group.vertices.size(); ++i) {
       const std::uint32_t v = group.vertices[i];
-      std::vector<bool> is_kept;
-      for (const std::uint32_t j : group.joints)
-        is_kept.push_back(std::ranges::find(kept.influences[v], j, &Influence::joint) != kept.influences[v].end());
-      keep(eliminate(inverse, x.col(index(i)), is_kept, most), out[v]);
-      if (out[v].empty()) out[v] = lifted[v];
+      const Stays stays = eliminate(inverse, x.col(index(i)), most, [&](const Stays& s) {
+        return weights.weights_of(v, staying(group.joints, s)).has_value();
+      });
+      if (!is_lift) keep(stays, out[v]);
+      if (!is_lift && !out[v].empty()) continue;
+      const std::vector<std::uint32_t> entries = staying(group.joints, stays);
+      out[v] = lift_over(entries, *weights.weights_of(v, entries), weights.position_of(v));
     }
   });
   return out;

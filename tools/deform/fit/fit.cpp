@@ -49,7 +49,7 @@ struct Corrections {
 
   Corrections(const Group& group, const Training& training, const Coordinates& prior, bool keep_bind_pose)
       : basis(constraint_basis(index(group.joints.size()), keep_bind_pose)) {
-    const Equations eq(group, training);
+    const Equations eq(group, training, training.examples.size());
     missing = eq.truth - eq.a * unknowns(group, prior, training.diagonal_m);
     a = eq.a * basis;
   }
@@ -59,11 +59,17 @@ struct Corrections {
 struct Validated {
   double ridge[kStrengthCount];
   VectorXd held_out[kStrengthCount];  // squared errors, a pose
+  VectorXd prior;                     // the same of the prior
 };
 
 struct Sums {
   MatrixXd normal, right;
 };
+
+// Rows of poses that are learnt.
+MatrixXd::ConstRowsBlockXpr rows_of(const MatrixXd& a, const Fold& fold) {
+  return a.middleRows(3 * index(fold.first), 3 * index(fold.count));
+}
 
 Sums add_up(const Corrections& eq, const VectorXd& weights, const Fold& fold) {
   const Index first = 3 * index(fold.first), rows = 3 * index(fold.count);
@@ -78,18 +84,25 @@ MatrixXd solve(const Sums& sums, double ridge) {
   return solve_symmetric(normal, sums.right);
 }
 
-// Squared errors of a fold's rows, written a pose; returns their weighted sum.
-double squared_errors(const Corrections& eq, const VectorXd& weights, const Fold& fold, const MatrixXd& x,
-                      VectorXd& out) {
-  const Index first = 3 * index(fold.first), rows = 3 * index(fold.count);
-  const VectorXd by_row =
-      (eq.a.middleRows(first, rows) * x - eq.missing.middleRows(first, rows)).rowwise().squaredNorm();
+// Squared errors of a fold, written a pose.
+void squared_errors(const Corrections& eq, const Fold& fold, const MatrixXd& x, VectorXd& out) {
+  const VectorXd by_row = (rows_of(eq.a, fold) * x - rows_of(eq.missing, fold)).rowwise().squaredNorm();
   for (std::size_t i = 0; i < fold.count; ++i) out[index(fold.first + i)] = by_row.segment<3>(3 * index(i)).sum();
-  return by_row.dot(weights.segment(first, rows));
+}
+
+// What choices are judged by.
+double cost_of(const VectorXd& errors, const Training& training, std::size_t strength) {
+  double out = 0;
+  for (std::size_t e = 0; e < training.motion.first; ++e)
+    out += training.weights[strength][3 * index(e)] * errors[index(e)];
+  return out + training.motion_weights[strength] * errors.tail(index(training.motion.count)).sum();
 }
 
 void cross_validate(const Corrections& eq, const Training& training, const FitOptions& options, Validated& group) {
   const bool can = training.folds.size() > 1;
+  const VectorXd by_row = eq.missing.rowwise().squaredNorm();
+  group.prior.resize(index(training.examples.size()));
+  for (Index i = 0; i < group.prior.size(); ++i) group.prior[i] = by_row.segment<3>(3 * i).sum();
   for (std::size_t s = 0; s < kStrengthCount; ++s) {
     const VectorXd& weights = training.weights[s];
     std::vector<Sums> parts;
@@ -99,19 +112,18 @@ void cross_validate(const Corrections& eq, const Training& training, const FitOp
       all.normal += parts[f].normal;
       all.right += parts[f].right;
     }
-    const VectorXd by_row = eq.missing.rowwise().squaredNorm();
-    double least = by_row.dot(weights);
+    group.held_out[s] = group.prior;
     group.ridge[s] = kKeepPrior;
-    group.held_out[s].resize(index(training.examples.size()));
-    for (Index i = 0; i < group.held_out[s].size(); ++i) group.held_out[s][i] = by_row.segment<3>(3 * i).sum();
+    double least = cost_of(group.prior, training, s);
     if (eq.a.cols() == 0) continue;
     for (std::size_t r = 0; r < (can ? options.ridges.size() : 1); ++r) {
       VectorXd errors(index(training.examples.size()));
-      double error = 0;
       for (std::size_t f = 0; f < parts.size(); ++f) {
         const Sums others = can ? Sums{all.normal - parts[f].normal, all.right - parts[f].right} : all;
-        error += squared_errors(eq, weights, training.folds[f], solve(others, options.ridges[r]), errors);
+        squared_errors(eq, training.folds[f], solve(others, options.ridges[r]), errors);
       }
+      if (training.motion.count > 0) squared_errors(eq, training.motion, solve(all, options.ridges[r]), errors);
+      const double error = cost_of(errors, training, s);
       if (!(error < least)) continue;
       least = error;
       group.ridge[s] = options.ridges[r];
@@ -158,9 +170,26 @@ std::size_t best_strength(const std::vector<Validated>& groups, const Training& 
   return chosen;
 }
 
+// In poses that are not learnt: until none is worse than the reference, the group that adds most keeps the prior.
+void keep_motion(const Training& training, std::size_t strength, std::vector<Validated>& groups) {
+  VectorXd errors = VectorXd::Zero(index(training.examples.size()));
+  for (const Validated& group : groups) errors += group.held_out[strength];
+  for (std::size_t e = training.motion.first; e < training.examples.size(); ++e) {
+    const Index at = index(e);
+    while (errors[at] > training.examples[e].reference_error * (1 - 1e-6)) {
+      const auto added = [&](const Validated& g) { return g.held_out[strength][at] - g.prior[at]; };
+      const auto worst = std::ranges::max_element(groups, {}, added);
+      if (worst == groups.end() || !(added(*worst) > 0)) break;
+      errors += worst->prior - worst->held_out[strength];
+      worst->held_out[strength] = worst->prior;
+      worst->ridge[strength] = kKeepPrior;
+    }
+  }
+}
+
 void write_solution(const Group& group, const Corrections& eq, const Training& training, std::size_t strength,
                     double ridge, Coordinates& out) {
-  const Fold all{0, training.examples.size()};
+  const Fold all{0, training.motion.first};
   const MatrixXd x = eq.basis * solve(add_up(eq, training.weights[strength], all), ridge);
   for (std::size_t i = 0; i < group.vertices.size(); ++i) {
     std::vector<Coordinate>& vertex = out[group.vertices[i]];
@@ -174,9 +203,10 @@ void write_solution(const Group& group, const Corrections& eq, const Training& t
 Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vector<TrainingPose> poses,
                     const Deformer& truth, const Deformer& reference, const FitOptions& options) {
   const Training training = prepare_training(diagonal_m, poses, truth, reference);
-  if (training.examples.empty()) return {candidates, {}, 0};
-  const Coordinates prior =
-      options.kept == nullptr ? candidates : choose_joints(candidates, *options.kept, options.most_joints, training);
+  if (training.folds.empty()) return {candidates, {}, 0};
+  const Coordinates prior = options.weights == nullptr ? candidates
+                                                       : choose_joints(candidates, *options.weights, options.is_lift,
+                                                                       options.most_joints, training);
   const std::vector<Group> groups = group_by_joints(prior);
   std::vector<Validated> validated(groups.size());
   Steps steps(options.progress, groups.size());
@@ -187,6 +217,8 @@ Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vecto
   Fit out;
   HeldOut best;
   const std::size_t strength = best_strength(validated, training, options, best);
+  keep_motion(training, strength, validated);
+  best = held_out(validated, training, strength);
   out.quality = best.quality;
   if (best.poses > 0)
     out.rms = std::sqrt(best.squares / static_cast<double>(best.poses) / static_cast<double>(prior.size()));

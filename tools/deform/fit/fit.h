@@ -5,6 +5,7 @@
 
 #include "deform/animation_space.h"
 #include "deform/fit/progress.h"
+#include "deform/helpers/closed_form.h"
 
 namespace marrow::deform {
 
@@ -12,15 +13,17 @@ struct TrainingPose {
   Pose pose;
   std::uint32_t fold = 0;  // poses that cross-validation leaves out together: those of one clip
   bool shipped = true;     // of a clip, not made up
+  bool learnt = true;      // false: of a range of motion, which fits are judged by and never learn
 };
 
 struct FitOptions {
   bool keep_bind_pose = false;
   // Tried by cross-validation, beside keeping the prior; with one fold the first is taken.
-  std::vector<double> ridges = {1e-3, 1e-5, 1e-4, 1e-2, 1e-1};
-  // Where not null, a vertex follows only the `most_joints` of its candidates that matter most, those that it has in
-  // `kept` among them and whatever their number.
-  const SkinnedMesh* kept = nullptr;
+  std::vector<double> ridges = {1e-3, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2, 1e-1};
+  // Where not null, a vertex follows only the `most_joints` of its candidates that matter most, more where fewer cannot
+  // make up its weights. is_lift: the candidates are the lift of these.
+  const ClosedForm* weights = nullptr;
+  bool is_lift = true;
   std::size_t most_joints = 4;
   double most_worse = 0.02;  // share of shipped poses that may be worse than the reference, where that can be had
   Progress progress = {};    // of sets of joints
@@ -44,6 +47,10 @@ struct Fit {
 // Poses count w = (1 / (e² + ε))ᵖ, e the reference's RMS error there, so that those in which it is nearly right are not
 // sacrificed to a few extreme ones: of several ε and p the one with the least error that keeps `most_worse`. Everything
 // is in diagonals of the bind pose, so the ridge does not depend on the unit.
+//
+// Of poses that are not learnt each group takes the error of what all others give, beside what cross-validation gives
+// of the others, both as shares of the reference's. Where a pose of them becomes worse than the reference, the groups
+// that are most to blame keep the prior.
 //
 // Poses in which the truth is not finite, as a joint has collapsed, say, are left out; without any the prior stays.
 //

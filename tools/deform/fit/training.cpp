@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -35,7 +36,7 @@ std::vector<Example> make_examples(double diagonal_m, const std::vector<Training
   return out;
 }
 
-VectorXd pose_weights(const std::vector<Example>& examples, const Strength& strength) {
+VectorXd pose_weights(std::span<const Example> examples, const Strength& strength) {
   double mean = 0;
   for (const Example& e : examples) mean += e.reference_error / static_cast<double>(examples.size());
   VectorXd rows(3 * index(examples.size()));
@@ -54,17 +55,29 @@ VectorXd pose_weights(const std::vector<Example>& examples, const Strength& stre
 
 Training prepare_training(double diagonal_m, std::vector<TrainingPose>& poses, const Deformer& truth,
                           const Deformer& reference) {
-  std::stable_sort(poses.begin(), poses.end(),
-                   [](const TrainingPose& a, const TrainingPose& b) { return a.fold < b.fold; });
+  std::stable_sort(poses.begin(), poses.end(), [](const TrainingPose& a, const TrainingPose& b) {
+    return a.learnt != b.learnt ? a.learnt : a.learnt && a.fold < b.fold;
+  });
   Training out;
   out.diagonal_m = diagonal_m;
   out.examples = make_examples(diagonal_m, poses, truth, reference);
   std::erase_if(out.examples, [](const Example& e) { return !e.is_usable; });
-  for (std::size_t i = 0; i < out.examples.size(); ++i) {
+  const auto learnt =
+      static_cast<std::size_t>(std::ranges::count_if(out.examples, [](const Example& e) { return e.at->learnt; }));
+  out.motion = {learnt, out.examples.size() - learnt};
+  for (std::size_t i = 0; i < learnt; ++i) {
     if (i == 0 || out.examples[i].at->fold != out.examples[i - 1].at->fold) out.folds.push_back({i, 0});
     ++out.folds.back().count;
   }
-  for (const Strength& s : kStrengths) out.weights.push_back(pose_weights(out.examples, s));
+  double moved = 0;
+  for (std::size_t e = learnt; e < out.examples.size(); ++e) moved += out.examples[e].reference_error;
+  for (const Strength& s : kStrengths) {
+    out.weights.push_back(pose_weights({out.examples.data(), learnt}, s));
+    double clips = 0;
+    for (std::size_t e = 0; e < learnt; ++e)
+      clips += out.weights.back()[3 * index(e)] * out.examples[e].reference_error;
+    out.motion_weights.push_back(moved > 0 ? clips / moved : 0);
+  }
   return out;
 }
 
@@ -90,14 +103,13 @@ std::vector<Group> group_by_joints(const Coordinates& coordinates) {
   return out;
 }
 
-Equations::Equations(const Group& group, const Training& training)
-    : a(3 * index(training.examples.size()), 4 * index(group.joints.size())),
-      truth(a.rows(), index(group.vertices.size())) {
+Equations::Equations(const Group& group, const Training& training, std::size_t of)
+    : a(3 * index(of), 4 * index(group.joints.size())), truth(a.rows(), index(group.vertices.size())) {
   const double scale = 1 / training.diagonal_m;
-  for (std::size_t e = 0; e < training.examples.size(); ++e) {
+  for (std::size_t e = 0; e < of; ++e) {
     const Eigen::Index row = 3 * index(e);
-    const Example& of = training.examples[e];
-    const Pose& pose = of.at->pose;
+    const Example& example = training.examples[e];
+    const Pose& pose = example.at->pose;
     glm::dvec3 mean(0);
     for (const std::uint32_t j : group.joints) mean += transform(pose[j], group.origin);
     mean *= scale / static_cast<double>(group.joints.size());
@@ -107,7 +119,7 @@ Equations::Equations(const Group& group, const Training& training)
       for (int r = 0; r < 3; ++r) a.row(row + r).segment<4>(4 * index(j)) << m[0][r], m[1][r], m[2][r], at[r];
     }
     for (std::size_t i = 0; i < group.vertices.size(); ++i) {
-      const glm::dvec3 p = glm::dvec3(of.truth[group.vertices[i]]) + (of.centre - mean);
+      const glm::dvec3 p = glm::dvec3(example.truth[group.vertices[i]]) + (example.centre - mean);
       truth.col(index(i)).segment<3>(row) << p.x, p.y, p.z;
     }
   }

@@ -33,7 +33,10 @@ inline constexpr std::size_t kStrengthCount = std::size(kStrengths);
 struct Training {
   std::vector<Example> examples;         // by ascending fold; each with a truth that is finite
   std::vector<Fold> folds;               // none is empty
-  std::vector<Eigen::VectorXd> weights;  // a strength: a row; they sum to 1
+  Fold motion{0, 0};                     // behind them: what is not learnt
+  std::vector<Eigen::VectorXd> weights;  // a strength: a row that is learnt; they sum to 1
+  // A strength: what a squared error of `motion` counts, so that the reference's there count as much as in the rest.
+  std::vector<double> motion_weights;
   double diagonal_m = 1;
 };
 
@@ -55,7 +58,8 @@ std::vector<Group> group_by_joints(const Coordinates& coordinates);
 struct Equations {
   Eigen::MatrixXd a, truth;
 
-  Equations(const Group& group, const Training& training);
+  // of: examples, from the first.
+  Equations(const Group& group, const Training& training, std::size_t of);
 };
 
 // The coordinates of a group's vertices as columns of unknowns, and back.

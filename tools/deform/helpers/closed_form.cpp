@@ -1,0 +1,163 @@
+#include "deform/helpers/closed_form.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deform/rotation_of_matrix.h"
+
+namespace marrow::deform {
+namespace {
+
+constexpr double kUnknown = 0.5;  // how alike joints turn of which nothing is known
+constexpr double kNoWeight = 1e-9;
+constexpr double kForbidden = 1e3;  // what an entry costs that must not be used
+
+bool is_finite(const Pose& pose) {
+  double sum = 0;
+  for (const Matrix& m : pose)
+    for (int c = 0; c < 4; ++c) sum += glm::dot(m[c], m[c]);
+  return std::isfinite(sum);
+}
+
+// A column of the program: joint or helper as shares of the vertex's joints, by their places.
+struct Column {
+  std::uint32_t entry;
+  std::size_t first, second;
+  double share, cost;
+};
+
+// min Σ cost_i c_i, Σ c_i column_i = w, c ≥ 0, by the simplex method. The first columns are the joints, which are the
+// first basis. Bland's rule, so that it ends.
+std::vector<Influence> solve(const std::vector<Column>& columns, const std::vector<Influence>& w) {
+  const std::size_t rows = w.size(), width = columns.size();
+  std::vector<double> table(rows * width, 0.0);
+  std::vector<double> right(rows), reduced(width);
+  std::vector<std::size_t> basis(rows);
+  for (std::size_t i = 0; i < width; ++i) {
+    table[columns[i].first * width + i] += 1 - columns[i].share;
+    table[columns[i].second * width + i] += columns[i].share;
+  }
+  for (std::size_t r = 0; r < rows; ++r) {
+    right[r] = w[r].weight;
+    basis[r] = r;
+  }
+  for (std::size_t i = 0; i < width; ++i) {
+    reduced[i] = columns[i].cost;
+    for (std::size_t r = 0; r < rows; ++r) reduced[i] -= columns[r].cost * table[r * width + i];
+  }
+  for (;;) {
+    const auto enters =
+        static_cast<std::size_t>(std::ranges::find_if(reduced, [](double x) { return x < -1e-10; }) - reduced.begin());
+    if (enters == width) break;
+    std::size_t leaves = rows;
+    for (std::size_t r = 0; r < rows; ++r) {
+      const double slope = table[r * width + enters];
+      if (!(slope > 1e-10)) continue;
+      if (leaves < rows) {
+        const double now = right[r] / slope, best = right[leaves] / table[leaves * width + enters];
+        if (now > best || (now == best && basis[r] > basis[leaves])) continue;
+      }
+      leaves = r;
+    }
+    if (leaves == rows) break;  // cannot be: c sum to 1
+    const double pivot = table[leaves * width + enters];
+    for (std::size_t i = 0; i < width; ++i) table[leaves * width + i] /= pivot;
+    right[leaves] /= pivot;
+    for (std::size_t r = 0; r < rows; ++r) {
+      const double factor = table[r * width + enters];
+      if (r == leaves || factor == 0) continue;
+      for (std::size_t i = 0; i < width; ++i) table[r * width + i] -= factor * table[leaves * width + i];
+      right[r] = std::max(0.0, right[r] - factor * right[leaves]);
+    }
+    const double factor = reduced[enters];
+    for (std::size_t i = 0; i < width; ++i) reduced[i] -= factor * table[leaves * width + i];
+    basis[leaves] = enters;
+  }
+  std::vector<Influence> out;
+  for (std::size_t r = 0; r < rows; ++r)
+    if (right[r] > kNoWeight) out.push_back({columns[basis[r]].entry, right[r]});
+  std::ranges::sort(out, {}, &Influence::joint);
+  return out;
+}
+
+}  // namespace
+
+Likeness::Likeness(const SkinnedMesh& mesh, const std::vector<Pose>& poses) {
+  for (const std::vector<Influence>& vertex : mesh.influences)
+    for (std::size_t i = 0; i < vertex.size(); ++i)
+      for (std::size_t j = i + 1; j < vertex.size(); ++j) pairs_.try_emplace({vertex[i].joint, vertex[j].joint}, 0.0);
+  std::size_t count = 0;
+  for (const Pose& pose : poses) {
+    if (!is_finite(pose)) continue;
+    ++count;
+    std::vector<glm::dquat> rotations;
+    for (std::size_t j = 0; j < mesh.joint_count; ++j)
+      rotations.push_back(quaternion_of(rotation_of(linear_of(pose[j]))));
+    for (auto& [pair, sum] : pairs_)
+      sum += std::min(1.0, std::abs(glm::dot(rotations[pair.first], rotations[pair.second])));
+  }
+  for (auto& [pair, sum] : pairs_) sum = count > 0 ? sum / static_cast<double>(count) : kUnknown;
+}
+
+double Likeness::of(std::uint32_t i, std::uint32_t j) const {
+  if (i == j) return 1;
+  const auto found = pairs_.find({std::min(i, j), std::max(i, j)});
+  return found == pairs_.end() ? kUnknown : found->second;
+}
+
+ClosedForm::ClosedForm(const SkinnedMesh& mesh, const std::vector<Helper>& helpers, const Likeness& likeness)
+    : mesh_(mesh), helpers_(helpers) {
+  for (std::uint32_t h = 0; h < helpers.size(); ++h) {
+    const Helper& helper = helpers[h];
+    const double s = helper.share;
+    between_[std::minmax(helper.first, helper.second)].push_back(mesh.joint_count + h);
+    cost_.push_back((1 - s) * (1 - s) + s * s + 2 * s * (1 - s) * likeness.of(helper.first, helper.second));
+  }
+}
+
+std::vector<std::uint32_t> ClosedForm::entries_of(std::size_t v) const {
+  const std::vector<Influence>& w = mesh_.influences[v];
+  std::vector<std::uint32_t> out;
+  for (const Influence& i : w) out.push_back(i.joint);
+  for (std::size_t i = 0; i < w.size(); ++i)
+    for (std::size_t j = i + 1; j < w.size(); ++j) {
+      const auto found = between_.find({w[i].joint, w[j].joint});
+      if (found != between_.end()) out.insert(out.end(), found->second.begin(), found->second.end());
+    }
+  std::ranges::sort(out);
+  return out;
+}
+
+std::vector<Influence> ClosedForm::weights_of(std::size_t v) const {
+  return weights_of(v, entries_of(v)).value_or(mesh_.influences[v]);
+}
+
+std::optional<std::vector<Influence>> ClosedForm::weights_of(std::size_t v,
+                                                             std::span<const std::uint32_t> entries) const {
+  const std::vector<Influence>& w = mesh_.influences[v];
+  const auto place_of = [&](std::uint32_t joint) {
+    return static_cast<std::size_t>(std::ranges::find(w, joint, &Influence::joint) - w.begin());
+  };
+  std::vector<Column> columns;
+  for (std::size_t r = 0; r < w.size(); ++r)
+    columns.push_back({w[r].joint, r, r, 0, std::ranges::binary_search(entries, w[r].joint) ? 1 : kForbidden});
+  for (const std::uint32_t entry : entries) {
+    if (entry < mesh_.joint_count) continue;
+    const Helper& h = helpers_[entry - mesh_.joint_count];
+    const std::size_t first = place_of(h.first), second = place_of(h.second);
+    if (first == w.size() || second == w.size()) continue;
+    columns.push_back({entry, first, second, h.share, cost_[entry - mesh_.joint_count]});
+  }
+  std::vector<Influence> out = solve(columns, w);
+  for (const Influence& i : out)
+    if (!std::ranges::binary_search(entries, i.joint)) return std::nullopt;
+  return out;
+}
+
+std::vector<Coordinate> lift(const std::vector<Influence>& weights, const glm::dvec3& position) {
+  std::vector<Coordinate> out;
+  for (const Influence& i : weights) out.push_back({i.joint, glm::dvec4(position, 1) * i.weight});
+  return out;
+}
+
+}  // namespace marrow::deform
