@@ -11,6 +11,7 @@
 #include "commands/command.h"
 #include "common/call_errors.h"
 #include "common/failure.h"
+#include "options/options.h"
 #include "terminal/interrupt.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -59,7 +60,8 @@ std::string explain(CLI::App& app, const CLI::ParseError& error) {
   for (const std::string& text : command.remaining()) {
     const std::string word = text.substr(0, text.find('='));
     if (word.starts_with("-")) {
-      const std::string question = did_you_mean(word, option_names(command));
+      const std::string now = cook::replacement_of(word.starts_with("--") ? word.substr(2) : word);
+      const std::string question = now.empty() ? did_you_mean(word, option_names(command)) : now;
       return "unknown option " + printable(word) + (question.empty() ? "" : ": " + question) + " (" + help + ")";
     }
     if (commands.empty()) return "no command \"" + printable(word) + "\": " + suggestion(word, command_names(app));

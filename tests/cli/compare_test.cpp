@@ -266,6 +266,13 @@ TEST(CookAs, ShowsItsProgressOnATerminalOnly) {
   EXPECT_TRUE(shown.err.ends_with("\r\033[K")) << "the line is wiped at the end";
 }
 
+TEST(CookAs, SaysWhatTookHalfJointsPlace) {
+  const TemporaryFolder folder;
+  const Ran ran = run_marrow({"cook", tiny_gltf(), "-o", folder / "t.mrw", "--as", "fit", "--half-joints", "1"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("give --helpers N or --helpers auto"), std::string::npos) << ran.err;
+}
+
 TEST(CookAs, RefusesWhatMakesNoSense) {
   const TemporaryFolder folder;
   const std::string out = folder / "t.mrw";

@@ -67,6 +67,10 @@ const std::vector<Option>& option_table() {
   return table;
 }
 
+std::string replacement_of(std::string_view name) {
+  return name == "half-joints" ? "helpers took their place, give --helpers N or --helpers auto" : "";
+}
+
 void replace(Given& given, const Given& with) {
   for (const auto& [name, values] : with) given[name] = values;
 }

@@ -35,6 +35,9 @@ struct Option {
 // In the order of --help. A new option is one more entry of a list, in the files beside this one.
 const std::vector<Option>& option_table();
 
+// What to give instead of an option that there was once, as advice; empty for all other names.
+std::string replacement_of(std::string_view name);
+
 // What was given, by option. An option that is given again is replaced whole, with all its values.
 using Given = std::map<std::string, std::vector<Value>>;
 void replace(Given& given, const Given& with);

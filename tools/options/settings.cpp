@@ -93,7 +93,8 @@ class Reader {
   [[noreturn]] void unknown(const toml::key& key, std::string_view also) const {
     std::vector<std::string> names{std::string(also)};
     for (const Option& option : option_table()) names.emplace_back(option.name);
-    const std::string question = tools::did_you_mean(key.str(), names);
+    const std::string now = replacement_of(key.str());
+    const std::string question = now.empty() ? tools::did_you_mean(key.str(), names) : now;
     fail(place(key.source()), "unknown setting \"" + std::string(key.str()) + "\"",
          question.empty() ? "`marrow cook --help` lists the options" : question);
   }

@@ -35,7 +35,7 @@ struct Study {
   std::vector<std::string> joint_names;  // of the source's
   deform::RangeOfMotion motion;
   std::vector<std::string> left_out_of_motion;  // why and which, see cook::left_out_of_motion()
-  bool wide_poses = false;  // learnt from as well
+  bool wide_poses = false;                      // learnt from as well
 };
 
 // The mesh with the most vertices of those bound to a skin. frames: alternate frames of every clip are held out, and
