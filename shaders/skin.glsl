@@ -173,7 +173,7 @@ float marrow_share(int i) {
 #if MARROW_DEFORMER == 2
 // The first last, which wants fewer registers.
 #define MARROW_FOUR(Do) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w) Do(0, in_joints0.x)
-#elif MARROW_WORDS && MARROW_SURFACE_NORMALS
+#elif (MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2)) || (MARROW_MOTION && MARROW_PALETTES != 0)
 #define MARROW_FOUR(Do)                                \
   Do(0, in_joints0.x) MARROW_MORE(Do, 1, in_joints0.y) \
   MARROW_MORE(Do, 2, in_joints0.z) MARROW_MORE(Do, 3, in_joints0.w)
