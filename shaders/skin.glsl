@@ -164,19 +164,21 @@ float marrow_share(int i) {
 #define MARROW_EACH(Do) Do(0, in_joints0.x)
 #else
 // Influences that a vertex does not have repeat its first joint. The branch also keeps compilers from reading all rows
-// and words at once, for which some GPUs' registers are too few; SSD has no need of it.
-#if MARROW_DEFORMER == 2
-#define MARROW_MORE(Do, I, Joint) Do(I, Joint)
+// and words at once, for which some GPUs' registers are too few; elsewhere it would only cost.
+#define MARROW_IF(Do, I, Joint) if (Joint != in_joints0.x) { Do(I, Joint) }
+#if MARROW_DEFORMER == 3 && (MARROW_SURFACE_NORMALS || MARROW_INFLUENCES > 5)
+#define MARROW_MORE(Do, I, Joint) MARROW_IF(Do, I, Joint)
 #else
-#define MARROW_MORE(Do, I, Joint) if (Joint != in_joints0.x) { Do(I, Joint) }
+#define MARROW_MORE(Do, I, Joint) Do(I, Joint)
 #endif
+#define MARROW_FOUR_APART(Do)                        \
+  Do(0, in_joints0.x) MARROW_IF(Do, 1, in_joints0.y) \
+  MARROW_IF(Do, 2, in_joints0.z) MARROW_IF(Do, 3, in_joints0.w)
 #if MARROW_DEFORMER == 2
 // The first last, which wants fewer registers.
 #define MARROW_FOUR(Do) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w) Do(0, in_joints0.x)
-#elif (MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2)) || (MARROW_MOTION && MARROW_PALETTES != 0)
-#define MARROW_FOUR(Do)                                \
-  Do(0, in_joints0.x) MARROW_MORE(Do, 1, in_joints0.y) \
-  MARROW_MORE(Do, 2, in_joints0.z) MARROW_MORE(Do, 3, in_joints0.w)
+#elif MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2)
+#define MARROW_FOUR(Do) MARROW_FOUR_APART(Do)
 #else
 #define MARROW_FOUR(Do) Do(0, in_joints0.x) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w)
 #endif
@@ -501,7 +503,11 @@ vec3 marrow_previous() {
 #else
 #define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I), Joint);
 #endif
+#if MARROW_DEFORMER == 3 && MARROW_INFLUENCES == 4 && MARROW_PALETTES != 0
+  MARROW_FOUR_APART(MARROW_WAS)
+#else
   MARROW_EACH(MARROW_WAS)
+#endif
 #if MARROW_DEFORMER == 3
   p *= MARROW_STEP * marrow_coordinate_scale;
 #endif
