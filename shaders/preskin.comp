@@ -34,12 +34,8 @@ uvec4 marrow_joints(int at, int group) {
 }
 
 #if MARROW_DEFORMER == 3
-// The vectors of an influence, read when they are wanted: all at once are more than registers hold.
-vec4 marrow_coordinate(int influence) {
-  return marrow_snorm(marrow_at + 2 * influence);
-}
-vec4 marrow_tangent(int which, int influence) {
-  return marrow_snorm(marrow_at + marrow_vertex_layout[3] + 8 * which + 2 * influence);
+uvec2 marrow_words(int pair) {
+  return uvec2(marrow_skin_words[marrow_at + 2 * pair], marrow_skin_words[marrow_at + 2 * pair + 1]);
 }
 #endif
 
@@ -51,18 +47,19 @@ void marrow_load(int vertex) {
 #if MARROW_DEFORMER == 2
   in_position = marrow_snorm(at);
   int weights = at + marrow_vertex_layout[2];
-#if MARROW_INFLUENCES == 8
-  in_weights0 = vec4(unpackUnorm2x16(marrow_skin_words[weights]), unpackUnorm2x16(marrow_skin_words[weights + 1]));
+  in_weights0.xy = unpackUnorm2x16(marrow_skin_words[weights]);
+#if MARROW_INFLUENCES > 4
+  in_weights0.zw = unpackUnorm2x16(marrow_skin_words[weights + 1]);
+#endif
+#if MARROW_INFLUENCES > 6
   in_weights1 = unpackUnorm2x16(marrow_skin_words[weights + 2]);
-#else
-  in_weights0 = unpackUnorm2x16(marrow_skin_words[weights]);
 #endif
 #else
   in_position = marrow_snorm(at).xyz;
 #endif
 #endif
   in_joints0 = marrow_joints(at + marrow_vertex_layout[4], 0);
-#if MARROW_INFLUENCES == 8 && MARROW_DEFORMER != 1
+#if MARROW_INFLUENCES > 4 && MARROW_DEFORMER != 1
   in_joints1 = marrow_joints(at + marrow_vertex_layout[4], 1);
 #endif
 #if !MARROW_SURFACE_NORMALS

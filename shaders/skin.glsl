@@ -3,13 +3,14 @@
 // The host puts `#version` and the MARROW_* defines before this text and a role's main() after it (runtime/gles3/program.cpp).
 //   MARROW_DEFORMER        0 none (already skinned on the CPU), 1 rigid, 2 SSD, 3 animation space
 //   MARROW_POSE_SPACE      1: SSD of what the examples of a pose space have moved
-//   MARROW_INFLUENCES      4 or 8
+//   MARROW_INFLUENCES      4 to 8
 //   MARROW_NORMAL, _TANGENT, _UV, _COLOUR  0 or 1: which attributes the mesh has
 //   MARROW_MORPH_TARGETS   how many morph targets may count at a time; 0: none, the mesh has none
 //   MARROW_SURFACE_NORMALS 1: animation space has tangents as vectors, and normals are the deformed surface's own
 //   MARROW_PALETTES        0 in a uniform block, 1 in a texture, 2 in one that crowd.frag has written
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
+//   MARROW_WORDS           1: animation space is read as words, two numbers each
 //   MARROW_MOTION          1: where the vertex was in the frame before, too
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
@@ -24,59 +25,100 @@ precision highp int;
 #define MARROW_IN(Location) layout(location = Location) in
 #endif
 
-#if MARROW_DEFORMER == 3 && MARROW_COMPUTE
-// As the attributes below; the text of pre-skinning reads them, when they are wanted.
-vec4 marrow_coordinate(int influence);
-vec4 marrow_tangent(int which, int influence);
-#define in_coordinate0 marrow_coordinate(0)
-#define in_coordinate1 marrow_coordinate(1)
-#define in_coordinate2 marrow_coordinate(2)
-#define in_coordinate3 marrow_coordinate(3)
-#define in_coordinate4 marrow_coordinate(4)
-#define in_coordinate5 marrow_coordinate(5)
-#define in_coordinate6 marrow_coordinate(6)
-#define in_coordinate7 marrow_coordinate(7)
-#define in_first0 marrow_tangent(0, 0)
-#define in_first1 marrow_tangent(0, 1)
-#define in_first2 marrow_tangent(0, 2)
-#define in_first3 marrow_tangent(0, 3)
-#define in_second0 marrow_tangent(1, 0)
-#define in_second1 marrow_tangent(1, 1)
-#define in_second2 marrow_tangent(1, 2)
-#define in_second3 marrow_tangent(1, 3)
+#if MARROW_DEFORMER == 3
 uniform float marrow_coordinate_scale;
-#elif MARROW_DEFORMER == 3
+#if MARROW_WORDS
+// Each influence's q and τ as below, in this order: all q, all τ of the first tangent, all of the second. A pair of words
+// is a vector, of numbers in steps of 1 / 32767.
+#if MARROW_COMPUTE
+uvec2 marrow_words(int pair);  // the text of pre-skinning reads them, when they are wanted
+#else
+MARROW_IN(0) uvec4 in_words0;
+MARROW_IN(1) uvec4 in_words1;
+MARROW_IN(2) uvec4 in_words2;
+MARROW_IN(3) uvec4 in_words3;
+MARROW_IN(4) uvec4 in_words4;
+MARROW_IN(5) uvec4 in_words5;
+MARROW_IN(6) uvec4 in_words6;
+MARROW_IN(7) uvec4 in_words7;
+MARROW_IN(10) uvec4 in_words8;
+MARROW_IN(11) uvec4 in_words9;
+MARROW_IN(14) uvec4 in_words10;
+MARROW_IN(15) uvec4 in_words11;
+uvec2 marrow_words(int pair) {
+  int i = pair / 2;
+  uvec4 of_two = i == 0   ? in_words0
+                 : i == 1 ? in_words1
+                 : i == 2 ? in_words2
+                 : i == 3 ? in_words3
+                 : i == 4 ? in_words4
+                 : i == 5 ? in_words5
+                 : i == 6 ? in_words6
+                 : i == 7 ? in_words7
+                 : i == 8 ? in_words8
+                 : i == 9 ? in_words9
+                 : i == 10 ? in_words10
+                           : in_words11;
+  return pair % 2 == 0 ? of_two.xy : of_two.zw;
+}
+#endif
+#define MARROW_STEP (1.0 / 32767.0)
+vec4 marrow_numbers(int pair) {
+  ivec2 words = ivec2(marrow_words(pair));
+  return vec4(words.x << 16 >> 16, words.x >> 16, words.y << 16 >> 16, words.y >> 16);
+}
+vec4 marrow_share(int i) {
+  return marrow_numbers(i);
+}
+vec4 marrow_first(int i) {
+  return marrow_numbers(MARROW_INFLUENCES + i);
+}
+vec4 marrow_second(int i) {
+  return marrow_numbers(2 * MARROW_INFLUENCES + i);
+}
+#else
+#define MARROW_STEP 1.0
 MARROW_IN(0) vec4 in_coordinate0;  // q of each influence: (x, y, z, w), Σ w = 1 / marrow_coordinate_scale
 MARROW_IN(1) vec4 in_coordinate1;
 MARROW_IN(2) vec4 in_coordinate2;
 MARROW_IN(3) vec4 in_coordinate3;
-#if MARROW_INFLUENCES == 8
+#if MARROW_SURFACE_NORMALS
+// τ of each influence: (x, y, z, w), Σ w = 0, in any unit. The last w is what the others leave, and in its place is the
+// handedness of the texture's triad.
+MARROW_IN(4) vec4 in_first0;
+MARROW_IN(5) vec4 in_first1;
+MARROW_IN(6) vec4 in_first2;
+MARROW_IN(7) vec4 in_first3;
+MARROW_IN(9) vec4 in_second0;
+MARROW_IN(10) vec4 in_second1;
+MARROW_IN(11) vec4 in_second2;
+MARROW_IN(15) vec4 in_second3;
+vec4 marrow_first(int i) {
+  return i == 0 ? in_first0 : i == 1 ? in_first1 : i == 2 ? in_first2 : in_first3;
+}
+vec4 marrow_second(int i) {
+  return i == 0 ? in_second0 : i == 1 ? in_second1 : i == 2 ? in_second2 : in_second3;
+}
+#elif MARROW_INFLUENCES > 4
 MARROW_IN(4) vec4 in_coordinate4;
 MARROW_IN(5) vec4 in_coordinate5;
 MARROW_IN(6) vec4 in_coordinate6;
 MARROW_IN(7) vec4 in_coordinate7;
 #endif
-uniform float marrow_coordinate_scale;
-#if MARROW_SURFACE_NORMALS
-// τ of each influence: (x, y, z, w), Σ w = 0, in any unit. The last w is what the others leave.
-MARROW_IN(4) vec4 in_first0;
-MARROW_IN(5) vec4 in_first1;
-MARROW_IN(6) vec4 in_first2;
-MARROW_IN(7) vec4 in_first3;  // w: handedness of the texture's triad
-MARROW_IN(9) vec4 in_second0;
-MARROW_IN(10) vec4 in_second1;
-MARROW_IN(11) vec4 in_second2;
-MARROW_IN(15) vec4 in_second3;
+vec4 marrow_share(int i) {
+#if MARROW_INFLUENCES > 4
+  if (i > 3) return i == 4 ? in_coordinate4 : i == 5 ? in_coordinate5 : i == 6 ? in_coordinate6 : in_coordinate7;
+#endif
+  return i == 0 ? in_coordinate0 : i == 1 ? in_coordinate1 : i == 2 ? in_coordinate2 : in_coordinate3;
+}
 #endif
 #else
 #if MARROW_DEFORMER == 2
 // Weights from the second on; the first one's is what they leave.
 MARROW_IN(0) vec4 in_position;  // w: the second
-#if MARROW_INFLUENCES == 8
-MARROW_IN(1) vec4 in_weights0;
+MARROW_IN(1) vec4 in_weights0;  // the third to the sixth
+#if MARROW_INFLUENCES > 6
 MARROW_IN(2) vec2 in_weights1;
-#else
-MARROW_IN(1) vec2 in_weights0;
 #endif
 #else
 MARROW_IN(0) vec3 in_position;
@@ -88,9 +130,74 @@ MARROW_IN(1) vec3 in_previous_position;
 
 #if MARROW_DEFORMER != 0
 MARROW_IN(8) uvec4 in_joints0;  // palette entries; the largest weight comes first
-#if MARROW_INFLUENCES == 8 && MARROW_DEFORMER != 1
+#if MARROW_INFLUENCES > 4 && MARROW_DEFORMER != 1
 MARROW_IN(9) uvec4 in_joints1;
 #endif
+#if MARROW_DEFORMER == 2
+// The weight of an influence; the first one's is what the others leave of 1.
+float marrow_share(int i) {
+  float others = in_position.w + in_weights0.x + in_weights0.y;
+#if MARROW_INFLUENCES > 4
+  others += in_weights0.z;
+#endif
+#if MARROW_INFLUENCES > 5
+  others += in_weights0.w;
+#endif
+#if MARROW_INFLUENCES > 6
+  others += in_weights1.x;
+  if (i > 5) return i == 6 ? in_weights1.x : in_weights1.y;
+#endif
+#if MARROW_INFLUENCES > 7
+  others += in_weights1.y;
+#endif
+#if MARROW_INFLUENCES > 4
+  if (i > 3) return i == 4 ? in_weights0.z : in_weights0.w;
+#endif
+  return i == 0 ? 1.0 - others : i == 1 ? in_position.w : i == 2 ? in_weights0.x : in_weights0.y;
+}
+#elif MARROW_DEFORMER == 1
+#define marrow_share(I) 1.0
+#endif
+
+// Do(i, joint) for each influence, by its number.
+#if MARROW_DEFORMER == 1
+#define MARROW_EACH(Do) Do(0, in_joints0.x)
+#else
+// Influences that a vertex does not have repeat its first joint. The branch also keeps compilers from reading all rows
+// and words at once, for which some GPUs' registers are too few; elsewhere it would only cost.
+#define MARROW_IF(Do, I, Joint) if (Joint != in_joints0.x) { Do(I, Joint) }
+#if MARROW_DEFORMER == 3 && (MARROW_SURFACE_NORMALS || MARROW_INFLUENCES > 5)
+#define MARROW_MORE(Do, I, Joint) MARROW_IF(Do, I, Joint)
+#else
+#define MARROW_MORE(Do, I, Joint) Do(I, Joint)
+#endif
+#define MARROW_FOUR_APART(Do)                        \
+  Do(0, in_joints0.x) MARROW_IF(Do, 1, in_joints0.y) \
+  MARROW_IF(Do, 2, in_joints0.z) MARROW_IF(Do, 3, in_joints0.w)
+#if MARROW_DEFORMER == 2
+// The first last, which wants fewer registers.
+#define MARROW_FOUR(Do) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w) Do(0, in_joints0.x)
+#elif MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2)
+#define MARROW_FOUR(Do) MARROW_FOUR_APART(Do)
+#else
+#define MARROW_FOUR(Do) Do(0, in_joints0.x) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w)
+#endif
+#if MARROW_INFLUENCES == 4
+#define MARROW_EACH(Do) MARROW_FOUR(Do)
+#elif MARROW_INFLUENCES == 5
+#define MARROW_EACH(Do) MARROW_FOUR(Do) MARROW_MORE(Do, 4, in_joints1.x)
+#elif MARROW_INFLUENCES == 6
+#define MARROW_EACH(Do) MARROW_FOUR(Do) MARROW_MORE(Do, 4, in_joints1.x) MARROW_MORE(Do, 5, in_joints1.y)
+#elif MARROW_INFLUENCES == 7
+#define MARROW_EACH(Do) \
+  MARROW_FOUR(Do) MARROW_MORE(Do, 4, in_joints1.x) MARROW_MORE(Do, 5, in_joints1.y) MARROW_MORE(Do, 6, in_joints1.z)
+#else
+#define MARROW_EACH(Do)                                                             \
+  MARROW_FOUR(Do) MARROW_MORE(Do, 4, in_joints1.x) MARROW_MORE(Do, 5, in_joints1.y) \
+  MARROW_MORE(Do, 6, in_joints1.z) MARROW_MORE(Do, 7, in_joints1.w)
+#endif
+#endif
+
 // Rows of a matrix of the palette: marrow_matrix(joint); of the frame before's, marrow_previous_matrix(joint).
 struct MarrowMatrix {
   vec4 x, y, z;
@@ -269,15 +376,9 @@ vec4 marrow_distance(highp sampler2D distances, int first, uint joint) {
 vec4 marrow_phi(highp sampler2D distances, int first) {
   vec4 largest = marrow_distance(distances, first, in_joints0.x);
   vec4 sum = largest;
-  sum += in_position.w * (marrow_distance(distances, first, in_joints0.y) - largest);
-  sum += in_weights0.x * (marrow_distance(distances, first, in_joints0.z) - largest);
-  sum += in_weights0.y * (marrow_distance(distances, first, in_joints0.w) - largest);
-#if MARROW_INFLUENCES == 8
-  sum += in_weights0.z * (marrow_distance(distances, first, in_joints1.x) - largest);
-  sum += in_weights0.w * (marrow_distance(distances, first, in_joints1.y) - largest);
-  sum += in_weights1.x * (marrow_distance(distances, first, in_joints1.z) - largest);
-  sum += in_weights1.y * (marrow_distance(distances, first, in_joints1.w) - largest);
-#endif
+#define MARROW_WEIGH(I, Joint) \
+  if (I != 0) sum += marrow_share(I) * (marrow_distance(distances, first, Joint) - largest);
+  MARROW_EACH(MARROW_WEIGH)
   return exp(sum);
 }
 
@@ -326,13 +427,22 @@ void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec
 }
 
 #if MARROW_SURFACE_NORMALS
-// Adds one influence of the position and of both tangents, so that rows are fetched once and live no longer than it.
-void marrow_add_surface(MarrowMatrix m, vec4 q, vec4 a, vec4 b, inout vec3 position, inout vec3 first,
-                        inout vec3 second, inout vec2 w) {
-  position += marrow_times(m, q);
+// Adds influence i of the position and of both tangents, so that rows are fetched once and live no longer than it.
+// left: what the last w are less than 0. mirrored: by the first joint's matrix.
+void marrow_add_surface(int i, uint joint, inout vec3 position, inout vec3 first, inout vec3 second, inout vec2 left,
+                        inout float mirrored) {
+  MarrowMatrix m = marrow_matrix(joint);
+  if (i == 0) mirrored = dot(m.x.xyz, cross(m.y.xyz, m.z.xyz)) < 0.0 ? -1.0 : 1.0;
+  vec4 a = marrow_first(i);
+  vec4 b = marrow_second(i);
+  if (i == MARROW_INFLUENCES - 1) {
+    a.w = -left.x;
+    b.w = -left.y;
+  }
+  position += marrow_times(m, marrow_share(i));
   first += marrow_times(m, a);
   second += marrow_times(m, b);
-  w += vec2(a.w, b.w);
+  left += vec2(a.w, b.w);
 }
 
 // Position, normal and tangent, of the deformed surface itself.
@@ -340,24 +450,18 @@ void marrow_surface(inout MarrowVertex v) {
   vec3 position = vec3(0.0);
   vec3 first = vec3(0.0);
   vec3 second = vec3(0.0);
-  vec2 left = vec2(0.0);  // what the last w are less than 0
-  MarrowMatrix m = marrow_matrix(in_joints0.x);
-  float mirrored = dot(m.x.xyz, cross(m.y.xyz, m.z.xyz)) < 0.0 ? -1.0 : 1.0;
-  marrow_add_surface(m, in_coordinate0, in_first0, in_second0, position, first, second, left);
-  m = marrow_matrix(in_joints0.y);
-  marrow_add_surface(m, in_coordinate1, in_first1, in_second1, position, first, second, left);
-  m = marrow_matrix(in_joints0.z);
-  marrow_add_surface(m, in_coordinate2, in_first2, in_second2, position, first, second, left);
-  m = marrow_matrix(in_joints0.w);
-  vec4 a = in_first3;
-  vec4 b = in_second3;
-  marrow_add_surface(m, in_coordinate3, vec4(a.xyz, -left.x), vec4(b.xyz, -left.y), position, first, second, left);
-  v.position = marrow_coordinate_scale * position;
+  vec2 left = vec2(0.0);
+  float mirrored = 1.0;
+#define MARROW_ADD(I, Joint) marrow_add_surface(I, Joint, position, first, second, left, mirrored);
+  MARROW_EACH(MARROW_ADD)
+  v.position = MARROW_STEP * marrow_coordinate_scale * position;
+  first *= MARROW_STEP;
+  second *= MARROW_STEP;
 #if MARROW_NORMAL
   v.normal = mirrored * marrow_unit(cross(first, second));
 #endif
 #if MARROW_TANGENT
-  v.tangent = vec4(marrow_unit(first), a.w < 0.0 ? -mirrored : mirrored);
+  v.tangent = vec4(marrow_unit(first), marrow_first(MARROW_INFLUENCES - 1).w < 0.0 ? -mirrored : mirrored);
 #endif
 }
 #endif
@@ -390,40 +494,24 @@ vec3 marrow_previous() {
 #if MARROW_POSE_SPACE
   change += marrow_pose_change(marrow_previous_distances);
 #endif
-#if MARROW_DEFORMER == 3
-#if MARROW_MORPH_TARGETS
-#define MARROW_WAS(Coordinate, Joint) p += marrow_was(Coordinate + vec4(Coordinate.w * change, 0.0), Joint)
-#else
-#define MARROW_WAS(Coordinate, Joint) p += marrow_was(Coordinate, Joint)
-#endif
   vec3 p = vec3(0.0);
-  MARROW_WAS(in_coordinate0, in_joints0.x);
-  MARROW_WAS(in_coordinate1, in_joints0.y);
-  MARROW_WAS(in_coordinate2, in_joints0.z);
-  MARROW_WAS(in_coordinate3, in_joints0.w);
-#if MARROW_INFLUENCES == 8
-  MARROW_WAS(in_coordinate4, in_joints1.x);
-  MARROW_WAS(in_coordinate5, in_joints1.y);
-  MARROW_WAS(in_coordinate6, in_joints1.z);
-  MARROW_WAS(in_coordinate7, in_joints1.w);
-#endif
-  return marrow_coordinate_scale * p;
+#if MARROW_DEFORMER != 3
+  vec4 bind = vec4(in_position.xyz + change, 1.0);
+#define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I) * bind, Joint);
+#elif MARROW_MORPH_TARGETS
+#define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I) + vec4(marrow_share(I).w * change, 0.0), Joint);
 #else
-  vec4 q = vec4(in_position.xyz + change, 1.0);
-#if MARROW_DEFORMER == 1
-  return marrow_was(q, in_joints0.x);
+#define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I), Joint);
+#endif
+#if MARROW_DEFORMER == 3 && MARROW_INFLUENCES == 4 && MARROW_PALETTES != 0
+  MARROW_FOUR_APART(MARROW_WAS)
 #else
-  float first = 1.0 - in_position.w - in_weights0.x - in_weights0.y;
-  vec3 p = marrow_was(in_position.w * q, in_joints0.y) + marrow_was(in_weights0.x * q, in_joints0.z) +
-           marrow_was(in_weights0.y * q, in_joints0.w);
-#if MARROW_INFLUENCES == 8
-  first -= in_weights0.z + in_weights0.w + in_weights1.x + in_weights1.y;
-  p += marrow_was(in_weights0.z * q, in_joints1.x) + marrow_was(in_weights0.w * q, in_joints1.y) +
-       marrow_was(in_weights1.x * q, in_joints1.z) + marrow_was(in_weights1.y * q, in_joints1.w);
+  MARROW_EACH(MARROW_WAS)
 #endif
-  return p + marrow_was(first * q, in_joints0.x);
+#if MARROW_DEFORMER == 3
+  p *= MARROW_STEP * marrow_coordinate_scale;
 #endif
-#endif
+  return p;
 }
 #endif
 
@@ -459,43 +547,21 @@ MarrowVertex marrow_skin() {
   vec3 x = vec3(0.0);
   vec3 y = vec3(0.0);
   vec3 z = vec3(0.0);
-  marrow_add(in_coordinate0, in_joints0.x, v.position, x, y, z);
-  marrow_add(in_coordinate1, in_joints0.y, v.position, x, y, z);
-  marrow_add(in_coordinate2, in_joints0.z, v.position, x, y, z);
-  marrow_add(in_coordinate3, in_joints0.w, v.position, x, y, z);
-#if MARROW_INFLUENCES == 8
-  marrow_add(in_coordinate4, in_joints1.x, v.position, x, y, z);
-  marrow_add(in_coordinate5, in_joints1.y, v.position, x, y, z);
-  marrow_add(in_coordinate6, in_joints1.z, v.position, x, y, z);
-  marrow_add(in_coordinate7, in_joints1.w, v.position, x, y, z);
-#endif
-  v.position *= marrow_coordinate_scale;
+#define MARROW_ADD(I, Joint) marrow_add(marrow_share(I), Joint, v.position, x, y, z);
+  MARROW_EACH(MARROW_ADD)
 #if MARROW_MORPH_TARGETS
-  // The weights, too, were divided by the scale.
-  v.position += marrow_coordinate_scale * vec3(dot(x, change), dot(y, change), dot(z, change));
+  v.position += vec3(dot(x, change), dot(y, change), dot(z, change));
 #endif
+  v.position *= MARROW_STEP * marrow_coordinate_scale;
+  x *= MARROW_STEP;  // its sizes are safe from overflow
+  y *= MARROW_STEP;
+  z *= MARROW_STEP;
 #else
   vec4 x = vec4(0.0);
   vec4 y = vec4(0.0);
   vec4 z = vec4(0.0);
-#if MARROW_DEFORMER == 1
-  marrow_add(1.0, in_joints0.x, x, y, z);
-#else
-  float others = in_position.w + in_weights0.x + in_weights0.y;
-#if MARROW_INFLUENCES == 8
-  others += in_weights0.z + in_weights0.w + in_weights1.x + in_weights1.y;
-#endif
-  marrow_add(in_position.w, in_joints0.y, x, y, z);
-  marrow_add(in_weights0.x, in_joints0.z, x, y, z);
-  marrow_add(in_weights0.y, in_joints0.w, x, y, z);
-  marrow_add(1.0 - others, in_joints0.x, x, y, z);
-#if MARROW_INFLUENCES == 8
-  marrow_add(in_weights0.z, in_joints1.x, x, y, z);
-  marrow_add(in_weights0.w, in_joints1.y, x, y, z);
-  marrow_add(in_weights1.x, in_joints1.z, x, y, z);
-  marrow_add(in_weights1.y, in_joints1.w, x, y, z);
-#endif
-#endif
+#define MARROW_ADD(I, Joint) marrow_add(marrow_share(I), Joint, x, y, z);
+  MARROW_EACH(MARROW_ADD)
 #if MARROW_MORPH_TARGETS
   marrow_morph(change, normal, tangent);
 #endif

@@ -31,6 +31,20 @@ void swap_influences(Vertex& v, std::uint32_t a, std::uint32_t b) {
   std::memcpy(v.tangents[b], old.tangents[a], sizeof(v.tangents[b]));
 }
 
+// Shaders may skip what repeats the first joint: it becomes the first's.
+void add_to_first(Vertex& v, std::uint32_t j) {
+  v.weights[0] += v.weights[j];
+  v.weights[j] = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    v.residual[0][c] += v.residual[j][c];
+    v.residual[j][c] = 0;
+    for (std::size_t a = 0; a < 2; ++a) {
+      v.tangents[0][a][c] += v.tangents[j][a][c];
+      v.tangents[j][a][c] = 0;
+    }
+  }
+}
+
 // Lane `lane` of a block of as_tangents(): the last influence has what the others leave of the sums.
 void read_tangents(const float* block, std::uint32_t k, std::uint32_t lane, Vertex& v) {
   for (std::size_t a = 0; a < 2; ++a) {
@@ -64,6 +78,9 @@ Vertex read_vertex(const float* skin, const float* residual, const float* tangen
     for (std::uint32_t c = 0; c < 4; ++c) v.residual[j][c] = residual[16 * j + 4 * c + lane];
   }
   if (largest != 0) swap_influences(v, 0, largest);
+  for (std::uint32_t j = 1; j < k; ++j) {
+    if (v.joints[j] == v.joints[0]) add_to_first(v, j);
+  }
   return v;
 }
 
@@ -107,7 +124,7 @@ std::int16_t to_snorm16(float value) {
 }
 
 void put_joints(const Vertex& v, const VertexLayout& layout, std::byte* to) {
-  for (std::uint32_t j = 0; j < layout.influences; ++j) {
+  for (std::uint32_t j = 0; j < joint_places(layout); ++j) {
     const std::uint16_t joint = v.joints[j < v.influences ? j : 0];
     if (layout.joint_bytes == 1) {
       put(to + j, static_cast<std::uint8_t>(joint));
@@ -151,12 +168,12 @@ void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisa
   }
 }
 
-// Both tangents' vectors of four influences. Each tangent in a unit of its own, as only directions count: its largest
-// number is 32766. What rounding one influence loses goes to the next, so that w still sum to 0; the last w follows
-// from that, and the first tangent's says instead whether the texture's triad is left-handed.
-void put_tangents(const Vertex& v, const Quantisation& q, bool left_handed, std::byte* to) {
+// Both tangents' vectors of `places` influences. Each tangent in a unit of its own, as only directions count: its
+// largest number is 32766. What rounding one influence loses goes to the next, so that w still sum to 0; the last w
+// follows from that, and the first tangent's says instead whether the texture's triad is left-handed.
+void put_tangents(const Vertex& v, std::uint32_t places, const Quantisation& q, bool left_handed, std::byte* to) {
   for (std::size_t a = 0; a < 2; ++a) {
-    float exact[4][4] = {};
+    float exact[kMaxInfluences][4] = {};
     float largest = 0;
     for (std::size_t j = 0; j < v.influences; ++j) {
       const float(&tau)[4] = v.tangents[j][a];
@@ -166,15 +183,15 @@ void put_tangents(const Vertex& v, const Quantisation& q, bool left_handed, std:
     }
     const float scale = largest > 0 ? 32766.0f / largest : 0;
     float carry[4] = {};
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < places; ++j) {
       std::int16_t stored[4] = {};
       for (std::size_t c = 0; j < v.influences && c < 4; ++c) {
         const float x = exact[j][c] * scale + carry[c];
         stored[c] = static_cast<std::int16_t>(round_to_int(x));
         carry[c] = x - static_cast<float>(stored[c]);
       }
-      if (j == 3) stored[3] = a == 1 ? 0 : left_handed ? -32767 : 32767;
-      std::memcpy(to + 32 * a + 8 * j, stored, sizeof(stored));
+      if (j + 1 == places) stored[3] = a == 1 ? 0 : left_handed ? -32767 : 32767;
+      std::memcpy(to + 8 * (places * a + j), stored, sizeof(stored));
     }
   }
 }
@@ -217,20 +234,20 @@ VertexLayout make_layout(const Mesh& mesh, bool as_tangents, bool psd) {
   const Geometry& g = mesh.geometry;
   VertexLayout layout;
   for (const Run& run : g.runs) {
-    if (run.influences > 4) layout.influences = 8;
+    if (run.influences > layout.influences) layout.influences = run.influences;
   }
   layout.joint_bytes = mesh.palette_size() > 256 ? 2 : 1;
   layout.ssd_weights = 8;
-  layout.ssd_joints = layout.ssd_weights + 2 * (layout.influences - 2);
-  layout.ssd_stride = layout.ssd_joints + layout.joint_bytes * layout.influences;
+  layout.ssd_joints = layout.ssd_weights + 2 * (weight_places(layout) - 2);
+  layout.ssd_stride = layout.ssd_joints + layout.joint_bytes * joint_places(layout);
   if (psd && !g.pose_space.examples.empty()) {
     layout.example_row = layout.ssd_stride;
     layout.ssd_stride += 4;
   }
-  layout.surface_normals = as_tangents && layout.influences == 4 && g.normals != nullptr && g.targets.empty();
+  layout.surface_normals = as_tangents && g.normals != nullptr && g.targets.empty();
   layout.as_tangents = 8 * layout.influences;
-  layout.as_joints = layout.as_tangents + (layout.surface_normals ? 64 : 0);
-  layout.as_stride = layout.as_joints + layout.joint_bytes * layout.influences;
+  layout.as_joints = layout.as_tangents + (layout.surface_normals ? 16 * layout.influences : 0);
+  layout.as_stride = layout.as_joints + layout.joint_bytes * joint_places(layout);
   std::uint32_t& stride = layout.surface_stride;
   layout.normal = stride;
   if (g.normals != nullptr) stride += 4;
@@ -285,7 +302,7 @@ void encode_ssd(const Geometry& geometry, const VertexLayout& layout, const Quan
     for (std::uint32_t c = 0; c < 3; ++c) position[c] = to_snorm16(unit_position(v, quantisation, c));
     if (v.influences > 1) position[3] = to_snorm16(v.weights[1]);
     std::memcpy(vertex, position, sizeof(position));
-    for (std::uint32_t j = 2; j < layout.influences; ++j) {
+    for (std::uint32_t j = 2; j < weight_places(layout); ++j) {
       const float weight = j < v.influences ? v.weights[j] : 0.0f;
       put(vertex + layout.ssd_weights + 2 * std::size_t{j - 2},
           static_cast<std::uint16_t>(round_to_int(weight * 65535.0f)));
@@ -302,7 +319,7 @@ void encode_as(const Geometry& geometry, const VertexLayout& layout, const Quant
     put_coordinates(v, layout, quantisation, vertex);
     if (tangents != nullptr) {
       const bool left_handed = geometry.tangents != nullptr && geometry.tangents[slot / 4 * 16 + 12 + slot % 4] < 0;
-      put_tangents(v, quantisation, left_handed, vertex + layout.as_tangents);
+      put_tangents(v, layout.influences, quantisation, left_handed, vertex + layout.as_tangents);
     }
     put_joints(v, layout, vertex + layout.as_joints);
   });

@@ -12,6 +12,14 @@ struct Quantisation {
   std::int32_t coordinate_one = 32767;  // integer that stands for 1 in animation-space coordinates
 };
 
+// Joints stand in groups of four, weights in groups of two, so that all is aligned to four bytes.
+inline std::uint32_t joint_places(const VertexLayout& layout) {
+  return (layout.influences + 3) / 4 * 4;
+}
+inline std::uint32_t weight_places(const VertexLayout& layout) {
+  return (layout.influences + 1) / 2 * 2;
+}
+
 // One pass over the uvs when the mesh has any. as_tangents: whether there are any. psd: as PrepareOptions::psd.
 VertexLayout make_layout(const Mesh& mesh, bool as_tangents, bool psd);
 

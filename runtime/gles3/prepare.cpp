@@ -35,10 +35,20 @@ std::uint32_t upload(const Api& api, GlEnum target, const void* data, std::size_
 }
 
 void describe_joints(const Api& api, const VertexLayout& layout, std::uint32_t stride, std::uint32_t offset) {
-  for (std::uint32_t i = 0; i < layout.influences / 4; ++i) {
+  for (std::uint32_t i = 0; i < joint_places(layout) / 4; ++i) {
     api.EnableVertexAttribArray(kJointsLocation + i);
     api.VertexAttribIPointer(kJointsLocation + i, 4, layout.joint_bytes == 1 ? kGlUnsignedByte : kGlUnsignedShort,
                              static_cast<int>(stride), at(offset + 4 * i * layout.joint_bytes));
+  }
+}
+
+// All that is before the joints, sixteen bytes an attribute.
+void describe_words(const Api& api, const VertexLayout& layout) {
+  for (std::uint32_t begin = 0; begin < layout.as_joints; begin += 16) {
+    const std::uint32_t location = kWordLocations[begin / 16];
+    api.EnableVertexAttribArray(location);
+    api.VertexAttribIPointer(location, layout.as_joints - begin < 16 ? 2 : 4, kGlUnsignedInt,
+                             static_cast<int>(layout.as_stride), at(begin));
   }
 }
 
@@ -78,12 +88,10 @@ Status make_ssd(const Api& api, const Geometry& g, const VertexLayout& layout, c
   mesh.ssd_array = begin_array(api, mesh);
   mesh.ssd_buffer = upload(api, kGlArrayBuffer, scratch.data, bytes);
   attribute(api, kPositionLocation, 4, kGlShort, true, layout.ssd_stride, 0);
-  if (layout.influences == 4) {
-    attribute(api, kWeightsLocation, 2, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights);
-  } else {
-    attribute(api, kWeightsLocation, 4, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights);
+  attribute(api, kWeightsLocation, layout.influences > 4 ? 4 : 2, kGlUnsignedShort, true, layout.ssd_stride,
+            layout.ssd_weights);
+  if (layout.influences > 6)
     attribute(api, kWeightsLocation + 1, 2, kGlUnsignedShort, true, layout.ssd_stride, layout.ssd_weights + 8);
-  }
   describe_joints(api, layout, layout.ssd_stride, layout.ssd_joints);
   if (layout.example_row != 0) {
     api.EnableVertexAttribArray(kExampleRowLocation);
@@ -99,11 +107,13 @@ void make_as(const Api& api, const Geometry& g, const VertexLayout& layout, cons
   encode_as(g, layout, q, tangents, scratch.data);
   mesh.as_array = begin_array(api, mesh);
   mesh.as_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.as_stride} * g.slot_count);
-  for (std::uint32_t i = 0; i < layout.influences; ++i) {
-    attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
-  }
-  for (std::uint32_t i = 0; layout.surface_normals && i < 8; ++i) {
-    attribute(api, kSurfaceLocations[i], 4, kGlShort, true, layout.as_stride, layout.as_tangents + 8 * i);
+  if (layout.surface_normals && layout.influences > 4) {
+    describe_words(api, layout);
+  } else {
+    for (std::uint32_t i = 0; i < layout.influences; ++i)
+      attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
+    for (std::uint32_t i = 0; layout.surface_normals && i < 8; ++i)
+      attribute(api, kSurfaceLocations[i], 4, kGlShort, true, layout.as_stride, layout.as_tangents + 8 * i);
   }
   describe_joints(api, layout, layout.as_stride, layout.as_joints);
   describe_surface(api, g, layout, !layout.surface_normals, mesh);

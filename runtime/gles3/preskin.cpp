@@ -68,7 +68,7 @@ Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Pr
   MARROW_REQUIRE(key.palettes < Palettes::crowd);
   MARROW_REQUIRE(skins(key.deformer));
   MARROW_REQUIRE(method <= Preskin::compute);
-  MARROW_REQUIRE(key.influences == 4 || key.influences == 8);
+  MARROW_REQUIRE(key.influences >= 4 && key.influences <= kMaxInfluences);
   ProgramKey of = key;
   of.features = key.features & (kNormals | kTangents | kMorphs | kSurfaceNormals);
   if (method == Preskin::compute) {

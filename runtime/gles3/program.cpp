@@ -50,8 +50,10 @@ Text preamble(const ProgramKey& key, bool compute) {
   text.define("MARROW_UV", (key.features & kUvs) != 0 ? 1 : 0);
   text.define("MARROW_COLOUR", (key.features & kColours) != 0 ? 1 : 0);
   text.define("MARROW_MORPH_TARGETS", (key.features & kMorphs) != 0 ? kMorphTargets : 0);
-  const bool can = key.deformer == Deformer::as && key.influences == 4 && (key.features & kMorphs) == 0;
-  text.define("MARROW_SURFACE_NORMALS", can && (key.features & kSurfaceNormals) != 0 ? 1 : 0);
+  const bool surface =
+      key.deformer == Deformer::as && (key.features & kMorphs) == 0 && (key.features & kSurfaceNormals) != 0;
+  text.define("MARROW_SURFACE_NORMALS", surface && (key.features & (kNormals | kTangents)) != 0 ? 1 : 0);
+  text.define("MARROW_WORDS", compute || (surface && key.influences > 4) ? 1 : 0);
   text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
   text.define("MARROW_MOTION", (key.features & kMotion) != 0 ? 1 : 0);
@@ -106,11 +108,12 @@ std::uint32_t link(const Api& api, const std::uint32_t* shaders, std::size_t cou
 
 void label_program(const Api& api, const ProgramKey& key, const char* role, std::uint32_t program) {
   constexpr const char* kDeformers[] = {"", ", rigid", ", ssd", ", as", ", psd"};
+  constexpr const char* kInfluences[] = {"", ", 5 influences", ", 6 influences", ", 7 influences", ", 8 influences"};
   constexpr const char* kPlaces[] = {"", ", palettes in a texture", ", palettes of a crowd"};
   label(api, kGlProgram, program,
-        {"marrow: ", role, kDeformers[static_cast<std::size_t>(key.deformer)],
-         key.influences == 8 ? ", 8 influences" : "", (key.features & kMorphs) != 0 ? ", morph targets" : "",
-         (key.features & kMotion) != 0 ? ", motion" : "", kPlaces[static_cast<std::size_t>(key.palettes)]});
+        {"marrow: ", role, kDeformers[static_cast<std::size_t>(key.deformer)], kInfluences[key.influences - 4],
+         (key.features & kMorphs) != 0 ? ", morph targets" : "", (key.features & kMotion) != 0 ? ", motion" : "",
+         kPlaces[static_cast<std::size_t>(key.palettes)]});
 }
 
 }  // namespace
@@ -186,7 +189,7 @@ Status build_program(const Api& api, const ProgramKey& key, const ProgramSource&
   MARROW_REQUIRE(holds(log));
   clear(log);
   MARROW_REQUIRE(source.vertex != nullptr && source.fragment != nullptr);
-  MARROW_REQUIRE(key.influences == 4 || key.influences == 8);
+  MARROW_REQUIRE(key.influences >= 4 && key.influences <= kMaxInfluences);
   MARROW_REQUIRE(key.deformer <= Deformer::psd && key.palettes <= Palettes::crowd);
   MARROW_REQUIRE(holds(source.feedback_varyings));
   const bool crowd = key.palettes == Palettes::crowd;

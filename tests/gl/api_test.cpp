@@ -299,7 +299,7 @@ TEST(Api, SkinnedMeshesRefuseBadCalls) {
   gles3::Program program;
   EXPECT_EQ(gles3::build_preskin(gl(), {}, {gles3::Deformer::none, 4, 0}, gles3::Preskin::feedback, 0, program),
             Status::bad_argument);
-  EXPECT_EQ(gles3::build_preskin(gl(), {}, {gles3::Deformer::ssd, 5, 0}, gles3::Preskin::feedback, 0, program),
+  EXPECT_EQ(gles3::build_preskin(gl(), {}, {gles3::Deformer::ssd, 9, 0}, gles3::Preskin::feedback, 0, program),
             Status::bad_argument);
   gles3::destroy(gl(), skinned);
   gles3::destroy(gl(), gpu);

@@ -1,6 +1,8 @@
 // Meshes that no artist makes: every influence count, mirrored joints, residuals, many joints, one vertex, none.
+#include <algorithm>
 #include <cstdio>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "gl/feedback.h"
@@ -87,8 +89,8 @@ Worst run_character(std::uint64_t seed, std::size_t joints, bool residuals, std:
   return worst;
 }
 
-void expect_promises(const char* what, const Worst& worst) {
-  std::printf("%s: position %.1e of the diagonal, normal %.3f deg, tangent %.3f deg, %zu vertices\n", what,
+void expect_promises(const std::string& what, const Worst& worst) {
+  std::printf("%s: position %.1e of the diagonal, normal %.3f deg, tangent %.3f deg, %zu vertices\n", what.c_str(),
               worst.position, worst.normal_deg, worst.tangent_deg, worst.vertices);
   EXPECT_LE(worst.position, kMostPosition) << what;
   EXPECT_LE(worst.normal_deg, kMostNormalDeg) << what;
@@ -120,15 +122,29 @@ TEST(Noise, MoreMorphsThanAShaderAdds) {
   expect_promises("80 targets", run_character(18, 40, false, 80));
 }
 
+void put_box_of_sheet(Mesh& mesh) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    mesh.geometry.box_min[c] = c < 2 ? -1.0f : -0.125f;
+    mesh.geometry.box_max[c] = -mesh.geometry.box_min[c];
+  }
+}
+
+std::vector<Affine> pose_sheet(Random& random, bool mirrored) {
+  std::vector<Affine> palette;
+  for (int j = 0; j < 9; ++j) {
+    const Vec3 t{random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.1, 0.1)};
+    const Vec3 axis{random.between(-1, 1), random.between(-1, 1), random.between(0.5, 1)};
+    palette.push_back(to_affine(from_trs(t, axis_angle(axis, 0.75), {1, mirrored ? -1.0 : 1.0, 1})));
+  }
+  return palette;
+}
+
 // A sheet with up to `most` influences in three poses, with mirrored joints in one, all with their tangents as vectors.
 Worst run_sheet(std::uint64_t seed, std::size_t most, bool residuals, std::uint8_t& features) {
   const Sheet sheet = make_sheet(seed, 16, 9, most, residuals);
   const TestSurface surface(sheet.vertices, sheet.triangles, std::vector<Map>(9), residuals);
   Mesh mesh = surface.view();
-  for (std::size_t c = 0; c < 3; ++c) {
-    mesh.geometry.box_min[c] = c < 2 ? -1.0f : -0.125f;
-    mesh.geometry.box_max[c] = -mesh.geometry.box_min[c];
-  }
+  put_box_of_sheet(mesh);
   std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), tangents(as_tangent_count(mesh.geometry));
   EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
   const AsPart part{&mesh, coordinates, tangents};
@@ -142,12 +158,7 @@ Worst run_sheet(std::uint64_t seed, std::size_t most, bool residuals, std::uint8
   const bool surface_normals = (features & gles3::kSurfaceNormals) != 0;
   Random random(seed);
   for (int moment = 0; moment < 3; ++moment) {
-    std::vector<Affine> palette;
-    for (int j = 0; j < 9; ++j) {
-      const Vec3 t{random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.1, 0.1)};
-      const Vec3 axis{random.between(-1, 1), random.between(-1, 1), random.between(0.5, 1)};
-      palette.push_back(to_affine(from_trs(t, axis_angle(axis, 0.75), {1, moment == 1 ? -1.0 : 1.0, 1})));
-    }
+    const std::vector<Affine> palette = pose_sheet(random, moment == 1);
     Buffers want(mesh.geometry);
     EXPECT_EQ(skin_as(mesh, coordinates, palette, want.output(), surface_normals ? tangents : Span<const float>()),
               Status::ok);
@@ -159,20 +170,54 @@ Worst run_sheet(std::uint64_t seed, std::size_t most, bool residuals, std::uint8
   return worst;
 }
 
-TEST(Noise, SurfaceNormals) {
-  std::uint8_t features = 0;
-  for (const bool residuals : {false, true}) {
-    expect_promises(residuals ? "surface normals, residuals" : "surface normals",
-                    run_sheet(21, 4, residuals, features));
-    EXPECT_NE(features & gles3::kSurfaceNormals, 0);
+// Through the blend, with just so many influences as programs are compiled for. repeats: the fifth and further are of
+// the joint that has the largest weight.
+Worst run_blended_sheet(std::uint64_t seed, std::size_t most, bool repeats) {
+  Sheet sheet = make_sheet(seed, 16, 9, most, true);
+  for (SurfaceVertex& v : sheet.vertices) {
+    const std::vector<double>& w = v.vertex.weights;
+    const std::uint16_t largest = v.set[static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin())];
+    for (std::size_t k = 4; repeats && k < v.set.size(); ++k) v.set[k] = largest;
   }
+  const TestSurface surface(sheet.vertices, sheet.triangles, std::vector<Map>(9), true);
+  Mesh mesh = surface.view();
+  put_box_of_sheet(mesh);
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
+  EXPECT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
+  Feedback feedback(mesh);
+  EXPECT_EQ(feedback.prepared(), Status::ok);
+  Worst worst;
+  if (!feedback.ok()) return worst;
+  EXPECT_EQ(feedback.gpu().influences, most);
+  Random random(seed);
+  const std::vector<Affine> palette = pose_sheet(random, false);
+  Buffers ssd(mesh.geometry), as(mesh.geometry);
+  EXPECT_EQ(skin_ssd(mesh, palette, ssd.output()), Status::ok);
+  EXPECT_EQ(skin_as(mesh, coordinates, palette, as.output()), Status::ok);
+  const auto add = [&](gles3::Deformer deformer, Buffers& want) {
+    worst.add(compare(mesh.geometry, feedback.skin(deformer, palette), want.output(), diagonal_of(want.positions),
+                      conditioning(mesh.geometry, palette, deformer == gles3::Deformer::as), kLeastConditioning));
+  };
+  add(gles3::Deformer::ssd, ssd);
+  add(gles3::Deformer::as, as);
+  return worst;
 }
 
-// Eight influences leave no attributes for tangents: the blend it is.
-TEST(Noise, SurfaceNormalsFallBackOnTheBlend) {
-  std::uint8_t features = 0;
-  expect_promises("no room for surface normals", run_sheet(22, 8, true, features));
-  EXPECT_EQ(features & gles3::kSurfaceNormals, 0);
+TEST(Noise, AsManyInfluencesAsAProgramHas) {
+  for (std::size_t most = 4; most <= 8; ++most)
+    expect_promises(fmt::format("{} influences, blended", most), run_blended_sheet(30 + most, most, false));
+  expect_promises("a joint twice", run_blended_sheet(40, 7, true));
+}
+
+TEST(Noise, SurfaceNormals) {
+  for (std::size_t most = 4; most <= 8; ++most) {
+    for (const bool residuals : {false, true}) {
+      std::uint8_t features = 0;
+      expect_promises(fmt::format("{} influences{}", most, residuals ? ", residuals" : ""),
+                      run_sheet(21, most, residuals, features));
+      EXPECT_NE(features & gles3::kSurfaceNormals, 0);
+    }
+  }
 }
 
 TEST(Noise, OneJointMoreGoesIntoATextureAlone) {

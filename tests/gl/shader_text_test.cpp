@@ -62,10 +62,13 @@ void note_all() {
                                   {text(embedded::shader_backdrop_vert), backdrop}};
   gles3::Program out;
   for (int deformer = 0; deformer < 4; ++deformer)
-    for (const int influences : {4, 8})
+    for (int influences = 4; influences <= 8; ++influences)
       for (int features = 0; features < 64; ++features)
         for (const gles3::Palettes palettes :
              {gles3::Palettes::uniform_block, gles3::Palettes::texture, gles3::Palettes::crowd}) {
+          // These stand beside skinning.
+          const bool looks = (features & (gles3::kUvs | gles3::kColours)) != 0;
+          if (looks && influences != 4 && influences != 8) continue;
           const bool crowd = palettes == gles3::Palettes::crowd;
           const bool can = !crowd || (deformer != 0 && (features & gles3::kMorphs) == 0);
           const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),

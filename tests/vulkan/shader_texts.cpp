@@ -97,7 +97,7 @@ class Texts {
 
   void all() {
     for (const auto deformer : {Deformer::none, Deformer::rigid, Deformer::ssd, Deformer::as})
-      for (const auto influences : {std::uint8_t{4}, std::uint8_t{8}})
+      for (std::uint8_t influences = 4; influences <= kMaxInfluences; ++influences)
         for (const auto palettes : {Palettes::uniform_block, Palettes::texture, Palettes::crowd})
           of_features({deformer, influences, 0, palettes});
     gles3::Program program;
@@ -123,7 +123,7 @@ class Texts {
     if (key.deformer == Deformer::none && (key.palettes != Palettes::uniform_block || key.influences != 4))
       return false;
     return (key.features & gles3::kSurfaceNormals) == 0 ||
-           (key.deformer == Deformer::as && key.influences == 4 && (key.features & gles3::kNormals) != 0 &&
+           (key.deformer == Deformer::as && (key.influences > 4 || (key.features & gles3::kNormals) != 0) &&
             (key.features & gles3::kMorphs) == 0);
   }
 

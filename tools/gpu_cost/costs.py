@@ -204,13 +204,22 @@ def compare(costs, stored, whole):
     return worse
 
 
-def update(costs, mesa):
+def update(costs, mesa, whole):
+    """Writes the table. Of some rows alone the others stay, and so does what the table says it is of."""
+    made_of = texts()
+    if not whole:
+        of, stored = load()
+        if of != mesa:
+            raise SystemExit(f"gpu_cost: the table is of Mesa {of}, and this is {mesa}: --update all rows")
+        made_of = json.loads(TABLE.read_text())["texts"]
+        costs = {gpu: {**stored.get(gpu, {}), **costs.get(gpu, {})} for gpu in GPUS}
+
     def line(name):
         of_gpus = [costs[gpu].get(name) for gpu in costs]
         return [values and [values[figure] for figure in FIGURES] for values in of_gpus]
 
     lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(line(name), separators=(',', ':'))}" for name in names_of(costs))
-    head = f'"mesa": "{mesa}",\n"texts": "{texts()}",\n"gpus": {json.dumps(list(costs))},\n"figures": {json.dumps(FIGURES)},\n"programs": {{\n'
+    head = f'"mesa": "{mesa}",\n"texts": "{made_of}",\n"gpus": {json.dumps(list(costs))},\n"figures": {json.dumps(FIGURES)},\n"programs": {{\n'
     TABLE.write_text("{\n" + head + lines + "\n}}\n")
     text = DOCS.read_text()
     begin, end = "<!-- gpu_cost -->\n", "<!-- /gpu_cost -->"
@@ -220,13 +229,17 @@ def update(costs, mesa):
 
 
 def summary(costs):
-    """A Markdown table: SSD → AS, four influences and eight."""
+    """A Markdown table: SSD → AS."""
     gpus = list(costs)
     lines = ["| path | influences, attributes | " + " | ".join(gpus) + " |", "|---" * (len(gpus) + 2) + "|"]
     for path, last in [("ubo", "colour"), ("texture", "colour"), ("crowd", "colour"), ("feedback", "skin"), ("compute", "skin")]:
-        for influences, kind in [(4, "p"), (4, "pn"), (4, "pnt"), (4, "pn-surface"), (8, "pn")]:
+        kinds = [(4, "p"), (4, "pn"), (4, "pnt"), (4, "pn-surface")]
+        kinds += [(influences, kind) for influences in (5, 6, 8) for kind in ("pn", "pn-surface")]
+        for influences, kind in kinds:
             base = f"{path}/ssd/{influences}/{kind.removesuffix('-surface')}/{last}"
             mine = f"{path}/as/{influences}/{kind}/{last}"
+            if not any(base in costs[gpu] and mine in costs[gpu] for gpu in gpus):
+                continue
             cells = []
             for gpu in gpus:
                 a, b = (cell(costs[gpu].get(name), HEADLINE[gpu]) for name in (base, mine))
@@ -253,7 +266,7 @@ def main(folder, program, *rest):
         raise SystemExit(f"gpu_cost: no program or no GPU fits {pattern} {chips}")
     mesa = re.search(r"Mesa (\S+)", texts[gpus[0]])[1]
     if "--update" in rest:
-        update(costs, mesa)
+        update(costs, mesa, gpus == list(GPUS) and not pattern)
     if "--json" in rest:
         print(json.dumps(list(rows(costs)), indent=1))
     else:

@@ -122,7 +122,10 @@ class Costs {
     for (const Attributes& attributes : kAttributes) {
       if (!attributes.as_only) draw("skinned", "none", {Deformer::none, 4}, attributes);
       of_deformer("rigid", Deformer::rigid, 4, attributes);
-      for (const auto influences : {std::uint8_t{4}, std::uint8_t{8}}) {
+      for (const auto influences : {std::uint8_t{4}, std::uint8_t{5}, std::uint8_t{6}, std::uint8_t{8}}) {
+        // What motion and positions alone cost lies between their figures with four influences and with eight.
+        const bool between = influences == 5 || influences == 6;
+        if (between && (attributes.features == 0 || (attributes.features & kMotion) != 0)) continue;
         of_deformer("ssd", Deformer::ssd, influences, attributes);
         of_deformer("as", Deformer::as, influences, attributes);
         of_deformer("psd", Deformer::psd, influences, attributes);
@@ -134,12 +137,13 @@ class Costs {
 
  private:
   void of_deformer(const char* name, Deformer deformer, std::uint8_t influences, const Attributes& attributes) {
-    if (attributes.as_only && (deformer != Deformer::as || influences != 4)) return;
+    if (attributes.as_only && deformer != Deformer::as) return;
     const bool psd = deformer == Deformer::psd;  // SSD and a loop: one row of each path says what that adds
     if (psd && attributes.features != kNormals) return;
     for (const int morphs : {0, int{kMorphs}}) {
       if (psd && morphs != 0) continue;
-      if (morphs != 0 && attributes.features != kNormals) continue;  // their cost is the same beside other attributes
+      // Their cost is the same beside other attributes, and with five or six influences.
+      if (morphs != 0 && (attributes.features != kNormals || influences == 5 || influences == 6)) continue;
       const ProgramKey key{deformer, influences, static_cast<std::uint8_t>(morphs)};
       draw("ubo", name, key, attributes);
       draw("texture", name, {deformer, influences, key.features, Palettes::texture}, attributes);

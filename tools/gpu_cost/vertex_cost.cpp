@@ -65,8 +65,8 @@ void take_lower(const json& program, const char* gpu, const char* figure, double
 
 std::optional<VertexCost> vertex_cost(const Geometry& geometry, GpuDeformer deformer, bool surface_normals) {
   const std::uint32_t influences = most_influences(geometry);
-  const bool surface = surface_normals && deformer == GpuDeformer::as && influences <= 4 &&
-                       geometry.normals != nullptr && geometry.targets.empty();
+  const bool surface =
+      surface_normals && deformer == GpuDeformer::as && geometry.normals != nullptr && geometry.targets.empty();
   // Programs that morph are compiled with normals alone.
   std::string attributes = attributes_of(geometry, surface);
   if (attributes == "pnt+morphs" || attributes == "p+morphs") attributes = "pn+morphs";

@@ -133,7 +133,7 @@ void mrw_gles3_caps_init(mrw_gles3_caps* out);
 // Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
 typedef struct mrw_gles3_vertex_layout mrw_gles3_vertex_layout;
 struct mrw_gles3_vertex_layout {
-  uint32_t influences;  // 4 or 8
+  uint32_t influences;  // the most of any vertex, 4 to 8
   uint32_t joint_bytes;  // 1 or 2
   uint32_t ssd_stride;
   uint32_t ssd_weights;
@@ -157,7 +157,7 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //   stream     what a vertex has in it               as
 //   SSD        position                              snorm16×3
 //              weight of the second influence        snorm16
-//              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+//              weights of the others                 unorm16×2, ×4 or ×6; the first has what they leave of 1
 //              joints                                u8×4, or ×8; u16 above 256 entries
 //              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 //   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
@@ -171,7 +171,9 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //
 //   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
 //   4 influences       16    36                    100                         4
-//   8 influences       28    72                      -                         4
+//   5                  24    48                    128                         4
+//   6                  24    56                    152                         4
+//   8                  28    72                    200                         4
 //
 // The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
 // holds 8 B for each example and vertex that it moves.
@@ -192,7 +194,7 @@ struct mrw_gles3_gpu_mesh {
   uint32_t slot_count;
   uint32_t joint_count;  // matrices in its palette
   uint32_t vertex_bytes;  // all vertex buffers together
-  uint8_t influences;  // 4 or 8
+  uint8_t influences;  // the most of any vertex, 4 to 8
   uint8_t features;  // kNormals | …
   uint8_t morph_per_row;  // texels a vertex: positions, normals, tangents
   uint8_t morph_shift;  // the texture's width is 1 << morph_shift
@@ -211,9 +213,7 @@ struct mrw_gles3_prepare_options {
   bool ssd;  // also what rigid draws from
   bool as;  // neither: for vertices skinned on the CPU
   // From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
-  // kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
-  // vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
-  // normals cannot.
+  // kSurfaceNormals. Empty, or of a mesh with morph targets or without normals: normals through the blend.
   const float* as_tangents;
   size_t as_tangent_count;
   bool psd;  // With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
@@ -365,7 +365,7 @@ void mrw_gles3_destroy_mesh(const mrw_gles3_api* api, mrw_gles3_gpu_mesh* mesh);
 
 // Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
 // frame before to the next binding.
-// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+// Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
 // words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
 mrw_status mrw_gles3_build_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
     const mrw_gles3_program_source* source, uint32_t palette_binding, mrw_gles3_program* out, char* log,
@@ -506,8 +506,9 @@ mrw_status mrw_gles3_upload_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_
 
 // A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
 // kSurfaceNormals. Those must be the mesh's.
-// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
-// without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences other than 4 to 8); unsupported
+// (compute, without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost:
+// a compile.
 mrw_status mrw_gles3_build_preskin(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_program_key* key, mrw_gles3_preskin method, uint32_t palette_binding, mrw_gles3_program* out,
     char* log, size_t log_bytes) MRW_NODISCARD;

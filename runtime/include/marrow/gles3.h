@@ -93,6 +93,8 @@ inline constexpr std::uint32_t kColourLocation = 13;
 inline constexpr std::uint32_t kMorphRowLocation = 14;
 inline constexpr std::uint32_t kExampleRowLocation = 15;
 inline constexpr std::uint32_t kSurfaceLocations[8] = {4, 5, 6, 7, 9, 10, 11, 15};  // four vectors of each tangent
+// With more than four influences and kSurfaceNormals: coordinates and tangents as words, uvec4, two vectors in each.
+inline constexpr std::uint32_t kWordLocations[12] = {0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15};
 
 // Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 inline constexpr std::uint32_t kMorphTargets = 64;
@@ -103,7 +105,7 @@ inline constexpr std::uint32_t kPaletteBlockBytes = kPaletteJoints * 48;
 
 // Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
 struct VertexLayout {
-  std::uint32_t influences = 4;   // 4 or 8
+  std::uint32_t influences = 4;   // the most of any vertex, 4 to 8
   std::uint32_t joint_bytes = 1;  // 1 or 2
   std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;
   std::uint32_t example_row = 0;  // in SSD's stream; 0: there is none
@@ -119,7 +121,7 @@ struct VertexLayout {
 //   stream     what a vertex has in it               as
 //   SSD        position                              snorm16×3
 //              weight of the second influence        snorm16
-//              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+//              weights of the others                 unorm16×2, ×4 or ×6; the first has what they leave of 1
 //              joints                                u8×4, or ×8; u16 above 256 entries
 //              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 //   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
@@ -133,7 +135,9 @@ struct VertexLayout {
 //
 //   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
 //   4 influences       16    36                    100                         4
-//   8 influences       28    72                      -                         4
+//   5                  24    48                    128                         4
+//   6                  24    56                    152                         4
+//   8                  28    72                    200                         4
 // clang-format on
 //
 // The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
@@ -154,7 +158,7 @@ struct GpuMesh {
   std::uint32_t slot_count = 0;
   std::uint32_t joint_count = 0;      // matrices in its palette
   std::uint32_t vertex_bytes = 0;     // all vertex buffers together
-  std::uint8_t influences = 4;        // 4 or 8
+  std::uint8_t influences = 4;        // the most of any vertex, 4 to 8
   std::uint8_t features = 0;          // kNormals | …
   std::uint8_t morph_per_row = 1;     // texels a vertex: positions, normals, tangents
   std::uint8_t morph_shift = 0;       // the texture's width is 1 << morph_shift
@@ -172,9 +176,7 @@ struct PrepareOptions {
   bool ssd = true;  // also what rigid draws from
   bool as = true;   // neither: for vertices skinned on the CPU
   // From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
-  // kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
-  // vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
-  // normals cannot.
+  // kSurfaceNormals. Empty, or of a mesh with morph targets or without normals: normals through the blend.
   Span<const float> as_tangents = {};
   // With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
   bool psd = false;
@@ -262,7 +264,7 @@ struct Program {
 
 // Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
 // frame before to the next binding.
-// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+// Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
 // words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
 MARROW_API Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source,
                                 std::uint32_t palette_binding, Program& out, Span<char> log = {});

@@ -48,8 +48,9 @@ enum class Preskin : std::uint8_t {
 
 // A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
 // kSurfaceNormals. Those must be the mesh's.
-// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
-// without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences other than 4 to 8); unsupported
+// (compute, without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost:
+// a compile.
 MARROW_API Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
                                 std::uint32_t palette_binding, Program& out, Span<char> log = {});
 

@@ -2592,7 +2592,7 @@ public unsafe struct Gles3Caps {
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3VertexLayout {
     /// <summary>
-    /// 4 or 8
+    /// the most of any vertex, 4 to 8
     /// </summary>
     public uint influences;
     /// <summary>
@@ -2635,7 +2635,7 @@ public unsafe struct Gles3VertexLayout {
 ///   stream     what a vertex has in it               as
 ///   SSD        position                              snorm16×3
 ///              weight of the second influence        snorm16
-///              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+///              weights of the others                 unorm16×2, ×4 or ×6; the first has what they leave of 1
 ///              joints                                u8×4, or ×8; u16 above 256 entries
 ///              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 ///   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
@@ -2649,7 +2649,9 @@ public unsafe struct Gles3VertexLayout {
 ///
 ///   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
 ///   4 influences       16    36                    100                         4
-///   8 influences       28    72                      -                         4
+///   5                  24    48                    128                         4
+///   6                  24    56                    152                         4
+///   8                  28    72                    200                         4
 ///
 /// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
 /// holds 8 B for each example and vertex that it moves.
@@ -2699,7 +2701,7 @@ public unsafe struct Gles3GpuMesh {
     /// </summary>
     public uint vertex_bytes;
     /// <summary>
-    /// 4 or 8
+    /// the most of any vertex, 4 to 8
     /// </summary>
     public byte influences;
     /// <summary>
@@ -2758,9 +2760,7 @@ public unsafe struct Gles3PrepareOptions {
     public byte @as;
     /// <summary>
     /// From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
-    /// kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
-    /// vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
-    /// normals cannot.
+    /// kSurfaceNormals. Empty, or of a mesh with morph targets or without normals: normals through the blend.
     /// </summary>
     public float* as_tangents;
     public UIntPtr as_tangent_count;
@@ -5168,7 +5168,7 @@ public static unsafe class Marrow {
     /// <summary>
     /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
     /// frame before to the next binding.
-    /// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+    /// Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
     /// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_build_program", CallingConvention = CallingConvention.Cdecl)]
@@ -5315,8 +5315,9 @@ public static unsafe class Marrow {
     /// <summary>
     /// A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
     /// kSurfaceNormals. Those must be the mesh's.
-    /// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
-    /// without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+    /// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences other than 4 to 8); unsupported
+    /// (compute, without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost:
+    /// a compile.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_build_preskin", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3BuildPreskin(Gles3Api* api, Gles3Caps* caps, Gles3ProgramKey* key, Gles3Preskin method, uint palette_binding, Gles3Program* @out, byte* log, UIntPtr log_bytes);

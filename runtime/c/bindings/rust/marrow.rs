@@ -2675,7 +2675,7 @@ const _: () = assert!(std::mem::size_of::<Gles3Caps>() == 20);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3VertexLayout {
-    /// 4 or 8
+    /// the most of any vertex, 4 to 8
     pub influences: u32,
     /// 1 or 2
     pub joint_bytes: u32,
@@ -2714,7 +2714,7 @@ const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 64);
 ///   stream     what a vertex has in it               as
 ///   SSD        position                              snorm16×3
 ///              weight of the second influence        snorm16
-///              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+///              weights of the others                 unorm16×2, ×4 or ×6; the first has what they leave of 1
 ///              joints                                u8×4, or ×8; u16 above 256 entries
 ///              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
 ///   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
@@ -2728,7 +2728,9 @@ const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 64);
 ///
 ///   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
 ///   4 influences       16    36                    100                         4
-///   8 influences       28    72                      -                         4
+///   5                  24    48                    128                         4
+///   6                  24    56                    152                         4
+///   8                  28    72                    200                         4
 ///
 /// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
 /// holds 8 B for each example and vertex that it moves.
@@ -2759,7 +2761,7 @@ pub struct Gles3GpuMesh {
     pub joint_count: u32,
     /// all vertex buffers together
     pub vertex_bytes: u32,
-    /// 4 or 8
+    /// the most of any vertex, 4 to 8
     pub influences: u8,
     /// kNormals | …
     pub features: u8,
@@ -2801,9 +2803,7 @@ pub struct Gles3PrepareOptions {
     /// neither: for vertices skinned on the CPU
     pub r#as: bool,
     /// From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
-    /// kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
-    /// vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
-    /// normals cannot.
+    /// kSurfaceNormals. Empty, or of a mesh with morph targets or without normals: normals through the blend.
     pub as_tangents: *const f32,
     pub as_tangent_count: usize,
     /// With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
@@ -4699,7 +4699,7 @@ extern "C" {
     pub fn gles3_destroy_mesh(api: *const Gles3Api, mesh: *mut Gles3GpuMesh);
     /// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
     /// frame before to the next binding.
-    /// Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+    /// Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
     /// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
     #[link_name = "mrw_gles3_build_program"]
     pub fn gles3_build_program(api: *const Gles3Api, key: *const Gles3ProgramKey, source: *const Gles3ProgramSource, palette_binding: u32, out: *mut Gles3Program, log: *mut c_char, log_bytes: usize) -> Status;
@@ -4804,8 +4804,9 @@ extern "C" {
     pub fn gles3_upload_skinned(api: *const Gles3Api, mesh: *mut Gles3SkinnedMesh, vertices: *const SkinOutput) -> Status;
     /// A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
     /// kSurfaceNormals. Those must be the mesh's.
-    /// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
-    /// without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+    /// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences other than 4 to 8); unsupported
+    /// (compute, without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost:
+    /// a compile.
     #[link_name = "mrw_gles3_build_preskin"]
     pub fn gles3_build_preskin(api: *const Gles3Api, caps: *const Gles3Caps, key: *const Gles3ProgramKey, method: Gles3Preskin, palette_binding: u32, out: *mut Gles3Program, log: *mut c_char, log_bytes: usize) -> Status;
     /// Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it

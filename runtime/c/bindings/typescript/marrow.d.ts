@@ -2364,7 +2364,7 @@ export interface Gles3Caps extends View {
  */
 export interface Gles3VertexLayout extends View {
   /**
-   * 4 or 8
+   * the most of any vertex, 4 to 8
    */
   influences: number;
   /**
@@ -2402,7 +2402,7 @@ export interface Gles3VertexLayout extends View {
  *   stream     what a vertex has in it               as
  *   SSD        position                              snorm16×3
  *              weight of the second influence        snorm16
- *              weights of the others                 unorm16×2, or ×6; the first has what they leave of 1
+ *              weights of the others                 unorm16×2, ×4 or ×6; the first has what they leave of 1
  *              joints                                u8×4, or ×8; u16 above 256 entries
  *              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
  *   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
@@ -2416,7 +2416,9 @@ export interface Gles3VertexLayout extends View {
  *
  *   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
  *   4 influences       16    36                    100                         4
- *   8 influences       28    72                      -                         4
+ *   5                  24    48                    128                         4
+ *   6                  24    56                    152                         4
+ *   8                  28    72                    200                         4
  *
  * The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
  * holds 8 B for each example and vertex that it moves.
@@ -2465,7 +2467,7 @@ export interface Gles3GpuMesh extends View {
    */
   vertex_bytes: number;
   /**
-   * 4 or 8
+   * the most of any vertex, 4 to 8
    */
   influences: number;
   /**
@@ -2518,9 +2520,7 @@ export interface Gles3PrepareOptions extends View {
   as: boolean;
   /**
    * From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
-   * kSurfaceNormals. Empty, or of a mesh that cannot: normals through the blend. With four influences 15 of the 16
-   * vertex attributes that GLES 3.0 promises are used, so a mesh with more influences, with morph targets or without
-   * normals cannot.
+   * kSurfaceNormals. Empty, or of a mesh with morph targets or without normals: normals through the blend.
    */
   as_tangents: List<number>;
   /**
@@ -4276,7 +4276,7 @@ export class Marrow {
   /**
    * Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
    * frame before to the next binding.
-   * Errors: bad_argument (a text missing, influences neither 4 nor 8, what crowds cannot); gl_error, with the driver's
+   * Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
    * words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
    */
   gles3_build_program(api: Gles3Api | null, key: Gles3ProgramKey | null, source: Gles3ProgramSource | null, palette_binding: number, out: Gles3Program | null, log: List<number> | null): Status;
@@ -4399,8 +4399,9 @@ export class Marrow {
   /**
    * A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
    * kSurfaceNormals. Those must be the mesh's.
-   * Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences neither 4 nor 8); unsupported (compute,
-   * without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost: a compile.
+   * Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences other than 4 to 8); unsupported
+   * (compute, without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost:
+   * a compile.
    */
   gles3_build_preskin(api: Gles3Api | null, caps: Gles3Caps | null, key: Gles3ProgramKey | null, method: Gles3Preskin, palette_binding: number, out: Gles3Program | null, log: List<number> | null): Status;
   /**
