@@ -77,7 +77,7 @@ face $golden/face.gltf --mesh-codec none --additive speak
 looks $golden/looks.gltf --images embed --keep *
 stride $golden/stride.gltf
 limits $golden/limits.gltf --mesh-codec none
-fit-half $golden/elbow.gltf --as fit --truth dqs --half-joints 2
+fit-helpers $golden/elbow.gltf --as fit --truth dqs --helpers 2
 fit-all $golden/elbow.gltf --as fit --mwe --psd 4 --mesh-codec none
 smooth $golden/elbow.gltf --as smooth --delta-mush 5,0.25,cotangent --subdivide 1
 geodesic $out/bare.gltf --auto-weights geodesic --smooth-weights 2 --mesh-codec none

@@ -37,7 +37,7 @@ float largest_distance(const std::vector<PosedMesh>& a, const std::vector<PosedM
 // errors do not glow.
 float sensible_scale(float largest, float diagonal);
 
-// The weight of one joint of a mesh's skeleton, 0 … 1: a float a slot. Of a half-joint's weight its two joints have
+// The weight of one joint of a mesh's skeleton, 0 … 1: a float a slot. Of a helper's weight its two joints have
 // their shares.
 std::vector<float> joint_weights(const Mesh& mesh, std::uint32_t joint);
 

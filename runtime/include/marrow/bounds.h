@@ -3,7 +3,7 @@
 //   over a whole clip   File::bounds(clip, mesh): from the file, no work
 //   in one frame        make_reach() once a load; palette_bounds() every frame
 //
-// Both are about every vertex that rigid skinning, SSD (with half-joints) and pose-space deformation give: those blend
+// Both are about every vertex that rigid skinning, SSD (with helpers) and pose-space deformation give: those blend
 // with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
 // the file holds for animation space and multi-weights too, as it was measured with them; palette_bounds() knows
 // nothing of their residuals (docs/architecture.md, "Bounds", has how far they went beyond it).
@@ -29,7 +29,7 @@ struct MorphReach {
 
 // Views into the caller's memory.
 struct Reach {
-  Span<JointReach> joints = {};   // one a palette entry, half-joints behind
+  Span<JointReach> joints = {};   // one a palette entry, helpers behind
   Span<MorphReach> targets = {};  // one a morph target
   MorphReach pose_space = {};     // the sum of what all examples may add
 };

@@ -2084,8 +2084,8 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MR
 // not finite, the two are blended as numbers.
 //
 // The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a centre
-// 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a
+// centre 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
     size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
@@ -2113,7 +2113,7 @@ bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_coun
 //   over a whole clip   File::bounds(clip, mesh): from the file, no work
 //   in one frame        make_reach() once a load; palette_bounds() every frame
 //
-// Both are about every vertex that rigid skinning, SSD (with half-joints) and pose-space deformation give: those blend
+// Both are about every vertex that rigid skinning, SSD (with helpers) and pose-space deformation give: those blend
 // with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
 // the file holds for animation space and multi-weights too, as it was measured with them; palette_bounds() knows
 // nothing of their residuals (docs/architecture.md, "Bounds", has how far they went beyond it).
@@ -2136,7 +2136,7 @@ struct mrw_morph_reach {
 // Views into the caller's memory.
 typedef struct mrw_reach mrw_reach;
 struct mrw_reach {
-  mrw_joint_reach* joints;  // one a palette entry, half-joints behind
+  mrw_joint_reach* joints;  // one a palette entry, helpers behind
   size_t joint_count;
   mrw_morph_reach* targets;  // one a morph target
   size_t target_count;

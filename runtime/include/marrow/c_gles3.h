@@ -853,7 +853,7 @@ mrw_status mrw_gles3_bake_crowd(const mrw_skeleton* skeleton, const mrw_gles3_cr
     size_t scratch_count, mrw_affine* matrices, size_t matrice_count, mrw_gles3_crowd_frames* out) MRW_NODISCARD;
 
 // Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
-// are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+// are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
 // is linear in the drawing too.
 // Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
 // scene_from_character beyond 1e12).

@@ -84,7 +84,7 @@ struct CrowdInstance {
 };
 
 // Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
-// are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+// are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
 // is linear in the drawing too.
 // Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
 // scene_from_character beyond 1e12).

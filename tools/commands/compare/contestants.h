@@ -10,7 +10,7 @@
 
 namespace marrow::tools {
 
-// What a deformer has become by training. Poses are given without half-joints.
+// What a deformer has become by training. Poses are given without helpers.
 struct Trained {
   deform::Deformer deform;
   // What normals go through: for each vertex the weights of the joints' matrices, or tangents where it has them. Over

@@ -2207,7 +2207,7 @@ public unsafe struct MorphReach {
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Reach {
     /// <summary>
-    /// one a palette entry, half-joints behind
+    /// one a palette entry, helpers behind
     /// </summary>
     public JointReach* joints;
     public UIntPtr joint_count;
@@ -4798,8 +4798,8 @@ public static unsafe class Marrow {
     /// not finite, the two are blended as numbers.
     ///
     /// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a centre
-    /// 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
+    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a
+    /// centre 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
     /// Thread-safe on different outputs; out overlaps none of the inputs.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_build_palette_of_joints", CallingConvention = CallingConvention.Cdecl)]
@@ -5473,7 +5473,7 @@ public static unsafe class Marrow {
     public static extern Status Gles3BakeCrowd(Skeleton* skeleton, Gles3CrowdSource* sources, UIntPtr source_count, Gles3CrowdClip* clips, UIntPtr clip_count, SoaTransform* scratch, UIntPtr scratch_count, Affine* matrices, UIntPtr matrice_count, Gles3CrowdFrames* @out);
     /// <summary>
     /// Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
-    /// are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+    /// are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
     /// is linear in the drawing too.
     /// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
     /// scene_from_character beyond 1e12).

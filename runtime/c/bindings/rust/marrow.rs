@@ -2211,7 +2211,7 @@ const _: () = assert!(std::mem::size_of::<MorphReach>() == 24);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Reach {
-    /// one a palette entry, half-joints behind
+    /// one a palette entry, helpers behind
     pub joints: *mut JointReach,
     pub joint_count: usize,
     /// one a morph target
@@ -4407,8 +4407,8 @@ extern "C" {
     /// not finite, the two are blended as numbers.
     ///
     /// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a centre
-    /// 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
+    /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a
+    /// centre 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
     /// Thread-safe on different outputs; out overlaps none of the inputs.
     #[link_name = "mrw_build_palette_of_joints"]
     pub fn build_palette_of_joints(joints: *const u16, joint_count: usize, bind: *const Affine, bind_count: usize, scene_from_joint: *const Affine, scene_from_joint_count: usize, out: *mut Affine, out_count: usize, helpers: *const Helper, helper_count: usize, centres: *const f32, centre_count: usize) -> Status;
@@ -4922,7 +4922,7 @@ extern "C" {
     #[link_name = "mrw_gles3_bake_crowd"]
     pub fn gles3_bake_crowd(skeleton: *const Skeleton, sources: *const Gles3CrowdSource, source_count: usize, clips: *const Gles3CrowdClip, clip_count: usize, scratch: *mut SoaTransform, scratch_count: usize, matrices: *mut Affine, matrice_count: usize, out: *mut Gles3CrowdFrames) -> Status;
     /// Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
-    /// are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+    /// are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
     /// is linear in the drawing too.
     /// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
     /// scene_from_character beyond 1e12).

@@ -2113,7 +2113,7 @@ export interface MorphReach extends View {
  */
 export interface Reach extends View {
   /**
-   * one a palette entry, half-joints behind
+   * one a palette entry, helpers behind
    */
   joints: List<JointReach>;
   /**
@@ -3973,8 +3973,8 @@ export class Marrow {
    * not finite, the two are blended as numbers.
    *
    * The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-   * Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a centre
-   * 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
+   * Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a
+   * centre 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
    * Thread-safe on different outputs; out overlaps none of the inputs.
    */
   build_palette_of_joints(joints: List<number> | null, bind: List<Affine> | null, scene_from_joint: List<Affine> | null, out: List<Affine> | null, helpers: List<Helper> | null, centres: List<number> | null): Status;
@@ -4519,7 +4519,7 @@ export class Marrow {
   gles3_bake_crowd(skeleton: Skeleton | null, sources: List<Gles3CrowdSource> | null, clips: List<Gles3CrowdClip> | null, scratch: List<SoaTransform> | null, matrices: List<Affine> | null, out: Gles3CrowdFrames | null): Status;
   /**
    * Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
-   * are drawn, so that what is put there stays on the surface. What half-joints of a palette do between frames and clips
+   * are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
    * is linear in the drawing too.
    * Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
    * scene_from_character beyond 1e12).
