@@ -162,8 +162,8 @@ struct Room {
 
 const std::vector<Room> kRooms = {
     {"deform", {}},
-    {"deform/fit", {"deform", "deform/helpers"}},
     {"deform/helpers", {"deform"}},
+    {"deform/fit", {"deform", "deform/helpers"}},
     {"deform/motion", {"deform"}},
     {"deform/simplify", {"deform"}},
     {"deform/weights", {"deform"}},
