@@ -117,17 +117,19 @@ Distance distance_from_loop(const File& coarse, const File& fine, double match_w
   return out;
 }
 
-// The newt measures 1.6 m. Without quantisation single precision is left, and points that would follow nine joints or
-// more: one in two hundred.
+// The newt measures 1.6 m. Without quantisation single precision is left, and points that would follow nine palette
+// entries or more. Neighbours follow different helpers, so that is one in twelve, 0.005 mm RMS and 0.34 mm at worst.
+constexpr double kMostOff = 0.1;
+
 TEST(CookSubdivide, PosingTheFinerNewtIsSubdividingThePosedOne) {
   const LoadedCook fine(cook_file(kNewt, finer(1)));
   ASSERT_NE(fine.file.mesh(0).geometry.as_residual, nullptr);
   ASSERT_GT(fine.file.mesh(0).helpers.size, 0u);
   EXPECT_EQ(fine.report["warnings"][0]["rule"], "influences-dropped");
   const Distance distance = distance_from_loop(fitted_newt().file, fine.file, 1e-6);
-  EXPECT_LT(distance.off, 0.005);
-  EXPECT_LT(distance.rms, 2e-6);
-  EXPECT_LT(distance.worst, 3e-4);
+  EXPECT_LT(distance.off, kMostOff);
+  EXPECT_LT(distance.rms, 6e-6);
+  EXPECT_LT(distance.worst, 4e-4);
 }
 
 // Packed, positions are rounded by up to 0.09 mm, weights by 1/4000 of how far joints take a vertex apart, residuals by
@@ -195,7 +197,7 @@ TEST(CookSubdivide, SeamsStayClosed) {
   }
   EXPECT_GT(seam.size(), 100u);
   // And it is the body that it was without the seam.
-  EXPECT_LT(distance_from_loop(fitted_newt().file, fine.file, 1e-6).off, 0.005);
+  EXPECT_LT(distance_from_loop(fitted_newt().file, fine.file, 1e-6).off, kMostOff);
 }
 
 class FinerCodecs : public testing::TestWithParam<MeshCodec> {};
