@@ -17,9 +17,9 @@ namespace marrow::gles3 {
 namespace {
 
 constexpr std::uint32_t kWidth = 2048, kMostLines = 2048;  // what GLES 3.0 promises
-constexpr std::size_t kTexelBytes = 8;
+constexpr std::size_t kChangeBytes = 8;
 
-Changes changes_of(const Geometry& g) {
+Changes example_changes(const Geometry& g) {
   return {g.pose_space.blocks, g.index_bytes == 4, g.pose_space.records};
 }
 
@@ -50,7 +50,7 @@ class Rows {
 std::uint64_t number_rows(const Geometry& g, const Rows& rows) {
   for (std::uint32_t slot = 0; slot < g.slot_count; ++slot) rows.set(slot, 0);
   for (const MorphTarget& example : g.pose_space.examples)
-    for_each_moved(changes_of(g), example,
+    for_each_moved(example_changes(g), example,
                    [&](std::uint32_t slot, const std::int16_t*, std::uint32_t) { rows.set(slot, rows.get(slot) + 1); });
   std::uint64_t total = 0;
   for (std::uint32_t slot = 0; slot < g.slot_count; ++slot) {
@@ -65,7 +65,7 @@ std::uint64_t number_rows(const Geometry& g, const Rows& rows) {
 double common_step(const Geometry& g) {
   double largest = 0;
   for (const MorphTarget& example : g.pose_space.examples)
-    for_each_moved(changes_of(g), example, [&](std::uint32_t, const std::int16_t* records, std::uint32_t lane) {
+    for_each_moved(example_changes(g), example, [&](std::uint32_t, const std::int16_t* records, std::uint32_t lane) {
       for (std::uint32_t c = 0; c < 3; ++c) {
         const double change = double{example.position_step} * records[4 * c + lane];
         if (change > largest) largest = change;
@@ -81,7 +81,7 @@ void fill_texels(const Geometry& g, const Rows& rows, double step, std::int16_t*
   for (const MorphTarget& example : g.pose_space.examples) {
     ++number;
     const double scale = double{example.position_step} / step;
-    for_each_moved(changes_of(g), example, [&](std::uint32_t slot, const std::int16_t* records, std::uint32_t lane) {
+    for_each_moved(example_changes(g), example, [&](std::uint32_t slot, const std::int16_t* records, std::uint32_t lane) {
       const std::uint32_t row = rows.get(slot);
       std::int16_t* const texel = texels + std::size_t{4} * row;
       for (std::uint32_t c = 0; c < 3; ++c) {
@@ -108,7 +108,7 @@ void fill_texels(const Geometry& g, const Rows& rows, double step, std::int16_t*
 std::size_t example_scratch_bytes(const Geometry& g) {
   std::size_t most = 0;
   for (const MorphTarget& example : g.pose_space.examples) most += std::size_t{4} * example.block_count;
-  return g.pose_space.examples.empty() ? 0 : (most + kWidth) * kTexelBytes;
+  return g.pose_space.examples.empty() ? 0 : (most + kWidth) * kChangeBytes;
 }
 
 Status make_examples(const Api& api, const Geometry& g, float half_extent, std::byte* vertices, Span<std::byte> scratch,
@@ -117,7 +117,7 @@ Status make_examples(const Api& api, const Geometry& g, float half_extent, std::
   const std::uint64_t lines = number_rows(g, rows) / kWidth + 1;
   if (lines > kMostLines) return Status::unsupported;
   auto* const texels = reinterpret_cast<std::int16_t*>(scratch.data);
-  std::memset(texels, 0, lines * kWidth * kTexelBytes);
+  std::memset(texels, 0, lines * kWidth * kChangeBytes);
   const double step = common_step(g);
   fill_texels(g, rows, step, texels);
   out.example_step = static_cast<float>(step / double{half_extent});

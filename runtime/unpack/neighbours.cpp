@@ -43,7 +43,7 @@ void for_each_side(const MeshStreams& mesh, const std::uint32_t* leader, const F
 
 }  // namespace
 
-bool find_neighbours(const MeshStreams& mesh, Memory& memory, Neighbours& out) {
+bool find_neighbours(const MeshStreams& mesh, Memory& memory, MeshNeighbours& out) {
   const std::uint32_t count = mesh.vertex_count;
   out.leader = memory.take<std::uint32_t>(count).data;
   out.first = memory.take<std::uint32_t>(count).data;

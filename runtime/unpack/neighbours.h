@@ -6,7 +6,7 @@
 
 namespace marrow {
 
-struct Neighbours {
+struct MeshNeighbours {
   std::uint32_t* leader =
       nullptr;                     // of each vertex the first that lies where it does and follows the same joints alike
   std::uint32_t* first = nullptr;  // of each vertex in `all`, which has entries for leaders alone
@@ -25,6 +25,6 @@ constexpr std::uint64_t neighbours_bytes(std::uint64_t vertex_count, std::uint64
 
 // The streams are checked: indices, joints. Triangles between fewer than three leaders do not count. Returns false if
 // the memory does not suffice. Cost: one sort of the vertices.
-bool find_neighbours(const MeshStreams& mesh, Memory& memory, Neighbours& out);
+bool find_neighbours(const MeshStreams& mesh, Memory& memory, MeshNeighbours& out);
 
 }  // namespace marrow

@@ -30,7 +30,7 @@ void spread_weights(const MeshStreams& mesh, const ResidualTable& table, std::in
   const Stream &joints = *mesh.find(StreamKind::joints), &weights = *mesh.find(StreamKind::weights);
   for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
     const std::uint32_t own = influence_count(mesh, v);
-    const JointSet set = table.set_of(v);
+    const EntrySet set = table.set_of(v);
     std::int32_t left = (1 << weights.bits) - 1;
     std::int32_t* const to = out + std::size_t{v} * (table.influences - 1);
     for (std::uint32_t j = 0; j + 1 < table.influences; ++j) to[j] = 0;
@@ -107,7 +107,7 @@ bool shift_by_guess(const ResidualInWork& work, std::int32_t sign) {
   const ResidualGuess guess(work.smoothed, apart.step_of_w, step_in_positions);
   bool fits = true;
   for (std::uint32_t v = 0; v < work.mesh.vertex_count; ++v) {
-    const JointSet set = work.table.set_of(v);
+    const EntrySet set = work.table.set_of(v);
     ResidualRows guessed;
     guess(work.near.leader[v], set, guessed);
     for (std::uint32_t j = 0; j < set.count; ++j)

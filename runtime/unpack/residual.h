@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kResidualBits = packed::kMaxValueBits;
 // A residual on its way from its bits to streams. What it points at, and it, lie where nothing moves them.
 struct ResidualInWork {
   MeshStreams mesh;  // linear blend skinning's
-  Neighbours near;
+  MeshNeighbours near;
   Smoothed smoothed;
   ResidualTable table;
   std::int32_t* weights = nullptr;  // influences - 1 a vertex, as those of a stream

@@ -9,7 +9,7 @@
 namespace marrow {
 
 // What a vertex follows, ascending.
-struct JointSet {
+struct EntrySet {
   std::int32_t joints[kMaxInfluences] = {};
   std::uint32_t count = 0;
 
@@ -47,14 +47,14 @@ struct ResidualTable {
   std::int32_t* joints = nullptr;           // influences a vertex; the last repeats
   std::int32_t* rows[kMaxInfluences] = {};  // an influence: four a vertex
 
-  JointSet set_of(std::uint32_t vertex) const {
+  EntrySet set_of(std::uint32_t vertex) const {
     const std::int32_t* const from = joints + std::size_t{vertex} * influences;
-    JointSet out;
+    EntrySet out;
     do out.joints[out.count] = from[out.count];
     while (++out.count < influences && from[out.count] != from[out.count - 1]);
     return out;
   }
-  void write_set(std::uint32_t vertex, const JointSet& set) const {
+  void write_set(std::uint32_t vertex, const EntrySet& set) const {
     for (std::uint32_t j = 0; j < influences; ++j)
       joints[std::size_t{vertex} * influences + j] = set.joints[j < set.count ? j : set.count - 1];
   }
@@ -70,7 +70,7 @@ class ResidualGuess {
   ResidualGuess(const Smoothed& smoothed, float step_of_w, double step_in_positions)
       : smoothed_(&smoothed), of_w_(1.0 / static_cast<double>(step_of_w)), of_d_(1.0 / step_in_positions) {}
 
-  void operator()(std::uint32_t leader, const JointSet& set, ResidualRows& out) const {
+  void operator()(std::uint32_t leader, const EntrySet& set, ResidualRows& out) const {
     const Smoothed::Joints joints = smoothed_->of(leader);
     std::int32_t weights[kMaxInfluences] = {}, own[kMaxInfluences] = {};
     double offsets[kMaxInfluences][3] = {}, offset[3] = {};
@@ -114,7 +114,7 @@ class ResidualGuess {
 template <class Coder>
 class ResidualCodec {
  public:
-  ResidualCodec(const MeshStreams& mesh, const Neighbours& near, const Smoothed& smoothed, bool is_smoothed,
+  ResidualCodec(const MeshStreams& mesh, const MeshNeighbours& near, const Smoothed& smoothed, bool is_smoothed,
                 const ResidualTable& table, ResidualModels& models, Coder& coder)
       : mesh_(mesh),
         near_(near),
@@ -134,7 +134,7 @@ class ResidualCodec {
       return true;
     }
     find_earlier(vertex, leader);
-    JointSet set;
+    EntrySet set;
     if (!code_set(vertex, leader, set)) return false;
     table_.write_set(vertex, set);
     return code_rows(vertex, set);
@@ -162,7 +162,7 @@ class ResidualCodec {
       for (int c = 0; c < 4; ++c) row(j, to)[c] = row(j, from)[c];
   }
 
-  // Neighbours that have been coded.
+  // MeshNeighbours that have been coded.
   void find_earlier(std::uint32_t vertex, std::uint32_t leader) {
     earlier_count_ = 0;
     const std::uint32_t* const all = near_.all + near_.first[leader];
@@ -179,9 +179,9 @@ class ResidualCodec {
     return earlier_count_ == 0 ? 0 : count == 0 ? 1 : count < earlier_count_ ? 2 : 3;
   }
 
-  bool code_set(std::uint32_t vertex, std::uint32_t leader, JointSet& set) {
+  bool code_set(std::uint32_t vertex, std::uint32_t leader, EntrySet& set) {
     const Smoothed::Joints joints = smoothed_.of(leader);
-    const JointSet wanted = Coder::kEncodes ? table_.set_of(vertex) : JointSet();
+    const EntrySet wanted = Coder::kEncodes ? table_.set_of(vertex) : EntrySet();
     for (std::uint32_t j = 0; j < joints.own; ++j) {
       if (set.has(joints.carried[j].joint)) return false;
       set.add(joints.carried[j].joint);
@@ -210,7 +210,7 @@ class ResidualCodec {
   }
 
   // Joints that nothing hinted at.
-  bool code_others(const JointSet& wanted, JointSet& set) {
+  bool code_others(const EntrySet& wanted, EntrySet& set) {
     BitModel& model = models_.is_another[earlier_count_ > 0 ? 1 : 0];
     while (set.count < table_.influences && coder_.bit(model, set.count < wanted.count)) {
       std::int32_t next = 0;
@@ -240,7 +240,7 @@ class ResidualCodec {
   }
   static std::int64_t size_of(std::int32_t x) { return 16 * std::int64_t{x < 0 ? -x : x}; }
 
-  bool code_rows(std::uint32_t vertex, const JointSet& set) {
+  bool code_rows(std::uint32_t vertex, const EntrySet& set) {
     Seen all, of_joint[kMaxInfluences];
     std::uint32_t zeros = 0;
     for (std::uint32_t i = 0; i < earlier_count_; ++i) {
@@ -262,7 +262,7 @@ class ResidualCodec {
     return as_guessed || code_numbers(vertex, set, all, of_joint);
   }
 
-  bool code_numbers(std::uint32_t vertex, const JointSet& set, const Seen& all,
+  bool code_numbers(std::uint32_t vertex, const EntrySet& set, const Seen& all,
                     const Seen (&of_joint)[kMaxInfluences]) {
     std::int64_t here[2] = {}, here_count[2] = {};
     std::int32_t sum[4] = {};
@@ -323,14 +323,14 @@ class ResidualCodec {
   }
 
   const MeshStreams& mesh_;
-  const Neighbours& near_;
+  const MeshNeighbours& near_;
   const Smoothed& smoothed_;
   std::int64_t mean_divisor_;
   ResidualTable table_;
   ResidualModels& models_;
   Coder& coder_;
   std::uint32_t earlier_[kMostEarlier], earlier_count_ = 0;
-  JointSet sets_[kMostEarlier];
+  EntrySet sets_[kMostEarlier];
 };
 
 }  // namespace marrow

@@ -38,7 +38,7 @@ std::int32_t Smoothed::own_weight(std::uint32_t leader, std::uint32_t influence)
   return left;
 }
 
-bool Smoothed::begin(const MeshStreams& mesh, const Neighbours& near, std::uint32_t iterations, std::uint32_t share,
+bool Smoothed::begin(const MeshStreams& mesh, const MeshNeighbours& near, std::uint32_t iterations, std::uint32_t share,
                      Memory& memory) {
   const std::uint64_t count = mesh.vertex_count;
   mesh_ = &mesh;
@@ -110,7 +110,7 @@ void Smoothed::begin_own(std::uint32_t joint) {
 }
 
 void Smoothed::iterate() {
-  const Neighbours& near = *near_;
+  const MeshNeighbours& near = *near_;
   const std::uint32_t end = active_count_;
   for (; grown_ < end; ++grown_) {
     const std::uint32_t v = active_[grown_];

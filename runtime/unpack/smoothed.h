@@ -39,7 +39,7 @@ class Smoothed {
   static std::uint64_t bytes(const MeshStreams& mesh, std::uint32_t iterations);
   // share: of the way to the mean that a step goes, of kWholeStep. Both must outlive this. Returns false if the memory
   // does not suffice.
-  bool begin(const MeshStreams& mesh, const Neighbours& near, std::uint32_t iterations, std::uint32_t share,
+  bool begin(const MeshStreams& mesh, const MeshNeighbours& near, std::uint32_t iterations, std::uint32_t share,
              Memory& memory);
   // Smooths some joints, those that come next, until that is a good step's work. Returns null, or the rule that is
   // broken: joints that spread so far that it would take too long.
@@ -55,7 +55,7 @@ class Smoothed {
   void keep(std::uint32_t joint);
 
   const MeshStreams* mesh_ = nullptr;
-  const Neighbours* near_ = nullptr;
+  const MeshNeighbours* near_ = nullptr;
   std::uint32_t iterations_ = 0, joint_count_ = 0, joint_ = 0;
   std::int32_t one_ = 0;
   std::uint32_t weight_shift_ = 0, place_shift_ = 0;

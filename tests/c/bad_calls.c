@@ -16,7 +16,7 @@
 #define CALLS "bad_calls.h"
 #endif
 
-enum { kObjects = 12, kObjectBytes = 16384 };
+enum { kObjects = 12, kObjectBytes = 32768 };
 
 // What the arguments of a call are.
 typedef struct Round {
