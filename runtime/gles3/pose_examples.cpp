@@ -81,16 +81,17 @@ void fill_texels(const Geometry& g, const Rows& rows, double step, std::int16_t*
   for (const MorphTarget& example : g.pose_space.examples) {
     ++number;
     const double scale = double{example.position_step} / step;
-    for_each_moved(example_changes(g), example, [&](std::uint32_t slot, const std::int16_t* records, std::uint32_t lane) {
-      const std::uint32_t row = rows.get(slot);
-      std::int16_t* const texel = texels + std::size_t{4} * row;
-      for (std::uint32_t c = 0; c < 3; ++c) {
-        const double change = scale * records[4 * c + lane];
-        texel[c] = static_cast<std::int16_t>(change < 0 ? change - 0.5 : change + 0.5);
-      }
-      texel[3] = number;
-      rows.set(slot, row + 1);
-    });
+    for_each_moved(example_changes(g), example,
+                   [&](std::uint32_t slot, const std::int16_t* records, std::uint32_t lane) {
+                     const std::uint32_t row = rows.get(slot);
+                     std::int16_t* const texel = texels + std::size_t{4} * row;
+                     for (std::uint32_t c = 0; c < 3; ++c) {
+                       const double change = scale * records[4 * c + lane];
+                       texel[c] = static_cast<std::int16_t>(change < 0 ? change - 0.5 : change + 0.5);
+                     }
+                     texel[3] = number;
+                     rows.set(slot, row + 1);
+                   });
   }
   // Each row has come to the next one's first.
   std::uint32_t first = 0;
