@@ -40,6 +40,15 @@ void expect_range_of_motion(const nlohmann::json& motion) {
   EXPECT_LT(rows.at("as_helpers_fit4").at("of_ssd").get<double>(), 0.3);
 }
 
+// Whether the table has a program for the three GPUs that compare names.
+bool is_told(const nlohmann::json& costs, const char* program) {
+  const auto found = costs["programs"].find(program);
+  if (found == costs["programs"].end()) return false;
+  for (const std::size_t gpu : {2u, 6u, 8u})
+    if ((*found)[gpu].is_null()) return false;
+  return true;
+}
+
 // The figures of a study of this cylinder are 0.35 and 0.05 of linear blend skinning's error.
 TEST(Compare, TheCylinder) {
 #ifdef __SANITIZE_ADDRESS__
@@ -66,7 +75,7 @@ TEST(Compare, TheCylinder) {
     for (const char* const field : {"influences", "palette_entries"})
       EXPECT_EQ(rows[name].at(field).is_number(), is_cooked) << name << " " << field;
     const bool on_gpu = is_cooked && std::string(name) != "mwe" &&
-                        (std::string(name) != "psd" || costs["programs"].contains("ubo/psd/4/pn/colour"));
+                        (std::string(name) != "psd" || is_told(costs, "ubo/psd/4/pn/colour"));
     for (const char* const field : {"mali_cycles", "adreno_instructions", "videocore_instructions"})
       EXPECT_EQ(rows[name].at(field).is_number(), on_gpu) << name << " " << field;
     // Counted only where the processor's counter can be read; a kernel takes some tens.

@@ -36,6 +36,19 @@ std::uint32_t most_influences(const Geometry& g) {
   return out;
 }
 
+std::size_t index_of(const json& names, const char* name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+constexpr const char *kMali = "Mali-G57", *kAdreno = "Adreno 660", *kVideocore = "V3D 4.2";
+
+// Whether the table has all three of them for a program.
+bool is_told(const json& program) {
+  const json& gpus = table().at("gpus");
+  return std::ranges::none_of(std::initializer_list{kMali, kAdreno, kVideocore},
+                              [&](const char* gpu) { return program.at(index_of(gpus, gpu)).is_null(); });
+}
+
 // The program of the fewest influences that has as many; null: none.
 const json* find_program(const char* path, GpuDeformer deformer, std::uint32_t influences,
                          const std::string& attributes) {
@@ -44,16 +57,13 @@ const json* find_program(const char* path, GpuDeformer deformer, std::uint32_t i
     const std::string name =
         fmt::format("{}/{}/{}/{}/colour", path, kNames[static_cast<std::size_t>(deformer)], n, attributes);
     const auto found = table().at("programs").find(name);
-    if (found != table().at("programs").end()) return &*found;
+    if (found != table().at("programs").end() && is_told(*found)) return &*found;
   }
   return nullptr;
 }
 
 // Lowers `cost` to what the program costs on a GPU, and says of it whether it spills there.
 void take_lower(const json& program, const char* gpu, const char* figure, double& cost, bool& spills) {
-  const auto index_of = [](const json& names, const char* name) {
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-  };
   const json& figures = program.at(index_of(table().at("gpus"), gpu));
   const double value = figures.at(index_of(table().at("figures"), figure)).get<double>();
   if (cost > 0 && value >= cost) return;
@@ -81,9 +91,9 @@ std::optional<VertexCost> vertex_cost(const Geometry& geometry, GpuDeformer defo
     const json* const program = find_program(path, deformer, influences, attributes);
     if (program == nullptr) continue;
     found = true;
-    take_lower(*program, "Mali-G57", "cycles", out.mali_cycles, spills[0]);
-    take_lower(*program, "Adreno 660", "instructions", out.adreno_instructions, spills[1]);
-    take_lower(*program, "V3D 4.2", "instructions", out.videocore_instructions, spills[2]);
+    take_lower(*program, kMali, "cycles", out.mali_cycles, spills[0]);
+    take_lower(*program, kAdreno, "instructions", out.adreno_instructions, spills[1]);
+    take_lower(*program, kVideocore, "instructions", out.videocore_instructions, spills[2]);
   }
   out.spills = spills[0] || spills[1] || spills[2];
   return found ? std::optional(out) : std::nullopt;
