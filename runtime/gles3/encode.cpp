@@ -244,7 +244,9 @@ VertexLayout make_layout(const Mesh& mesh, bool as_tangents, bool psd) {
     layout.example_row = layout.ssd_stride;
     layout.ssd_stride += 4;
   }
-  layout.surface_normals = as_tangents && g.normals != nullptr && g.targets.empty();
+  // Twelve vectors, joints, UVs and colours are all sixteen attributes; some drivers count gl_InstanceID as one more.
+  const bool has_room = layout.influences < 8 || g.uvs == nullptr || g.colours == nullptr;
+  layout.surface_normals = as_tangents && has_room && g.normals != nullptr && g.targets.empty();
   layout.as_tangents = 8 * layout.influences;
   layout.as_joints = layout.as_tangents + (layout.surface_normals ? 16 * layout.influences : 0);
   layout.as_stride = layout.as_joints + layout.joint_bytes * joint_places(layout);
