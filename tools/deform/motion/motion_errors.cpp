@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t kRings = 7;
 constexpr std::size_t kLeastPoints = 3;
-constexpr double kLeastShare = 1e-3;   // of a vertex that belongs to both sides
-constexpr double kLeastVolume = 0.05;  // of what it would be if all triangles faced outwards
-constexpr double kRounding = 1e-9;     // of SSD's distance, and of the diagonal
+constexpr double kLeastBothSides = 1e-3;  // of a vertex that belongs to both sides
+constexpr double kLeastVolume = 0.05;     // of what it would be if all triangles faced outwards
+constexpr double kRounding = 1e-9;        // of SSD's distance, and of the diagonal
 
 // A point of an edge.
 struct Cut {
@@ -33,8 +33,8 @@ class Border {
       for (std::size_t i = 0; i < 3; ++i) {
         cut(mesh.indices[t + i], mesh.indices[t + (i + 1) % 3]);
         const double share = shares_[mesh.indices[t + i]];
-        both = both || (share > kLeastShare && share < 1 - kLeastShare) ||
-               std::abs(share - shares_[mesh.indices[t]]) > kLeastShare;
+        both = both || (share > kLeastBothSides && share < 1 - kLeastBothSides) ||
+               std::abs(share - shares_[mesh.indices[t]]) > kLeastBothSides;
       }
       if (both) triangles_.push_back(t);
     }

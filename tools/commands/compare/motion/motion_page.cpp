@@ -7,27 +7,27 @@
 namespace marrow::tools {
 namespace {
 
-struct Column {
+struct MotionColumn {
   const char* heading;
   int decimals;
   std::optional<double> (*value)(const MotionRow& row);
 };
-using Row = const MotionRow&;
-constexpr Column kColumns[] = {
-    {"poses worse than SSD", 0, [](Row r) { return std::optional(static_cast<double>(r.worse)); }},
-    {"the same, of those that fold", 0, [](Row r) { return std::optional(static_cast<double>(r.worse_folding)); }},
-    {"RMS of SSD's", 3, [](Row r) { return std::optional(r.of_ssd); }},
-    {"in the worst pose", 2, [](Row r) { return std::optional(r.worst_of_ssd); }},
-    {"ring radius, twisted", 2, [](Row r) { return r.ring_over_bind; }},
-    {"of the truth's", 2, [](Row r) { return r.ring_over_truth; }},
-    {"volume of the truth's", 2, [](Row r) { return r.volume_over_truth; }},
-    {"flipped triangles", 0, [](Row r) { return std::optional(static_cast<double>(r.flipped)); }},
+constexpr MotionColumn kMotionColumns[] = {
+    {"poses worse than SSD", 0, [](const MotionRow& r) { return std::optional(static_cast<double>(r.worse)); }},
+    {"the same, of those that fold", 0,
+     [](const MotionRow& r) { return std::optional(static_cast<double>(r.worse_folding)); }},
+    {"RMS of SSD's", 3, [](const MotionRow& r) { return std::optional(r.of_ssd); }},
+    {"in the worst pose", 2, [](const MotionRow& r) { return std::optional(r.worst_of_ssd); }},
+    {"ring radius, twisted", 2, [](const MotionRow& r) { return r.ring_over_bind; }},
+    {"of the truth's", 2, [](const MotionRow& r) { return r.ring_over_truth; }},
+    {"volume of the truth's", 2, [](const MotionRow& r) { return r.volume_over_truth; }},
+    {"flipped triangles", 0, [](const MotionRow& r) { return std::optional(static_cast<double>(r.flipped)); }},
 };
 
 std::string head(const std::string& first, bool with_poses) {
   std::string out = fmt::format("<div class=\"wide\"><table><thead><tr><th>{}</th>", first);
   if (with_poses) out += "<th>poses</th><th>that fold</th>";
-  for (const Column& column : kColumns) out += fmt::format("<th>{}</th>", column.heading);
+  for (const MotionColumn& column : kMotionColumns) out += fmt::format("<th>{}</th>", column.heading);
   return out + "</tr></thead>\n<tbody>\n";
 }
 
@@ -35,9 +35,9 @@ std::string cell(std::size_t count) {
   return fmt::format("<td data-value=\"{0}\">{0}</td>", count);
 }
 
-std::string cells(Row row) {
+std::string cells(const MotionRow& row) {
   std::string out;
-  for (const Column& column : kColumns) {
+  for (const MotionColumn& column : kMotionColumns) {
     const std::optional<double> value = column.value(row);
     out += value ? fmt::format("<td data-value=\"{:.9g}\">{:.{}f}</td>", *value, *value, column.decimals)
                  : std::string("<td data-value=\"\">–</td>");

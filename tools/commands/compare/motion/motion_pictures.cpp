@@ -12,7 +12,7 @@
 namespace marrow::tools {
 namespace {
 
-constexpr int kSide = 600;
+constexpr int kMotionSide = 600;
 
 // Of those in which the truth does not fold the one with the largest error.
 std::size_t farthest_pose(const MotionStudy& motion, std::size_t deformer) {
@@ -97,7 +97,7 @@ std::vector<PictureRow> draw_worst_joints(const Study& study, const DeformerComp
   const std::size_t judged = deformers.back();
   const std::string& name = comparison.rows[judged].deformer;
   const std::size_t farthest = farthest_pose(motion, judged), narrowest = motion.of[judged].narrowest_pose;
-  Stage stage(study, kSide);
+  Stage stage(study, kMotionSide);
   const auto add = [&](std::size_t number, const char* why) {
     const deform::MotionPose& pose = study.motion.poses[number];
     const deform::Matrix by = standing(study, pose.joint);
