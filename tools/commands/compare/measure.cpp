@@ -115,6 +115,8 @@ PoseErrors pose_errors(const Shape& shape, const Trained& trained, const deform:
   return out;
 }
 
+constexpr double kRounding = 1e-9;  // of squared errors, and of the diagonal
+
 // Sums over rounds.
 struct Totals {
   double train_squares = 0, held_squares = 0, normal_rad = 0, blended_normal_rad = 0, volume = 0;
@@ -136,6 +138,7 @@ void measure_round(const Shape& shape, const Trained& trained, const deform::Def
     }
   });
   const auto vertices = static_cast<double>(shape.mesh.positions.size());
+  const double rounding = vertices * std::pow(kRounding * deform::diagonal(shape.mesh), 2);
   for (const PoseErrors& e : train) {
     totals.train_squares += e.squares;
     row.train_max = std::max(row.train_max, e.largest);
@@ -143,7 +146,7 @@ void measure_round(const Shape& shape, const Trained& trained, const deform::Def
   const bool first = totals.held == 0;
   for (const PoseErrors& e : held) {
     totals.held_squares += e.squares;
-    totals.worse += e.squares > e.ssd_squares * (1 + 1e-9);
+    totals.worse += e.squares > e.ssd_squares * (1 + kRounding) + rounding;
     totals.volume += e.volume;
     totals.normal_rad += e.normal_rad;
     totals.blended_normal_rad += e.blended_normal_rad;
