@@ -204,6 +204,22 @@ TEST(CookAs, ReportsWhatWasLearnt) {
   EXPECT_EQ(run_marrow({"pose", out, "--deformer", "as", "-o", folder / "p.obj"}).code, 0);
 }
 
+TEST(CookAs, TakesHelpersWhereRotationsAreTheTruth) {
+  const TemporaryFolder folder;
+  const auto cooked = [&](const std::string& truth, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {
+        "cook", in_golden("elbow.gltf"), "-o", folder / "e.mrw", "--as", "fit", "--truth", truth};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_marrow(arguments).code, 0) << truth;
+    return read_text(folder / "e.mrw");
+  };
+  for (const char* const truth : {"dqs", "cor"}) {
+    EXPECT_EQ(cooked(truth, {}), cooked(truth, {"--helpers", "auto"})) << truth;
+    EXPECT_NE(cooked(truth, {}), cooked(truth, {"--helpers", "0"})) << truth;
+  }
+  EXPECT_EQ(cooked("delta-mush", {}), cooked("delta-mush", {"--helpers", "0"}));
+}
+
 TEST(CookAs, MultiWeightsAndPoseSpaceStandInTheReport) {
   const TemporaryFolder folder;
   for (const char* const codec : {"none", "draco", "meshopt"}) {

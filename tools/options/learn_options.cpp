@@ -65,7 +65,8 @@ constexpr Option kLearnOptions[] = {
      OptionKind::text,
      "N|auto",
      "matrices between those of joints that vertices share, at most so many a mesh, for --as lift and --as fit: "
-     "elbows keep their shape, wrists their volume; auto: as many as the mesh is worth",
+     "elbows keep their shape, wrists their volume; auto: as many as the mesh is worth, the default of --as fit "
+     "--truth cor and dqs; else the default is 0",
      {},
      [](CookOptions& o, const Value& v) {
        o.learn.helpers = v.text == "auto" ? kAutoHelpers : whole_number(v, 0, kMostHelpers);

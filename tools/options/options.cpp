@@ -88,6 +88,11 @@ CookOptions to_options(const Given& given) {
       option.set(options, value);
     }
   }
+  // Of what blends rotations; beside delta mush helpers do not pay.
+  LearnOptions& learn = options.learn;
+  if (learn.animation_space == AnimationSpace::fit && !given.contains("helpers") &&
+      (learn.truth == Truth::dual_quaternions || learn.truth == Truth::centres_of_rotation))
+    learn.helpers = kAutoHelpers;
   refuse_idle(options, given);
   refuse_with_subdivide(options, given);
   return options;
