@@ -10,6 +10,7 @@
 #include "cook/learn/check_truth.h"
 #include "cook/skin/joint_motion.h"
 #include "deform/helpers/choose_helpers.h"
+#include "deform/helpers/never_worse.h"
 #include "deform/motion/motion_errors.h"
 #include "marrow/file.h"
 
@@ -97,16 +98,39 @@ std::vector<deform::Pose> only_poses(const std::vector<deform::TrainingPose>& po
   return out;
 }
 
-// Poses of the range of motion in which the truth is one: finite, and not folded. Evenly, so many at most.
-void add_motion(const DeformSource& source, const deform::Deformer& truth, std::vector<deform::TrainingPose>& poses) {
-  constexpr std::size_t kMostPoses = 512;
+// Of the range of motion the poses in which the truth is one: finite, and not folded.
+std::vector<std::size_t> usable_motion(const DeformSource& source, const deform::Deformer& truth) {
   const std::vector<deform::MotionErrors> errors = deform::motion_errors(source.mesh, source.motion, truth, {});
-  std::vector<std::size_t> usable;
+  std::vector<std::size_t> out;
   for (std::size_t i = 0; i < errors.size(); ++i)
-    if (errors[i].is_usable && errors[i].truth_flipped == 0) usable.push_back(i);
-  const std::size_t count = std::min(usable.size(), kMostPoses);
-  for (std::size_t i = 0; i < count; ++i)
-    poses.push_back({source.motion[usable[i * usable.size() / count]].pose(), 0, false, false});
+    if (errors[i].is_usable && errors[i].truth_flipped == 0) out.push_back(i);
+  return out;
+}
+
+// Of them so many at most, evenly.
+std::vector<std::size_t> evenly(const std::vector<std::size_t>& of, std::size_t most) {
+  std::vector<std::size_t> out;
+  const std::size_t count = std::min(of.size(), most);
+  for (std::size_t i = 0; i < count; ++i) out.push_back(of[i * of.size() / count]);
+  return out;
+}
+
+// Vertices that helpers would take farther from the truth than linear blend skinning follow their joints again: judged
+// by the range of motion, and by `clips` where nothing was learnt from those.
+void keep_ssd_where_worse(const DeformSource& source, const deform::Deformer& truth,
+                          const std::vector<std::size_t>& motion, const std::vector<deform::Pose>& clips, Learnt& out) {
+  constexpr std::size_t kMostPoses = 1024;
+  const std::vector<std::size_t> looked_at = evenly(motion, kMostPoses);
+  const auto pose = [&](std::size_t i) {
+    return i < clips.size() ? clips[i] : source.motion[looked_at[i - clips.size()]].pose();
+  };
+  const std::vector<char> goes_back =
+      deform::better_by_ssd(source.mesh, out.coordinates, out.helpers, clips.size() + looked_at.size(), pose, truth);
+  for (std::size_t v = 0; v < goes_back.size(); ++v) {
+    if (goes_back[v] == 0) continue;
+    out.weights[v] = source.mesh.influences[v];
+    out.coordinates[v] = deform::lift(out.weights[v], source.mesh.positions[v]);
+  }
 }
 
 }  // namespace
@@ -140,49 +164,34 @@ Trainees find_trainees(const DeformSource& source, const BuiltScene& built, cons
   return trainees(source, built, clip_poses(built, source.skeleton, kTrainedRate_hz, kMostTrained), options.wide_poses);
 }
 
-Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
+namespace {
+
+// Fits over `candidates`, with the closed form as the prior. Not better than SSD in what was left out: SSD's.
+// out: has the helpers, which `form` refers to.
+void fit_to(const DeformSource& source, const deform::Coordinates& candidates, const deform::ClosedForm& form,
+            std::vector<deform::TrainingPose> poses, const deform::Deformer& truth, const LearnOptions& options,
+            Learnt& out) {
+  constexpr std::size_t kMostPoses = 512;
   const deform::SkinnedMesh& mesh = source.mesh;
   const double size_m = deform::diagonal(mesh);
-  Learnt out = as_it_is(mesh);
-  if (mesh.positions.empty() || !(size_m > 0)) return out;
-  if (options.animation_space == AnimationSpace::smooth) {
-    out.coordinates = smoothed(mesh, options);
-    return out;
-  }
-  const bool fits = options.animation_space == AnimationSpace::fit;
-  deform::Coordinates candidates = fits ? guess(mesh, options) : out.coordinates;
-  const deform::SkinnedMesh reach = following(mesh, candidates);
-  const deform::Likeness likeness(reach, only_poses(poses));
-  out.helpers = deform::choose_helpers(reach, likeness, source.centres, most_helpers(mesh, options),
-                                       options.truth == Truth::centres_of_rotation);
-  const deform::ClosedForm form(mesh, out.helpers, likeness);
-  const bool is_lift = !fits || options.truth != Truth::delta_mush;
-  for (std::size_t v = 0; v < candidates.size(); ++v) {
-    out.weights[v] = form.weights_of(v);
-    if (is_lift) candidates[v] = deform::lift(out.weights[v], mesh.positions[v]);
-  }
-  if (!fits) {
-    out.coordinates = std::move(candidates);
-    return out;
-  }
-  add_helpers(deform::ClosedForm(reach, out.helpers, likeness), candidates);
-  const deform::Deformer truth = make_truth(source, options);
-  if (options.helpers != 0) add_motion(source, truth, poses);
+  std::vector<std::size_t> motion;
+  if (options.helpers != 0) motion = usable_motion(source, truth);
+  for (const std::size_t i : evenly(motion, kMostPoses)) poses.push_back({source.motion[i].pose(), 0, false, false});
   for (deform::TrainingPose& p : poses) deform::append_helpers(out.helpers, p.pose);
   deform::FitOptions fit;
   // In most poses of a range of motion most of the mesh is as in the bind pose, where SSD is exact.
   fit.keep_bind_pose = options.keep_bind_pose || options.helpers != 0;
   fit.weights = &form;
-  fit.is_lift = is_lift;
+  fit.is_lift = options.truth != Truth::delta_mush;
   fit.most_joints = most_joints(options);
   fit.progress = options.progress;
   deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), truth, deform::ssd(mesh), fit);
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
   if (!(fitted.quality.share < 1)) {
-    Learnt kept = as_it_is(mesh);
-    kept.quality = fitted.quality;
-    return kept;
+    out = as_it_is(mesh);
+    out.quality = fitted.quality;
+    return;
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     std::vector<std::uint32_t> entries;
@@ -190,6 +199,40 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
     out.weights[v] = form.weights_of(v, entries).value_or(mesh.influences[v]);
   }
   out.coordinates = std::move(fitted.coordinates);
+  keep_ssd_where_worse(source, truth, motion, {}, out);
+}
+
+}  // namespace
+
+Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
+  const deform::SkinnedMesh& mesh = source.mesh;
+  Learnt out = as_it_is(mesh);
+  if (mesh.positions.empty() || !(deform::diagonal(mesh) > 0)) return out;
+  if (options.animation_space == AnimationSpace::smooth) {
+    out.coordinates = smoothed(mesh, options);
+    return out;
+  }
+  const bool fits = options.animation_space == AnimationSpace::fit;
+  if (!fits && options.helpers == 0) return out;
+  deform::Coordinates candidates = fits ? guess(mesh, options) : out.coordinates;
+  const deform::SkinnedMesh reach = following(mesh, candidates);
+  const std::vector<deform::Pose> clips = only_poses(poses);
+  const deform::Likeness likeness(reach, clips);
+  out.helpers = deform::choose_helpers(reach, likeness, source.centres, most_helpers(mesh, options),
+                                       options.truth == Truth::centres_of_rotation);
+  const deform::ClosedForm form(mesh, out.helpers, likeness);
+  for (std::size_t v = 0; v < candidates.size(); ++v) {
+    out.weights[v] = form.weights_of(v);
+    if (!fits || options.truth != Truth::delta_mush) candidates[v] = deform::lift(out.weights[v], mesh.positions[v]);
+  }
+  const deform::Deformer truth = make_truth(source, options);
+  if (fits) {
+    add_helpers(deform::ClosedForm(reach, out.helpers, likeness), candidates);
+    fit_to(source, candidates, form, std::move(poses), truth, options, out);
+    return out;
+  }
+  out.coordinates = std::move(candidates);
+  keep_ssd_where_worse(source, truth, usable_motion(source, truth), clips, out);
   return out;
 }
 
@@ -251,13 +294,13 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   const std::string pointer = mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer;
   const LearnOptions options = with_gentle_steps(given, source.mesh, pointer, notes);
   Trainees trained;
-  if (fits) source.shown = find_examples(options, {scene, mesh, skin, built, source}, notes);
+  if (!smooths) source.shown = find_examples(options, {scene, mesh, skin, built, source}, notes);
   if (!smooths) trained = find_trainees(source, built, options);
   if (fits) {
     drop_spoilt_poses(scene, skin, source.mesh, options.truth, pointer, trained.poses, notes);
-    source.motion = range_of_motion(source, built.skeletons[source.skeleton]).poses;
     report.truth = name_of(options.truth);
   }
+  if (!smooths) source.motion = range_of_motion(source, built.skeletons[source.skeleton]).poses;
   report.poses = trained.poses.size();
   report.made_up = trained.made_up;
   const Learnt learnt = learn(source, std::move(trained.poses), options);

@@ -12,7 +12,6 @@ namespace {
 constexpr int kLevels = 3;  // without helpers, at a half, at quarters
 constexpr int kHelpers[kLevels] = {0, 1, 3};
 constexpr double kLeastGain = 1e-5;
-constexpr double kUnseen = 0.034;  // 1 - cos 15°: joints turn by 30° more than anybody has seen
 
 struct Pair {
   std::uint32_t first, second;
@@ -51,7 +50,7 @@ std::vector<Pair> make_pairs(const SkinnedMesh& mesh, const Likeness& likeness, 
       }
   }
   for (Pair& pair : out) {
-    const double unlike = 1 - likeness.of(pair.first, pair.second) + kUnseen;
+    const double unlike = 1 - likeness.of(pair.first, pair.second);
     for (double& missed : pair.missed) missed *= 4 * unlike * unlike;
     if (pair.weight > 0) pair.centre /= pair.weight;
   }

@@ -12,8 +12,7 @@ namespace marrow::deform {
 //
 // What a vertex of weights a and b misses of its pair is 2 a b (1 - G_ij) without a helper, and of the part between two
 // helpers the same of that part; squared, summed over vertices. Without poses pairs so come in the order of Σ (a b)².
-// Joints count as turning by 30° more than poses show, since some will that have not. Steps that gain less than
-// a hundred-thousandth of the first are left out.
+// Steps that gain less than a hundred-thousandth of the first are left out.
 // places: of joints in the bind pose. about_centres: each helper turns about the mean of its vertices' centres of
 // rotation, weighed by (a b)², instead of blending dual quaternions.
 std::vector<Helper> choose_helpers(const SkinnedMesh& mesh, const Likeness& likeness,

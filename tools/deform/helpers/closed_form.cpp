@@ -8,7 +8,8 @@
 namespace marrow::deform {
 namespace {
 
-constexpr double kUnknown = 0.5;  // how alike joints turn of which nothing is known
+constexpr double kUnknown = 0.5;   // how alike joints turn of which nothing is known
+constexpr double kUnseen = 0.034;  // 1 - cos 15°: what a turn of 30° takes off
 constexpr double kNoWeight = 1e-9;
 constexpr double kForbidden = 1e3;  // what an entry costs that must not be used
 
@@ -96,7 +97,7 @@ Likeness::Likeness(const SkinnedMesh& mesh, const std::vector<Pose>& poses) {
     for (auto& [pair, sum] : pairs_)
       sum += std::min(1.0, std::abs(glm::dot(rotations[pair.first], rotations[pair.second])));
   }
-  for (auto& [pair, sum] : pairs_) sum = count > 0 ? sum / static_cast<double>(count) : kUnknown;
+  for (auto& [pair, sum] : pairs_) sum = count > 0 ? sum / static_cast<double>(count) - kUnseen : kUnknown;
 }
 
 double Likeness::of(std::uint32_t i, std::uint32_t j) const {

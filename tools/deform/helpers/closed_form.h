@@ -13,7 +13,8 @@
 
 namespace marrow::deform {
 
-// How alike two joints turn: the mean over poses of |q_i · q_j|, their rotations as quaternions, 0 … 1.
+// How alike two joints turn: the mean over poses of |q_i · q_j|, their rotations as quaternions, less 0.034: joints
+// count as turning by 30° more than poses show, since some will that have not. Without poses 1/2.
 class Likeness {
  public:
   // Of pairs of joints that some vertex follows both of. Poses that are not finite are left out; without any other the
