@@ -49,7 +49,7 @@ std::string verdict(const DeformerComparison& c) {
   const DeformerRow* best = ssd;
   const char* how = "";
   const std::pair<const char*, const char*> choices[] = {{"as_smooth", "--as smooth"},
-                                                         {"as_fit", "--as fit"},
+                                                         {"as_fit", "--as fit --helpers 0"},
                                                          {"as_helpers", "--helpers auto"},
                                                          {"as_helpers_fit4", "--as fit --helpers auto --influences 4"},
                                                          {"as_helpers_fit5", "--as fit --helpers auto"}};
