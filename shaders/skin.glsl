@@ -37,6 +37,7 @@ MARROW_IN(0) uvec4 in_words0;
 MARROW_IN(1) uvec4 in_words1;
 MARROW_IN(2) uvec4 in_words2;
 MARROW_IN(3) uvec4 in_words3;
+#if MARROW_SURFACE_NORMALS
 MARROW_IN(4) uvec4 in_words4;
 MARROW_IN(5) uvec4 in_words5;
 MARROW_IN(6) uvec4 in_words6;
@@ -45,8 +46,10 @@ MARROW_IN(10) uvec4 in_words8;
 MARROW_IN(11) uvec4 in_words9;
 MARROW_IN(14) uvec4 in_words10;
 MARROW_IN(15) uvec4 in_words11;
+#endif
 uvec2 marrow_words(int pair) {
   int i = pair / 2;
+#if MARROW_SURFACE_NORMALS
   uvec4 of_two = i == 0   ? in_words0
                  : i == 1 ? in_words1
                  : i == 2 ? in_words2
@@ -59,6 +62,9 @@ uvec2 marrow_words(int pair) {
                  : i == 9 ? in_words9
                  : i == 10 ? in_words10
                            : in_words11;
+#else
+  uvec4 of_two = i == 0 ? in_words0 : i == 1 ? in_words1 : i == 2 ? in_words2 : in_words3;
+#endif
   return pair % 2 == 0 ? of_two.xy : of_two.zw;
 }
 #endif

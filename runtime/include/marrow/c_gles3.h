@@ -1001,11 +1001,11 @@ enum {
 
 #define MRW_GLES3_VERDICT_COUNT 8u
 
-// Chips that want another order of paths where nothing is timed.
+// Chips that want another order of paths where nothing is timed, and other attributes.
 typedef uint8_t mrw_gles3_gpu_family;
 enum {
   MRW_GLES3_GPU_FAMILY_OTHER = 0,
-  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
   MRW_GLES3_GPU_FAMILY_MALI_G = 1,
 };
 

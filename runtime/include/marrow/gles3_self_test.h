@@ -43,10 +43,10 @@ struct PathResult {
 inline constexpr float kMostPositionError = 0.001f;
 inline constexpr float kMostNormalError = 0.005f;
 
-// Chips that want another order of paths where nothing is timed.
+// Chips that want another order of paths where nothing is timed, and other attributes.
 enum class GpuFamily : std::uint8_t {
   other,
-  mali_g,  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+  mali_g,  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
 };
 inline constexpr std::uint32_t kGpuFamilyCount = 2;
 

@@ -3359,12 +3359,12 @@ public enum Gles3Verdict : byte {
 }
 
 /// <summary>
-/// Chips that want another order of paths where nothing is timed.
+/// Chips that want another order of paths where nothing is timed, and other attributes.
 /// </summary>
 public enum Gles3GpuFamily : byte {
     Other = 0,
     /// <summary>
-    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
     /// </summary>
     MaliG = 1,
 }

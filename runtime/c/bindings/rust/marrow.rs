@@ -3407,13 +3407,13 @@ impl Gles3Verdict {
 
 pub const GLES3_VERDICT_COUNT: u32 = 8;
 
-/// Chips that want another order of paths where nothing is timed.
+/// Chips that want another order of paths where nothing is timed, and other attributes.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gles3GpuFamily(pub u8);
 impl Gles3GpuFamily {
     pub const OTHER: Self = Self(0);
-    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
     pub const MALI_G: Self = Self(1);
 }
 

@@ -527,12 +527,12 @@ export const Gles3Verdict: {
 export type Gles3Verdict = number;
 
 /**
- * Chips that want another order of paths where nothing is timed.
+ * Chips that want another order of paths where nothing is timed, and other attributes.
  */
 export const Gles3GpuFamily: {
   readonly OTHER: number;
   /**
-   * Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+   * Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
    */
   readonly MALI_G: number;
 };
