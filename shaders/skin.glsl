@@ -503,7 +503,7 @@ vec3 marrow_previous() {
   vec3 p = vec3(0.0);
 #if MARROW_DEFORMER != 3
   vec4 bind = vec4(in_position.xyz + change, 1.0);
-#define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I) * bind, Joint);
+#define MARROW_WAS(I, Joint) p += marrow_share(I) * marrow_was(bind, Joint);
 #elif MARROW_MORPH_TARGETS
 #define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I) + vec4(marrow_share(I).w * change, 0.0), Joint);
 #else
