@@ -11,6 +11,7 @@
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
 //   MARROW_WORDS           1: animation space is read as words, two numbers each
+//   MARROW_DOTS            1: the GPU is better at dot() than at a multiply-add each
 //   MARROW_MOTION          1: where the vertex was in the frame before, too
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
@@ -415,8 +416,17 @@ vec3 marrow_pose_change(highp sampler2D distances) {
 #endif
 
 #if MARROW_DEFORMER != 0
-vec3 marrow_times(MarrowMatrix m, vec4 q) {
-  return vec3(dot(m.x, q), dot(m.y, q), dot(m.z, q));
+// sum + row · q
+float marrow_plus(float sum, vec4 row, vec4 q) {
+#if MARROW_DOTS
+  return sum + dot(row, q);
+#else
+  return sum + row.x * q.x + row.y * q.y + row.z * q.z + row.w * q.w;
+#endif
+}
+// sum + M q
+vec3 marrow_plus(vec3 sum, MarrowMatrix m, vec4 q) {
+  return vec3(marrow_plus(sum.x, m.x, q), marrow_plus(sum.y, m.y, q), marrow_plus(sum.z, m.z, q));
 }
 #endif
 
@@ -424,7 +434,7 @@ vec3 marrow_times(MarrowMatrix m, vec4 q) {
 // Adds one influence of animation space: M q to the position, w M to the matrix that normals and tangents go through.
 void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec3 y, inout vec3 z) {
   MarrowMatrix m = marrow_matrix(joint);
-  position += marrow_times(m, q);
+  position = marrow_plus(position, m, q);
 #if MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS
   x += q.w * m.x.xyz;
   y += q.w * m.y.xyz;
@@ -445,9 +455,9 @@ void marrow_add_surface(int i, uint joint, inout vec3 position, inout vec3 first
     a.w = -left.x;
     b.w = -left.y;
   }
-  position += marrow_times(m, marrow_share(i));
-  first += marrow_times(m, a);
-  second += marrow_times(m, b);
+  position = marrow_plus(position, m, marrow_share(i));
+  first = marrow_plus(first, m, a);
+  second = marrow_plus(second, m, b);
   left += vec2(a.w, b.w);
 }
 
@@ -484,7 +494,7 @@ void marrow_add(float weight, uint joint, inout vec4 x, inout vec4 y, inout vec4
 #if MARROW_MOTION && MARROW_DEFORMER != 0
 // M q, by the palette of the frame before.
 vec3 marrow_was(vec4 q, uint joint) {
-  return marrow_times(marrow_previous_matrix(joint), q);
+  return marrow_plus(vec3(0.0), marrow_previous_matrix(joint), q);
 }
 
 // Every deformer is a sum of M q here: q = w (p, 1) by SSD.

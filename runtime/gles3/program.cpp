@@ -55,6 +55,7 @@ Text preamble(const Api& api, const ProgramKey& key, bool compute) {
       key.deformer == Deformer::as && (key.features & kMorphs) == 0 && (key.features & kSurfaceNormals) != 0;
   text.define("MARROW_SURFACE_NORMALS", surface && (key.features & (kNormals | kTangents)) != 0 ? 1 : 0);
   text.define("MARROW_WORDS", compute || reads_words(api, key.influences, surface) ? 1 : 0);
+  text.define("MARROW_DOTS", family_of(api.GetString(kGlRenderer)) == GpuFamily::mali_t ? 1 : 0);
   text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
   text.define("MARROW_MOTION", (key.features & kMotion) != 0 ? 1 : 0);

@@ -527,7 +527,7 @@ export const Gles3Verdict: {
 export type Gles3Verdict = number;
 
 /**
- * Chips that want another order of paths where nothing is timed, and other attributes.
+ * Chips that want another order of paths where nothing is timed, and other texts of shaders.
  */
 export const Gles3GpuFamily: {
   readonly OTHER: number;
@@ -535,6 +535,10 @@ export const Gles3GpuFamily: {
    * Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
    */
   readonly MALI_G: number;
+  /**
+   * Mali-T…: four numbers at a time; the paths as others
+   */
+  readonly MALI_T: number;
 };
 export type Gles3GpuFamily = number;
 
