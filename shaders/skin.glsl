@@ -10,7 +10,7 @@
 //   MARROW_PALETTES        0 in a uniform block, 1 in a texture, 2 in one that crowd.frag has written
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
-//   MARROW_WORDS           1: animation space is read as words, two numbers each
+//   MARROW_WORDS           1: animation space is read as words, two numbers each; 2: y and z are the whole word
 //   MARROW_DOTS            1: the GPU is better at dot() than at a multiply-add each
 //   MARROW_MOTION          1: where the vertex was in the frame before, too
 //
@@ -30,7 +30,8 @@ precision highp int;
 uniform float marrow_coordinate_scale;
 #if MARROW_WORDS
 // Each influence's q and τ as below, in this order: all q, all τ of the first tangent, all of the second. A pair of words
-// is a vector, of numbers in steps of 1 / 32767.
+// is a vector, of numbers in steps of 1 / 32767. MARROW_WORDS 2: w stands before z, and y and z have what is below them
+// behind their point.
 #if MARROW_COMPUTE
 uvec2 marrow_words(int pair);  // the text of pre-skinning reads them, when they are wanted
 #else
@@ -69,11 +70,20 @@ uvec2 marrow_words(int pair) {
   return pair % 2 == 0 ? of_two.xy : of_two.zw;
 }
 #endif
+#if MARROW_WORDS == 2
+#define MARROW_STEP (1.0 / 32767.0 / 65536.0)
+vec4 marrow_numbers(int pair) {
+  ivec2 words = ivec2(marrow_words(pair));
+  ivec2 lower = words << 16;
+  return vec4(lower.x, words, lower.y);
+}
+#else
 #define MARROW_STEP (1.0 / 32767.0)
 vec4 marrow_numbers(int pair) {
   ivec2 words = ivec2(marrow_words(pair));
   return vec4(words.x << 16 >> 16, words.x >> 16, words.y << 16 >> 16, words.y >> 16);
 }
+#endif
 vec4 marrow_share(int i) {
   return marrow_numbers(i);
 }

@@ -54,7 +54,9 @@ Text preamble(const Api& api, const ProgramKey& key, bool compute) {
   const bool surface =
       key.deformer == Deformer::as && (key.features & kMorphs) == 0 && (key.features & kSurfaceNormals) != 0;
   text.define("MARROW_SURFACE_NORMALS", surface && (key.features & (kNormals | kTangents)) != 0 ? 1 : 0);
-  text.define("MARROW_WORDS", compute || reads_words(api, key.influences, surface) ? 1 : 0);
+  text.define("MARROW_WORDS", surface && key.influences > 4                          ? 2
+                              : compute || reads_words(api, key.influences, surface) ? 1
+                                                                                     : 0);
   text.define("MARROW_DOTS", family_of(api.GetString(kGlRenderer)) == GpuFamily::mali_t ? 1 : 0);
   text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
