@@ -11,7 +11,7 @@
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
 //   MARROW_WORDS           1: animation space is read as words, two numbers each; 2: y and z are the whole word
-//   MARROW_DOTS            1: the GPU is better at dot() than at a multiply-add each
+//   MARROW_GPU             1 Mali-G, 2 Mali-T, 3 Adreno, 0 another: GpuFamily
 //   MARROW_MOTION          1: where the vertex was in the frame before, too
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
@@ -181,8 +181,12 @@ float marrow_share(int i) {
 #define MARROW_EACH(Do) Do(0, in_joints0.x)
 #else
 // Influences that a vertex does not have repeat its first joint. The branch also keeps compilers from reading all rows
-// and words at once, for which some GPUs' registers are too few; elsewhere it would only cost.
+// and words at once, for which some GPUs' registers are too few; elsewhere, and on Adreno, it would only cost.
+#if MARROW_GPU == 3
+#define MARROW_IF(Do, I, Joint) Do(I, Joint)
+#else
 #define MARROW_IF(Do, I, Joint) if (Joint != in_joints0.x) { Do(I, Joint) }
+#endif
 #if MARROW_DEFORMER == 3 && (MARROW_SURFACE_NORMALS || MARROW_INFLUENCES > 5)
 #define MARROW_MORE(Do, I, Joint) MARROW_IF(Do, I, Joint)
 #else
@@ -191,7 +195,9 @@ float marrow_share(int i) {
 #define MARROW_FOUR_APART(Do)                        \
   Do(0, in_joints0.x) MARROW_IF(Do, 1, in_joints0.y) \
   MARROW_IF(Do, 2, in_joints0.z) MARROW_IF(Do, 3, in_joints0.w)
-#if MARROW_DEFORMER == 2
+#if MARROW_DEFORMER == 2 && MARROW_PALETTES == 2 && MARROW_TANGENT && MARROW_GPU == 1
+#define MARROW_FOUR(Do) MARROW_FOUR_APART(Do)
+#elif MARROW_DEFORMER == 2
 // The first last, which wants fewer registers.
 #define MARROW_FOUR(Do) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w) Do(0, in_joints0.x)
 #elif MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2)
@@ -428,7 +434,7 @@ vec3 marrow_pose_change(highp sampler2D distances) {
 #if MARROW_DEFORMER != 0
 // sum + row · q
 float marrow_plus(float sum, vec4 row, vec4 q) {
-#if MARROW_DOTS
+#if MARROW_GPU == 2  // four numbers at a time
   return sum + dot(row, q);
 #else
   return sum + row.x * q.x + row.y * q.y + row.z * q.z + row.w * q.w;

@@ -57,7 +57,7 @@ Text preamble(const Api& api, const ProgramKey& key, bool compute) {
   text.define("MARROW_WORDS", surface && key.influences > 4                          ? 2
                               : compute || reads_words(api, key.influences, surface) ? 1
                                                                                      : 0);
-  text.define("MARROW_DOTS", family_of(api.GetString(kGlRenderer)) == GpuFamily::mali_t ? 1 : 0);
+  text.define("MARROW_GPU", static_cast<std::uint32_t>(family_of(api.GetString(kGlRenderer))));
   text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
   text.define("MARROW_MOTION", (key.features & kMotion) != 0 ? 1 : 0);

@@ -164,7 +164,10 @@ TEST(SelfTestResult, KnowsChipsByTheirNames) {
                         {"Mali-T860", gles3::GpuFamily::mali_t},
                         {"Mali-400 MP", gles3::GpuFamily::other},
                         {"Mali-", gles3::GpuFamily::other},
-                        {"Adreno (TM) 640", gles3::GpuFamily::other},
+                        {"Adreno (TM) 640", gles3::GpuFamily::adreno},
+                        {"ANGLE (Qualcomm, Adreno (TM) 650, OpenGL ES 3.2)", gles3::GpuFamily::adreno},
+                        {"FD660", gles3::GpuFamily::adreno},
+                        {"AMD FD", gles3::GpuFamily::other},
                         {"V3D 4.2", gles3::GpuFamily::other},
                         {"", gles3::GpuFamily::other},
                         {nullptr, gles3::GpuFamily::other}};

@@ -48,8 +48,9 @@ enum class GpuFamily : std::uint8_t {
   other,
   mali_g,  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
   mali_t,  // Mali-T…: four numbers at a time; the paths as others
+  adreno,  // registers enough without branches; the paths as others
 };
-inline constexpr std::uint32_t kGpuFamilyCount = 3;
+inline constexpr std::uint32_t kGpuFamilyCount = 4;
 
 struct SelfTest {
   PathResult paths[kPathCount] = {};    // by SkinningPath

@@ -3371,6 +3371,10 @@ public enum Gles3GpuFamily : byte {
     /// Mali-T…: four numbers at a time; the paths as others
     /// </summary>
     MaliT = 2,
+    /// <summary>
+    /// registers enough without branches; the paths as others
+    /// </summary>
+    Adreno = 3,
 }
 
 [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -3499,7 +3503,7 @@ public static unsafe class Marrow {
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0xfbe80d61;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0xd865b82c;
+    public const uint Gles3AbiNumber = 0x3616efcc;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3700,7 +3704,7 @@ public static unsafe class Marrow {
     /// </summary>
     public const int Gles3CrowdInstanceBytes = 128;
     public const uint Gles3VerdictCount = 8;
-    public const uint Gles3GpuFamilyCount = 3;
+    public const uint Gles3GpuFamilyCount = 4;
     /// <summary>
     /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
     /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above

@@ -539,6 +539,10 @@ export const Gles3GpuFamily: {
    * Mali-T…: four numbers at a time; the paths as others
    */
   readonly MALI_T: number;
+  /**
+   * registers enough without branches; the paths as others
+   */
+  readonly ADRENO: number;
 };
 export type Gles3GpuFamily = number;
 
