@@ -142,17 +142,18 @@ float unit_position(const Vertex& v, const Quantisation& q, std::uint32_t c) {
 // Rounds a vector to steps, each number with what the last one has lost: `carry`. in_words: w stands before z, and y
 // and z are read with what is below them behind their point, so it counts.
 void put_vector(const float exact[4], bool in_words, float carry[4], std::byte* to) {
-  const auto rounded = [&](std::size_t c, std::int16_t lower) {
-    const float behind = in_words ? static_cast<float>(static_cast<std::uint16_t>(lower)) / 65536 : 0;
-    const float x = exact[c] + carry[c];
-    std::int32_t i = round_to_int(x - behind);
+  constexpr std::uint8_t kOrders[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
+  float behind = 0;
+  for (std::size_t place = 0; place < 4; ++place) {
+    const std::size_t c = kOrders[in_words ? 1 : 0][place];
+    const float x = exact[c] + carry[c] - (place % 2 == 1 ? behind : 0);
+    std::int32_t i = round_to_int(x);
     i = i < -32767 ? -32767 : i > 32767 ? 32767 : i;
-    carry[c] = x - behind - static_cast<float>(i);
-    return static_cast<std::int16_t>(i);
-  };
-  const std::int16_t x = rounded(0, 0), w = rounded(3, 0), y = rounded(1, x), z = rounded(2, w);
-  const std::int16_t stored[4] = {x, y, in_words ? w : z, in_words ? z : w};
-  std::memcpy(to, stored, sizeof(stored));
+    carry[c] = x - static_cast<float>(i);
+    const auto stored = static_cast<std::uint16_t>(i);
+    put(to + 2 * place, stored);
+    behind = in_words ? static_cast<float>(stored) / 65536 : 0;
+  }
 }
 
 void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisation& quantisation, std::byte* to) {
