@@ -535,7 +535,7 @@ vec3 marrow_previous() {
 #else
 #define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I), Joint);
 #endif
-#if MARROW_DEFORMER == 3 && MARROW_INFLUENCES == 4 && MARROW_PALETTES != 0
+#if MARROW_DEFORMER == 3 && MARROW_INFLUENCES == 4 && (MARROW_PALETTES != 0 || MARROW_GPU == 0)
   MARROW_FOUR_APART(MARROW_WAS)
 #else
   MARROW_EACH(MARROW_WAS)
