@@ -10,7 +10,8 @@
 //   MARROW_PALETTES        0 in a uniform block, 1 in a texture, 2 in one that crowd.frag has written
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
-//   MARROW_WORDS           1: animation space is read as words, two numbers each
+//   MARROW_WORDS           1: animation space is read as words, two numbers each; 2: y and z are the whole word
+//   MARROW_GPU             1 Mali-G, 2 Mali-T, 3 Adreno, 0 another: GpuFamily
 //   MARROW_MOTION          1: where the vertex was in the frame before, too
 //
 // Positions arrive in the unit box [-1, 1]³ and nothing here undoes that: the palette's bind matrices do
@@ -29,7 +30,8 @@ precision highp int;
 uniform float marrow_coordinate_scale;
 #if MARROW_WORDS
 // Each influence's q and τ as below, in this order: all q, all τ of the first tangent, all of the second. A pair of words
-// is a vector, of numbers in steps of 1 / 32767.
+// is a vector, of numbers in steps of 1 / 32767. MARROW_WORDS 2: w stands before z, and y and z have what is below them
+// behind their point.
 #if MARROW_COMPUTE
 uvec2 marrow_words(int pair);  // the text of pre-skinning reads them, when they are wanted
 #else
@@ -37,6 +39,7 @@ MARROW_IN(0) uvec4 in_words0;
 MARROW_IN(1) uvec4 in_words1;
 MARROW_IN(2) uvec4 in_words2;
 MARROW_IN(3) uvec4 in_words3;
+#if MARROW_SURFACE_NORMALS
 MARROW_IN(4) uvec4 in_words4;
 MARROW_IN(5) uvec4 in_words5;
 MARROW_IN(6) uvec4 in_words6;
@@ -45,8 +48,10 @@ MARROW_IN(10) uvec4 in_words8;
 MARROW_IN(11) uvec4 in_words9;
 MARROW_IN(14) uvec4 in_words10;
 MARROW_IN(15) uvec4 in_words11;
+#endif
 uvec2 marrow_words(int pair) {
   int i = pair / 2;
+#if MARROW_SURFACE_NORMALS
   uvec4 of_two = i == 0   ? in_words0
                  : i == 1 ? in_words1
                  : i == 2 ? in_words2
@@ -59,14 +64,26 @@ uvec2 marrow_words(int pair) {
                  : i == 9 ? in_words9
                  : i == 10 ? in_words10
                            : in_words11;
+#else
+  uvec4 of_two = i == 0 ? in_words0 : i == 1 ? in_words1 : i == 2 ? in_words2 : in_words3;
+#endif
   return pair % 2 == 0 ? of_two.xy : of_two.zw;
 }
 #endif
+#if MARROW_WORDS == 2
+#define MARROW_STEP (1.0 / 32767.0 / 65536.0)
+vec4 marrow_numbers(int pair) {
+  ivec2 words = ivec2(marrow_words(pair));
+  ivec2 lower = words << 16;
+  return vec4(lower.x, words, lower.y);
+}
+#else
 #define MARROW_STEP (1.0 / 32767.0)
 vec4 marrow_numbers(int pair) {
   ivec2 words = ivec2(marrow_words(pair));
   return vec4(words.x << 16 >> 16, words.x >> 16, words.y << 16 >> 16, words.y >> 16);
 }
+#endif
 vec4 marrow_share(int i) {
   return marrow_numbers(i);
 }
@@ -164,8 +181,12 @@ float marrow_share(int i) {
 #define MARROW_EACH(Do) Do(0, in_joints0.x)
 #else
 // Influences that a vertex does not have repeat its first joint. The branch also keeps compilers from reading all rows
-// and words at once, for which some GPUs' registers are too few; elsewhere it would only cost.
+// and words at once, for which some GPUs' registers are too few; elsewhere, and on Adreno, it would only cost.
+#if MARROW_GPU == 3
+#define MARROW_IF(Do, I, Joint) Do(I, Joint)
+#else
 #define MARROW_IF(Do, I, Joint) if (Joint != in_joints0.x) { Do(I, Joint) }
+#endif
 #if MARROW_DEFORMER == 3 && (MARROW_SURFACE_NORMALS || MARROW_INFLUENCES > 5)
 #define MARROW_MORE(Do, I, Joint) MARROW_IF(Do, I, Joint)
 #else
@@ -174,7 +195,9 @@ float marrow_share(int i) {
 #define MARROW_FOUR_APART(Do)                        \
   Do(0, in_joints0.x) MARROW_IF(Do, 1, in_joints0.y) \
   MARROW_IF(Do, 2, in_joints0.z) MARROW_IF(Do, 3, in_joints0.w)
-#if MARROW_DEFORMER == 2
+#if MARROW_DEFORMER == 2 && MARROW_PALETTES == 2 && MARROW_TANGENT && MARROW_GPU == 1
+#define MARROW_FOUR(Do) MARROW_FOUR_APART(Do)
+#elif MARROW_DEFORMER == 2
 // The first last, which wants fewer registers.
 #define MARROW_FOUR(Do) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w) Do(0, in_joints0.x)
 #elif MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2)
@@ -409,8 +432,17 @@ vec3 marrow_pose_change(highp sampler2D distances) {
 #endif
 
 #if MARROW_DEFORMER != 0
-vec3 marrow_times(MarrowMatrix m, vec4 q) {
-  return vec3(dot(m.x, q), dot(m.y, q), dot(m.z, q));
+// sum + row · q
+float marrow_plus(float sum, vec4 row, vec4 q) {
+#if MARROW_GPU == 2  // four numbers at a time
+  return sum + dot(row, q);
+#else
+  return sum + row.x * q.x + row.y * q.y + row.z * q.z + row.w * q.w;
+#endif
+}
+// sum + M q
+vec3 marrow_plus(vec3 sum, MarrowMatrix m, vec4 q) {
+  return vec3(marrow_plus(sum.x, m.x, q), marrow_plus(sum.y, m.y, q), marrow_plus(sum.z, m.z, q));
 }
 #endif
 
@@ -418,7 +450,7 @@ vec3 marrow_times(MarrowMatrix m, vec4 q) {
 // Adds one influence of animation space: M q to the position, w M to the matrix that normals and tangents go through.
 void marrow_add(vec4 q, uint joint, inout vec3 position, inout vec3 x, inout vec3 y, inout vec3 z) {
   MarrowMatrix m = marrow_matrix(joint);
-  position += marrow_times(m, q);
+  position = marrow_plus(position, m, q);
 #if MARROW_NORMAL || MARROW_TANGENT || MARROW_MORPH_TARGETS
   x += q.w * m.x.xyz;
   y += q.w * m.y.xyz;
@@ -439,9 +471,9 @@ void marrow_add_surface(int i, uint joint, inout vec3 position, inout vec3 first
     a.w = -left.x;
     b.w = -left.y;
   }
-  position += marrow_times(m, marrow_share(i));
-  first += marrow_times(m, a);
-  second += marrow_times(m, b);
+  position = marrow_plus(position, m, marrow_share(i));
+  first = marrow_plus(first, m, a);
+  second = marrow_plus(second, m, b);
   left += vec2(a.w, b.w);
 }
 
@@ -478,7 +510,7 @@ void marrow_add(float weight, uint joint, inout vec4 x, inout vec4 y, inout vec4
 #if MARROW_MOTION && MARROW_DEFORMER != 0
 // M q, by the palette of the frame before.
 vec3 marrow_was(vec4 q, uint joint) {
-  return marrow_times(marrow_previous_matrix(joint), q);
+  return marrow_plus(vec3(0.0), marrow_previous_matrix(joint), q);
 }
 
 // Every deformer is a sum of M q here: q = w (p, 1) by SSD.
@@ -497,13 +529,13 @@ vec3 marrow_previous() {
   vec3 p = vec3(0.0);
 #if MARROW_DEFORMER != 3
   vec4 bind = vec4(in_position.xyz + change, 1.0);
-#define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I) * bind, Joint);
+#define MARROW_WAS(I, Joint) p += marrow_share(I) * marrow_was(bind, Joint);
 #elif MARROW_MORPH_TARGETS
 #define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I) + vec4(marrow_share(I).w * change, 0.0), Joint);
 #else
 #define MARROW_WAS(I, Joint) p += marrow_was(marrow_share(I), Joint);
 #endif
-#if MARROW_DEFORMER == 3 && MARROW_INFLUENCES == 4 && MARROW_PALETTES != 0
+#if MARROW_DEFORMER == 3 && MARROW_INFLUENCES == 4 && (MARROW_PALETTES != 0 || MARROW_GPU == 0)
   MARROW_FOUR_APART(MARROW_WAS)
 #else
   MARROW_EACH(MARROW_WAS)

@@ -31,6 +31,10 @@ constexpr bool in_crowds(Deformer deformer) {
   return skins(deformer) && deformer != Deformer::psd;
 }
 
+// Whether the vertex shaders of animation space read it as words, two vectors an attribute: with more than four
+// influences and surface normals vectors would be too many, and Mali-G pays for attributes but not for unpacking.
+bool reads_words(const Api& api, std::uint32_t influences, bool surface_normals);
+
 // Empties it, where there is any.
 void clear(Span<char> log);
 

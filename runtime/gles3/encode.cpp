@@ -139,6 +139,23 @@ float unit_position(const Vertex& v, const Quantisation& q, std::uint32_t c) {
   return (v.position[c] - q.centre[c]) / q.half_extent;
 }
 
+// Rounds a vector to steps, each number with what the last one has lost: `carry`. in_words: w stands before z, and y
+// and z are read with what is below them behind their point, so it counts.
+void put_vector(const float exact[4], bool in_words, float carry[4], std::byte* to) {
+  constexpr std::uint8_t kOrders[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
+  float behind = 0;
+  for (std::size_t place = 0; place < 4; ++place) {
+    const std::size_t c = kOrders[in_words ? 1 : 0][place];
+    const float x = exact[c] + carry[c] - (place % 2 == 1 ? behind : 0);
+    std::int32_t i = round_to_int(x);
+    i = i < -32767 ? -32767 : i > 32767 ? 32767 : i;
+    carry[c] = x - static_cast<float>(i);
+    const auto stored = static_cast<std::uint16_t>(i);
+    put(to + 2 * place, stored);
+    behind = in_words ? static_cast<float>(stored) / 65536 : 0;
+  }
+}
+
 void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisation& quantisation, std::byte* to) {
   float total_weight[kMaxInfluences];
   std::int32_t w[kMaxInfluences] = {};
@@ -147,31 +164,26 @@ void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisa
   const float one = static_cast<float>(quantisation.coordinate_one);
   // What rounding one influence loses goes to the next, so that the bind pose, where they all move alike, is off by
   // half a step at most.
-  float carry[3] = {};
-  for (std::uint32_t j = 0; j < layout.influences; ++j) {
-    std::int16_t q[4] = {};
-    if (j < v.influences) {
-      // The lift is taken at the stored weight: then its error is that of a slightly different weight at the vertex,
-      // where neighbouring joints agree, and not at the box's centre, where they do not.
-      const float lift = static_cast<float>(w[j]) / one - v.residual[j][3];
-      for (std::uint32_t c = 0; c < 3; ++c) {
-        const float d = (v.residual[j][c] - quantisation.centre[c] * v.residual[j][3]) / quantisation.half_extent;
-        const float exact = (lift * unit_position(v, quantisation, c) + d) * one + carry[c];
-        std::int32_t i = round_to_int(exact);
-        i = i < -32767 ? -32767 : i > 32767 ? 32767 : i;
-        carry[c] = exact - static_cast<float>(i);
-        q[c] = static_cast<std::int16_t>(i);
-      }
-      q[3] = static_cast<std::int16_t>(w[j]);
+  float carry[4] = {};
+  std::memset(to, 0, std::size_t{8} * layout.influences);
+  for (std::uint32_t j = 0; j < v.influences; ++j) {
+    // The lift is taken at the stored weight: then its error is that of a slightly different weight at the vertex,
+    // where neighbouring joints agree, and not at the box's centre, where they do not.
+    const float lift = static_cast<float>(w[j]) / one - v.residual[j][3];
+    float exact[4] = {0, 0, 0, static_cast<float>(w[j])};
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const float d = (v.residual[j][c] - quantisation.centre[c] * v.residual[j][3]) / quantisation.half_extent;
+      exact[c] = (lift * unit_position(v, quantisation, c) + d) * one;
     }
-    std::memcpy(to + std::size_t{8} * j, q, sizeof(q));
+    put_vector(exact, in_words(layout), carry, to + std::size_t{8} * j);
   }
 }
 
-// Both tangents' vectors of `places` influences. Each tangent in a unit of its own, as only directions count: its
-// largest number is 32766. What rounding one influence loses goes to the next, so that w still sum to 0; the last w
-// follows from that, and the first tangent's says instead whether the texture's triad is left-handed.
-void put_tangents(const Vertex& v, std::uint32_t places, const Quantisation& q, bool left_handed, std::byte* to) {
+// Both tangents' vectors of all influences. Each tangent in a unit of its own, as only directions count: its largest
+// number is 32766. What rounding one influence loses goes to the next, so that w still sum to 0; the last w follows
+// from that, and the first tangent's says instead whether the texture's triad is left-handed.
+void put_tangents(const Vertex& v, const VertexLayout& layout, const Quantisation& q, bool left_handed, std::byte* to) {
+  const std::size_t places = layout.influences;
   for (std::size_t a = 0; a < 2; ++a) {
     float exact[kMaxInfluences][4] = {};
     float largest = 0;
@@ -182,16 +194,15 @@ void put_tangents(const Vertex& v, std::uint32_t places, const Quantisation& q, 
       for (const float x : exact[j]) largest = std::fmax(largest, std::fabs(x));
     }
     const float scale = largest > 0 ? 32766.0f / largest : 0;
+    for (auto& vector : exact)
+      for (float& x : vector) x *= scale;
     float carry[4] = {};
     for (std::size_t j = 0; j < places; ++j) {
-      std::int16_t stored[4] = {};
-      for (std::size_t c = 0; j < v.influences && c < 4; ++c) {
-        const float x = exact[j][c] * scale + carry[c];
-        stored[c] = static_cast<std::int16_t>(round_to_int(x));
-        carry[c] = x - static_cast<float>(stored[c]);
+      if (j + 1 == places) {
+        exact[j][3] = a == 1 ? 0.0f : left_handed ? -32767.0f : 32767.0f;
+        carry[3] = 0;
       }
-      if (j + 1 == places) stored[3] = a == 1 ? 0 : left_handed ? -32767 : 32767;
-      std::memcpy(to + 8 * (places * a + j), stored, sizeof(stored));
+      put_vector(exact[j], in_words(layout), carry, to + 8 * (places * a + j));
     }
   }
 }
@@ -321,7 +332,7 @@ void encode_as(const Geometry& geometry, const VertexLayout& layout, const Quant
     put_coordinates(v, layout, quantisation, vertex);
     if (tangents != nullptr) {
       const bool left_handed = geometry.tangents != nullptr && geometry.tangents[slot / 4 * 16 + 12 + slot % 4] < 0;
-      put_tangents(v, layout.influences, quantisation, left_handed, vertex + layout.as_tangents);
+      put_tangents(v, layout, quantisation, left_handed, vertex + layout.as_tangents);
     }
     put_joints(v, layout, vertex + layout.as_joints);
   });

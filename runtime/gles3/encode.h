@@ -19,6 +19,10 @@ inline std::uint32_t joint_places(const VertexLayout& layout) {
 inline std::uint32_t weight_places(const VertexLayout& layout) {
   return (layout.influences + 1) / 2 * 2;
 }
+// Whether a shader reads y and z of animation space's vectors as whole words: MARROW_WORDS 2.
+inline bool in_words(const VertexLayout& layout) {
+  return layout.surface_normals && layout.influences > 4;
+}
 
 // One pass over the uvs when the mesh has any. as_tangents: whether there are any. psd: as PrepareOptions::psd.
 VertexLayout make_layout(const Mesh& mesh, bool as_tangents, bool psd);

@@ -107,7 +107,7 @@ void make_as(const Api& api, const Geometry& g, const VertexLayout& layout, cons
   encode_as(g, layout, q, tangents, scratch.data);
   mesh.as_array = begin_array(api, mesh);
   mesh.as_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.as_stride} * g.slot_count);
-  if (layout.surface_normals && layout.influences > 4) {
+  if (reads_words(api, layout.influences, layout.surface_normals)) {
     describe_words(api, layout);
   } else {
     for (std::uint32_t i = 0; i < layout.influences; ++i)

@@ -3,6 +3,7 @@
 #include "core/mark.h"
 #include "gles3/compile.h"
 #include "gles3/label.h"
+#include "gles3/self_test_key.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_skin[];
@@ -37,7 +38,7 @@ struct Text {
   }
 };
 
-Text preamble(const ProgramKey& key, bool compute) {
+Text preamble(const Api& api, const ProgramKey& key, bool compute) {
   Text text;
   text.add(compute ? "#version 310 es\n" : "#version 300 es\n");
   text.define("MARROW_COMPUTE", compute ? 1 : 0);
@@ -53,7 +54,10 @@ Text preamble(const ProgramKey& key, bool compute) {
   const bool surface =
       key.deformer == Deformer::as && (key.features & kMorphs) == 0 && (key.features & kSurfaceNormals) != 0;
   text.define("MARROW_SURFACE_NORMALS", surface && (key.features & (kNormals | kTangents)) != 0 ? 1 : 0);
-  text.define("MARROW_WORDS", compute || (surface && key.influences > 4) ? 1 : 0);
+  text.define("MARROW_WORDS", surface && key.influences > 4                          ? 2
+                              : compute || reads_words(api, key.influences, surface) ? 1
+                                                                                     : 0);
+  text.define("MARROW_GPU", static_cast<std::uint32_t>(family_of(api.GetString(kGlRenderer))));
   text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
   text.define("MARROW_MOTION", (key.features & kMotion) != 0 ? 1 : 0);
@@ -122,9 +126,13 @@ void clear(Span<char> log) {
   put_log(log, "");
 }
 
+bool reads_words(const Api& api, std::uint32_t influences, bool surface_normals) {
+  return (surface_normals && influences > 4) || family_of(api.GetString(kGlRenderer)) == GpuFamily::mali_g;
+}
+
 Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts& texts, std::uint32_t palette_binding,
                        Program& out, Span<char> log) {
-  const Text head = preamble(key, texts.compute != nullptr);
+  const Text head = preamble(api, key, texts.compute != nullptr);
   const char* const skin = reinterpret_cast<const char*>(embedded::shader_skin);
   struct Stage {
     GlEnum type;

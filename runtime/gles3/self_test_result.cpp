@@ -114,8 +114,12 @@ GpuFamily family_of(const unsigned char* renderer) {
     while (*word != '\0' && name[at] == *word) ++at, ++word;
     return *word == '\0';
   };
-  for (std::size_t i = 0; name[i] != '\0'; ++i)
+  if (begins(0, "FD")) return GpuFamily::adreno;  // as Mesa calls them
+  for (std::size_t i = 0; name[i] != '\0'; ++i) {
     if (begins(i, "Mali-G") || begins(i, "Immortalis-G")) return GpuFamily::mali_g;
+    if (begins(i, "Mali-T")) return GpuFamily::mali_t;
+    if (begins(i, "Adreno")) return GpuFamily::adreno;
+  }
   return GpuFamily::other;
 }
 

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0x6b11e476u
+#define MRW_GLES3_ABI 0x3616efccu
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -1001,15 +1001,17 @@ enum {
 
 #define MRW_GLES3_VERDICT_COUNT 8u
 
-// Chips that want another order of paths where nothing is timed.
+// Chips that want another order of paths where nothing is timed, and other texts of shaders.
 typedef uint8_t mrw_gles3_gpu_family;
 enum {
   MRW_GLES3_GPU_FAMILY_OTHER = 0,
-  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
   MRW_GLES3_GPU_FAMILY_MALI_G = 1,
+  MRW_GLES3_GPU_FAMILY_MALI_T = 2,  // Mali-T…: four numbers at a time; the paths as others
+  MRW_GLES3_GPU_FAMILY_ADRENO = 3,  // registers enough without branches; the paths as others
 };
 
-#define MRW_GLES3_GPU_FAMILY_COUNT 2u
+#define MRW_GLES3_GPU_FAMILY_COUNT 4u
 
 // The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
 // and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above

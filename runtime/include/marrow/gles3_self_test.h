@@ -43,12 +43,14 @@ struct PathResult {
 inline constexpr float kMostPositionError = 0.001f;
 inline constexpr float kMostNormalError = 0.005f;
 
-// Chips that want another order of paths where nothing is timed.
+// Chips that want another order of paths where nothing is timed, and other texts of shaders.
 enum class GpuFamily : std::uint8_t {
   other,
-  mali_g,  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+  mali_g,  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
+  mali_t,  // Mali-T…: four numbers at a time; the paths as others
+  adreno,  // registers enough without branches; the paths as others
 };
-inline constexpr std::uint32_t kGpuFamilyCount = 2;
+inline constexpr std::uint32_t kGpuFamilyCount = 4;
 
 struct SelfTest {
   PathResult paths[kPathCount] = {};    // by SkinningPath

@@ -3359,14 +3359,22 @@ public enum Gles3Verdict : byte {
 }
 
 /// <summary>
-/// Chips that want another order of paths where nothing is timed.
+/// Chips that want another order of paths where nothing is timed, and other texts of shaders.
 /// </summary>
 public enum Gles3GpuFamily : byte {
     Other = 0,
     /// <summary>
-    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
     /// </summary>
     MaliG = 1,
+    /// <summary>
+    /// Mali-T…: four numbers at a time; the paths as others
+    /// </summary>
+    MaliT = 2,
+    /// <summary>
+    /// registers enough without branches; the paths as others
+    /// </summary>
+    Adreno = 3,
 }
 
 [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -3495,7 +3503,7 @@ public static unsafe class Marrow {
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0xfbe80d61;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x6b11e476;
+    public const uint Gles3AbiNumber = 0x3616efcc;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3696,7 +3704,7 @@ public static unsafe class Marrow {
     /// </summary>
     public const int Gles3CrowdInstanceBytes = 128;
     public const uint Gles3VerdictCount = 8;
-    public const uint Gles3GpuFamilyCount = 2;
+    public const uint Gles3GpuFamilyCount = 4;
     /// <summary>
     /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
     /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above

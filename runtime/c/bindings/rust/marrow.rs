@@ -6,7 +6,7 @@ use std::os::raw::{c_char, c_void};
 /// What abi() must give.
 pub const ABI: u32 = 0xfbe80d61;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x6b11e476;
+pub const GLES3_ABI: u32 = 0x3616efcc;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -3407,17 +3407,21 @@ impl Gles3Verdict {
 
 pub const GLES3_VERDICT_COUNT: u32 = 8;
 
-/// Chips that want another order of paths where nothing is timed.
+/// Chips that want another order of paths where nothing is timed, and other texts of shaders.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gles3GpuFamily(pub u8);
 impl Gles3GpuFamily {
     pub const OTHER: Self = Self(0);
-    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+    /// Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
     pub const MALI_G: Self = Self(1);
+    /// Mali-T…: four numbers at a time; the paths as others
+    pub const MALI_T: Self = Self(2);
+    /// registers enough without branches; the paths as others
+    pub const ADRENO: Self = Self(3);
 }
 
-pub const GLES3_GPU_FAMILY_COUNT: u32 = 2;
+pub const GLES3_GPU_FAMILY_COUNT: u32 = 4;
 
 /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
 /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above

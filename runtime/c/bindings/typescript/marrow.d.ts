@@ -527,14 +527,22 @@ export const Gles3Verdict: {
 export type Gles3Verdict = number;
 
 /**
- * Chips that want another order of paths where nothing is timed.
+ * Chips that want another order of paths where nothing is timed, and other texts of shaders.
  */
 export const Gles3GpuFamily: {
   readonly OTHER: number;
   /**
-   * Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture
+   * Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
    */
   readonly MALI_G: number;
+  /**
+   * Mali-T…: four numbers at a time; the paths as others
+   */
+  readonly MALI_T: number;
+  /**
+   * registers enough without branches; the paths as others
+   */
+  readonly ADRENO: number;
 };
 export type Gles3GpuFamily = number;
 
