@@ -22,8 +22,8 @@ struct WrittenFile {
   std::vector<Part> sections;  // or, in a packed file, the records that stand for them
 };
 
-// docs/format.md, version 1; packed if a geometry is. The result has passed load(). Throws tools::Failure (unsupported)
-// beyond 4 GiB.
+// docs/format.md; packed if a geometry is, or a clip that may be. The result has passed load(). Throws tools::Failure
+// (unsupported) beyond 4 GiB.
 WrittenFile write_scene(const BuiltScene& scene, const std::string& source);
 
 }  // namespace marrow::cook
