@@ -37,6 +37,8 @@ TEST(GoldenCook, GivesTheGoldenBytes) {
   pack.clips_only = true;
   pack.mesh_codec = cook::MeshCodec::none;
   expect_golden(cook::cook_file(test::in_golden("dance.gltf"), pack), test::golden_pack_copy());
+  pack.mesh_codec = cook::MeshCodec::draco;
+  expect_golden(cook::cook_file(test::in_golden("dance.gltf"), pack), test::golden_packed_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfLooks) {

@@ -7,8 +7,8 @@
 namespace marrow {
 namespace {
 
-// What is likely at first, by how far predictions are off; from half octave 10 on two in turn. From the clips of some
-// twenty characters.
+// What is likely at first, by how far predictions are off; from half octave 10 on two in turn. From the clips of seven
+// characters.
 constexpr std::uint8_t kGuess[12][SymbolModel::kCount] = {{209, 16, 18, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
                                                           {168, 36, 36, 3, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
                                                           {130, 53, 51, 6, 5, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},

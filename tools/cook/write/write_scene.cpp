@@ -338,9 +338,11 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
     scratch_bytes = std::max(scratch_bytes, compact_scratch_bytes(skeleton));
   }
   ClipPacker packer;
-  for (const BuiltClip& clip : scene.clips)
+  for (const BuiltClip& clip : scene.clips) {
     out.clip_bytes.push_back(
         add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names, packer)));
+    out.clip_memory_bytes.push_back(entries.back().section.size());
+  }
   scratch_bytes = std::max(scratch_bytes, packer.scratch_bytes());
   for (const BuiltGeometry& g : scene.geometries) {
     const std::span<const std::byte> section(g.section.data(), g.section.size());
