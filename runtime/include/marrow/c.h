@@ -109,9 +109,9 @@ mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out) MRW_N
 // ---------------------------------------------------------------------------------------------------------------------
 // Before stage 1, for packed files: what a game ships → what load() reads.
 //
-// A packed file holds its meshes and coded clips compressed. Unpacking it yields a cooked file as `marrow cook --mesh-codec none` would
-// have written it, but for what quantisation took. The codecs are libraries of their own, so that a game links only the
-// one it ships with: marrow/draco.h (smallest), marrow/meshopt.h (fastest).
+// A packed file holds its meshes and coded clips compressed. Unpacking it yields a cooked file as `marrow cook
+// --mesh-codec none` would have written it, but for what quantisation took. The codecs are libraries of their own, so
+// that a game links only the one it ships with: marrow/draco.h (smallest), marrow/meshopt.h (fastest).
 
 typedef struct mrw_bytes mrw_bytes;
 struct mrw_bytes {

@@ -228,7 +228,8 @@ class ClipCodec {
     if (octaves > kMostOctaves || octaves < -kMostOctaves) return 0;
     const std::int64_t up = std::int64_t{1} << (octaves > 0 ? octaves : 0);
     const std::int64_t down = (std::int64_t{1} << (octaves < 0 ? -octaves : 0)) * (4 + to % 4);
-    const std::int64_t out = (2 * number * (4 + from % 4) * up + down) / (2 * down);
+    const std::int64_t twice = std::int64_t{2} * number * (4 + from % 4) * up;
+    const std::int64_t out = (twice + (twice < 0 ? -down : down)) / (2 * down);
     return out < -kClipFarthest || out > kClipFarthest ? 0 : static_cast<std::int32_t>(out);
   }
 
