@@ -14,18 +14,18 @@ std::int16_t moved(std::int16_t from, bool bit, std::uint32_t shift) {
   return static_cast<std::int16_t>(chance - kHalf);
 }
 
-constexpr std::int16_t kLeastShare = 8;  // that each symbol moves to
-constexpr std::int16_t kRest = (1 << SymbolModel::kBits) - SymbolModel::kCount * kLeastShare;
+constexpr std::int16_t kLeastOfSymbol = 8;  // that each symbol moves to
+constexpr std::int16_t kAllButLeast = (1 << SymbolModel::kBits) - SymbolModel::kCount * kLeastOfSymbol;
 
-// Where the ends of symbols move to: those of the symbol and of what stands behind it by kRest further than others. The
-// last 16 from 15 - symbol on.
-struct Steps {
+// Where the ends of symbols move to: those of the symbol and of what stands behind it by kAllButLeast further than
+// others. The last 16 from 15 - symbol on.
+struct EndSteps {
   std::int16_t of[2 * SymbolModel::kCount] = {};
-  constexpr Steps() {
-    for (std::uint32_t i = SymbolModel::kCount - 1; i < 2 * SymbolModel::kCount; ++i) of[i] = kRest;
+  constexpr EndSteps() {
+    for (std::uint32_t i = SymbolModel::kCount - 1; i < 2 * SymbolModel::kCount; ++i) of[i] = kAllButLeast;
   }
 };
-constexpr Steps kSteps;
+constexpr EndSteps kEndSteps;
 
 // How far they move, of 2^16, by how many symbols were seen.
 constexpr std::int16_t kRates[] = {1 << 13, 1 << 13, 1 << 12, 1 << 12, 1 << 11, 1 << 11, 1 << 11, 1 << 11, 1 << 10};
@@ -61,10 +61,10 @@ std::uint32_t SymbolModel::find(std::uint32_t place) const {
 
 // So is this: a product's upper half is a vector's operation, a shift by a number from memory is none.
 void SymbolModel::learn(std::uint32_t symbol) {
-  const std::int16_t* const steps = kSteps.of + (kCount - 1 - symbol);
+  const std::int16_t* const steps = kEndSteps.of + (kCount - 1 - symbol);
   const std::int16_t rate = kRates[seen_];
   for (std::uint32_t i = 0; i < kCount; ++i) {
-    const auto least = static_cast<std::int16_t>((i + 1) * kLeastShare);
+    const auto least = static_cast<std::int16_t>((i + 1) * kLeastOfSymbol);
     const auto way = static_cast<std::int16_t>(least + steps[i] - starts_[i + 1]);
     starts_[i + 1] = static_cast<std::int16_t>(starts_[i + 1] + static_cast<std::int16_t>(way * rate >> 16));
   }
