@@ -1,12 +1,13 @@
 #include "unpack/records.h"
 
+#include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 
 namespace marrow {
 namespace {
 
-// Of a compact record's section. Nothing grows more than a skeleton, by 46 bytes for a joint's one and 48 for a root's;
-// a name by 64 for two.
+// Of a compact record's section, but for a clip's payload. Nothing grows more than a skeleton, by 46 bytes for a
+// joint's one and 48 for a root's; a name by 64 for two.
 std::uint64_t most_compact_bytes(std::uint64_t record_bytes) {
   return 256 + 96 * record_bytes;
 }
@@ -23,6 +24,11 @@ const char* add_needs(const Record& record, RecordNeeds& needs) {
       const std::uint64_t joint_count = reader.take_varint();
       if (joint_count > kMaxJoints) return "a count out of range";
       scratch_bytes = joint_count * sizeof(Affine);
+    } else if (record.kind == format::kClips) {
+      ClipNeeds clip;
+      if (const char* const rule = measure_clip_record(record.bytes, clip)) return rule;
+      scratch_bytes = clip.scratch_bytes;
+      section_bytes += clip.most_section_bytes;
     }
   } else if (record.codec >= packed::kFirstCodec && record.kind == format::kGeometries) {
     GeometryNeeds geometry;

@@ -136,9 +136,9 @@ const char* unpack_residual_apart(ResidualInWork& work, Memory& memory, MeshStre
   const Span<std::byte> place = memory.take<std::byte>(kModelsBytes);
   if (memory.failed) return "memory_bytes too small";
   ResidualModels& models = *new (place.data) ResidualModels;
-  BitDecoder decoder(work.mesh.apart.bits);
-  ResidualCodec<BitDecoder> codec(work.mesh, work.near, work.smoothed, work.mesh.apart.iterations > 0, work.table,
-                                  models, decoder);
+  SymbolDecoder decoder(work.mesh.apart.bits);
+  ResidualCodec<SymbolDecoder> codec(work.mesh, work.near, work.smoothed, work.mesh.apart.iterations > 0, work.table,
+                                     models, decoder);
   for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
     if (!codec.code(v)) return "a residual that is none";
   if (!decoder.at_end()) return "a residual of more or fewer bytes";

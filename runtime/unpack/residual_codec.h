@@ -2,9 +2,9 @@
 // which writes them, and for unpacking.
 #pragma once
 
-#include "unpack/bit_coder.h"
 #include "unpack/neighbours.h"
 #include "unpack/smoothed.h"
+#include "unpack/symbol_coder.h"
 
 namespace marrow {
 
@@ -109,7 +109,7 @@ class ResidualGuess {
   double of_w_, of_d_;
 };
 
-// Coder: BitDecoder, or an encoder that has the same functions. An encoder's table holds what is to be written; a
+// Coder: SymbolDecoder, or an encoder that has the same functions. An encoder's table holds what is to be written; a
 // decoder's is filled in.
 template <class Coder>
 class ResidualCodec {

@@ -77,6 +77,16 @@ Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index) {
   return s;
 }
 
+std::uint32_t joint_count_at(UnpackedSkeletons skeletons, std::uint32_t index) {
+  if (index >= skeletons.reference_count) return skeleton_at(skeletons, index).joint_count;
+  File::Section entry;
+  format::ReferenceHeader h;
+  std::memcpy(&entry, skeletons.file + sizeof(format::Header) + index * sizeof entry, sizeof entry);
+  if (entry.bytes < sizeof h) return 0;
+  std::memcpy(&h, skeletons.file + entry.offset, sizeof h);
+  return h.joint_count <= kMaxJoints ? h.joint_count : 0;
+}
+
 NameReader::NameReader(Span<const std::byte> record) : reader_(record.data, record.size) {
   pool_bytes_ = reader_.take_varint();
 }

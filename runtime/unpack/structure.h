@@ -1,4 +1,4 @@
-// Skeletons, clips, meshes and names in packed files (docs/format.md, "Packed files") → their sections.
+// Skeletons, meshes and names in packed files (docs/format.md, "Packed files") → their sections.
 #pragma once
 
 #include "core/byte_reader.h"
@@ -34,15 +34,15 @@ class NameReader {
 const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Span<std::byte> out, std::uint32_t& bytes);
 const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes);
 
-// A file in the making, whose first sections are skeletons that unpack_skeleton() made.
+// A file in the making, whose first sections are skeletons that unpack_skeleton() made, or references to others.
 struct UnpackedSkeletons {
   const std::byte* file = nullptr;
-  std::uint32_t count = 0;
+  std::uint32_t count = 0, reference_count = 0;  // one of them is 0
 };
 // The view lacks names; without joints past the last.
 Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index);
-const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> out,
-                        std::uint32_t& bytes, std::uint32_t& codec);
+// Of a skeleton or of a reference; 0 past the last.
+std::uint32_t joint_count_at(UnpackedSkeletons skeletons, std::uint32_t index);
 const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
                         Span<std::byte> out, std::uint32_t& bytes);
 

@@ -5,6 +5,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "core/off_boundary.h"
+#include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
 #include "unpack/structure.h"
@@ -23,7 +24,8 @@ Status read_header(Span<const std::byte> packed, Header& h, DataError* error) {
   if (packed.size < sizeof h) return fail(error, Status::truncated, 0, "shorter than a header");
   std::memcpy(&h, packed.data, sizeof h);
   if (h.magic != packed::kMagic) return fail(error, Status::bad_magic, 0, "not a packed file");
-  if (h.version != packed::kVersion) return fail(error, Status::bad_version, 4, "packed for another version");
+  if (h.version != packed::kVersion)
+    return fail(error, Status::bad_version, 4, "packed for another version: cook it again");
   if (h.packed_bytes > packed.size) return fail(error, Status::truncated, 8, "the file ends before packed_bytes");
   if (h.packed_bytes != packed.size) return fail(error, Status::bad_data, 8, "bytes behind packed_bytes");
   if (h.memory_bytes < h.file_bytes || h.file_bytes < sizeof(format::Header) || h.memory_bytes % 16 != 0)
@@ -147,8 +149,11 @@ class Unpacker {
       const Status status = expand(out, section, rule);
       if (status != Status::ok || stage_ != MeshStage::decoding) return status;
     }
-    if (record_.kind == format::kSkeletons && record_.codec == packed::kCompact && compact_skeletons_ == index_)
-      ++compact_skeletons_;
+    if (record_.kind == format::kSkeletons && record_.codec == packed::kCompact && skeletons_ == index_) ++skeletons_;
+    if (record_.kind == format::kReferences && record_.codec == format::kCodecRaw && references_ == index_)
+      ++references_;
+    has_models_ = record_.kind == format::kClips && record_.codec == packed::kCompact &&
+                  (has_models_ || section.codec == format::kCodecSegments);
     std::memcpy(memory_.data + sizeof(format::Header) + index_ * sizeof section, &section, sizeof section);
     end_ = offset + section.bytes;
     ++index_;
@@ -164,14 +169,14 @@ class Unpacker {
   Status expand(Span<std::byte> out, File::Section& section, const char*& rule) {
     if (record_.kind == format::kGeometries && record_.codec != packed::kCompact)
       return expand_mesh(out, section, rule);
-    const UnpackedSkeletons skeletons{memory_.data, compact_skeletons_};
+    const UnpackedSkeletons skeletons{memory_.data, skeletons_, references_};
     std::uint32_t& bytes = section.bytes;
     if (record_.codec != packed::kCompact) {
       rule = "a codec that is none of this kind of record";
     } else if (record_.kind == format::kSkeletons) {
       rule = unpack_skeleton(record_.bytes, names_, out, bytes);
     } else if (record_.kind == format::kClips) {
-      rule = unpack_clip(record_.bytes, skeletons, out, bytes, section.codec);
+      rule = unpack_clip(record_.bytes, skeletons, has_models_, scratch(), out, bytes, section.codec);
     } else if (record_.kind == format::kMeshes) {
       rule = unpack_mesh(record_.bytes, skeletons, scratch(), out, bytes);
     } else if (record_.kind == format::kNames) {
@@ -219,8 +224,9 @@ class Unpacker {
   std::size_t offset_ = 0;  // of the record in work
   Record record_;
   GeometryInWork mesh_;
-  std::uint32_t index_ = 0;              // of the record in work
-  std::uint32_t compact_skeletons_ = 0;  // at the front of the table
+  std::uint32_t index_ = 0;                       // of the record in work
+  std::uint32_t skeletons_ = 0, references_ = 0;  // compact ones, or references, at the front of the table
+  bool has_models_ = false;                       // a clip's, at the front of the scratch memory, for the next one
   MeshStage stage_ = MeshStage::decoding;
 };
 static_assert(sizeof(Unpacker) <= kUnpackStateBytes && alignof(Unpacker) <= 8);

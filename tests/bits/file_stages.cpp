@@ -21,6 +21,10 @@ std::uint64_t unpacked_hash(const std::vector<std::byte>& packed) {
   return exercise(file);
 }
 
+std::uint64_t unpacked_hash(const AlignedBlock& packed) {
+  return unpacked_hash(std::vector<std::byte>(packed.data(), packed.data() + packed.size()));
+}
+
 std::uint64_t section_hash(const std::vector<std::byte>& record) {
   const UnpackedGeometry geometry = unpack_plain(record);
   std::uint64_t hash = geometry.rule == nullptr ? 0xCBF29CE484222325u : 0;
@@ -41,6 +45,7 @@ void hash_files(StageHashes& out) {
   out.push_back({"materials, nodes", file_hash(golden_looks_copy())});
   out.push_back({"levels of detail", file_hash(golden_lod_copy())});
   out.push_back({"limits", file_hash(golden_limits_copy())});
+  out.push_back({"unpack, a coded clip", unpacked_hash(golden_packed_copy())});  // into the clip pack
   out.push_back({"unpack", unpacked_hash(packed_fan())});
   out.push_back({"unpack, deformers", unpacked_hash(packed_deformers())});
   out.push_back({"unpack, a residual apart", section_hash(ring_record())});

@@ -66,6 +66,7 @@ constexpr StageHash kStored[] = {
     {"materials, nodes", 0x3D5A416F8608F33C},
     {"levels of detail", 0x21058C879C0498E1},
     {"limits", 0x29D2E77DC9998191},
+    {"unpack, a coded clip", 0xE67259654535BF2C},
     {"unpack", 0x97846384F63C80E5},
     {"unpack, deformers", 0xEA4789054240AE97},
     {"unpack, a residual apart", 0xC7586506C8AFD90B},

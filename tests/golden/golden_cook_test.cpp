@@ -35,7 +35,10 @@ TEST(GoldenCook, GivesTheGoldenBytes) {
   expect_golden(cook_file("face.gltf", false, {{"speak", "first"}}), test::golden_channels_copy());
   cook::CookOptions pack;
   pack.clips_only = true;
+  pack.mesh_codec = cook::MeshCodec::none;
   expect_golden(cook::cook_file(test::in_golden("dance.gltf"), pack), test::golden_pack_copy());
+  pack.mesh_codec = cook::MeshCodec::draco;
+  expect_golden(cook::cook_file(test::in_golden("dance.gltf"), pack), test::golden_packed_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfLooks) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "asset/format.h"
+#include "marrow/unpack.h"
 #include "support/double_math.h"
 #include "support/golden.h"
 #include "support/pose_file.h"
@@ -235,6 +237,64 @@ TEST(GoldenElbow, DeformsWithAHalfJoint) {
     }
   }
   EXPECT_EQ(cases, 30);
+}
+
+// A packed file of version 2 becomes the clip pack of version 1, byte by byte, in one go and in steps.
+TEST(GoldenPacked, UnpacksToTheClipPack) {
+  const test::AlignedBlock packed = test::golden_packed_copy(), want = test::golden_pack_copy();
+  const Span<const std::byte> bytes(packed.data(), packed.size());
+  UnpackSizes sizes;
+  ASSERT_EQ(unpack_sizes(bytes, sizes), Status::ok);
+  ASSERT_EQ(sizes.file_bytes, want.size());
+  test::AlignedBlock memory(sizes.memory_bytes), again(sizes.memory_bytes);
+  Span<const std::byte> file;
+  ASSERT_EQ(unpack(bytes, {}, {memory.data(), memory.size()}, file), Status::ok);
+  ASSERT_EQ(file.size, want.size());
+  EXPECT_EQ(std::memcmp(file.data, want.data(), want.size()), 0);
+  Unpacking unpacking;
+  ASSERT_EQ(begin_unpack(bytes, {}, {again.data(), again.size()}, unpacking), Status::ok);
+  std::size_t steps = 0;
+  for (; unpacking.file.empty(); ++steps) ASSERT_EQ(unpack_step(unpacking), Status::ok);
+  EXPECT_EQ(steps, 4u) << "a reference, a clip, names, and the checksum";
+  EXPECT_EQ(std::memcmp(again.data(), want.data(), want.size()), 0);
+}
+
+// Every byte changed, with a checksum that fits: refused, or a file that load() judges.
+TEST(GoldenPacked, DamagedIsRefusedOrHarmless) {
+  const test::AlignedBlock good = test::golden_packed_copy();
+  std::size_t refused = 0, tried = 0;
+  for (std::size_t i = 32; i < good.size(); ++i)
+    for (unsigned v = 1; v < 256; v += 2, ++tried) {
+      test::AlignedBlock packed(good.data(), good.size());
+      packed.data()[i] ^= static_cast<std::byte>(v);
+      const std::uint64_t sum = format::checksum(packed.data() + 32, packed.size() - 32);
+      std::memcpy(packed.data() + 24, &sum, sizeof sum);
+      UnpackSizes sizes;
+      const Span<const std::byte> bytes(packed.data(), packed.size());
+      Span<const std::byte> file;
+      if (unpack_sizes(bytes, sizes) != Status::ok || sizes.memory_bytes > 1 << 20) {
+        ++refused;
+        continue;
+      }
+      test::AlignedBlock memory(sizes.memory_bytes);
+      if (unpack(bytes, {}, {memory.data(), memory.size()}, file) != Status::ok) {
+        ++refused;
+        continue;
+      }
+      File loaded;
+      if (load(file, loaded) == Status::ok) test::exercise(loaded);
+    }
+  EXPECT_GT(refused, tried / 3);
+}
+
+// One of version 1 is to be cooked again.
+TEST(GoldenPacked, OlderVersionsAreRefused) {
+  test::AlignedBlock packed = test::golden_packed_copy();
+  packed.data()[4] = std::byte{1};
+  UnpackSizes sizes;
+  DataError error;
+  EXPECT_EQ(unpack_sizes({packed.data(), packed.size()}, sizes, &error), Status::bad_version);
+  EXPECT_STREQ(error.rule, "packed for another version: cook it again");
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ extern const unsigned char limits_v1[];
 extern const unsigned long long limits_v1_size;
 extern const unsigned char springs_v1[];
 extern const unsigned long long springs_v1_size;
+extern const unsigned char packed_v2[];
+extern const unsigned long long packed_v2_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -44,6 +46,11 @@ inline AlignedBlock golden_coded_copy() {
 // A file whose clip has channels and is additive.
 inline AlignedBlock golden_channels_copy() {
   return AlignedBlock(embedded::face_v1, static_cast<std::size_t>(embedded::face_v1_size));
+}
+
+// The clip pack as a packed file of version 2.
+inline AlignedBlock golden_packed_copy() {
+  return AlignedBlock(embedded::packed_v2, static_cast<std::size_t>(embedded::packed_v2_size));
 }
 
 // A clip pack.

@@ -58,6 +58,7 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
     throw tools::Failure(tools::Exit::invalid, scene.source, "/animations", "no-clips",
                          "no animation moves a node of the scene; cook without --clips-only");
   out.is_pack = true;
+  out.packs_clips = options.mesh_codec != MeshCodec::none;
   Carried carried;
   if (options.onto) carried.meshes = options.onto->meshes;
   out.clips = build_clips(scene, out, carried, options, notes);
@@ -105,6 +106,7 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
   BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
   out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes}, options, notes);
+  out.packs_clips = options.mesh_codec != MeshCodec::none;
   out.geometries = std::move(meshes.geometries);
   out.learnt = std::move(meshes.learnt);
   out.meshes = std::move(meshes.meshes);

@@ -55,7 +55,7 @@ constexpr Option kPrecisionOptions[] = {
     {"mesh-codec", OptionKind::text, "TEXT",
      "draco: the smallest, but meshopt for a mesh with a hundred morph targets or so, which are too many for it; "
      "meshopt: "
-     "the fastest to unpack; none: not packed, floats as they are",
+     "the fastest to unpack; none: the file is not packed, floats and clips are as they will be in memory",
      names_in<kMeshCodecs>, [](CookOptions& o, const Value& v) { o.mesh_codec = *value_of(kMeshCodecs, v.text); }},
     {"position-error",
      OptionKind::text,

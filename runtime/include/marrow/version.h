@@ -10,7 +10,7 @@
 
 // The versions of the cooked file and of the packed one: load() and unpack() take these and no others.
 #define MARROW_FILE_FORMAT 1
-#define MARROW_PACKED_FORMAT 1
+#define MARROW_PACKED_FORMAT 2
 
 namespace marrow {
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/geometry/bit_encoder.h"
 #include "cook/geometry/build_geometry.h"
+#include "cook/geometry/symbol_encoder.h"
 #include "deform/animation_space.h"
 #include "deform/cylinder.h"
 #include "support/ring.h"
@@ -54,10 +54,10 @@ struct RingInWork {
 TEST(ResidualApart, TheEncoderWritesTheBitsThatTheRuntimesTestsRead) {
   RingInWork ring;
   ASSERT_TRUE(shift_by_guess(ring.work, -1));
-  BitEncoder encoder;
+  SymbolEncoder encoder;
   const auto models = std::make_unique<ResidualModels>();
-  ResidualCodec<BitEncoder> codec(ring.work.mesh, ring.work.near, ring.work.smoothed, true, ring.work.table, *models,
-                                  encoder);
+  ResidualCodec<SymbolEncoder> codec(ring.work.mesh, ring.work.near, ring.work.smoothed, true, ring.work.table, *models,
+                                     encoder);
   for (std::uint32_t v = 0; v < ring.work.mesh.vertex_count; ++v) ASSERT_TRUE(codec.code(v)) << v;
   const std::vector<std::byte> bits = encoder.finish();
   ASSERT_EQ(bits.size(), sizeof test::kRingBits);

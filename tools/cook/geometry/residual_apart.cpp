@@ -9,7 +9,7 @@
 
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
-#include "cook/geometry/bit_encoder.h"
+#include "cook/geometry/symbol_encoder.h"
 #include "unpack/residual.h"
 
 namespace marrow::cook {
@@ -149,10 +149,10 @@ class Work {
   bool take_guess() { return shift_by_guess(work_, -1); }
 
   std::vector<std::byte> encode() {
-    BitEncoder encoder;
+    SymbolEncoder encoder;
     auto models = std::make_unique<ResidualModels>();
-    ResidualCodec<BitEncoder> codec(work_.mesh, work_.near, work_.smoothed, work_.mesh.apart.iterations > 0,
-                                    work_.table, *models, encoder);
+    ResidualCodec<SymbolEncoder> codec(work_.mesh, work_.near, work_.smoothed, work_.mesh.apart.iterations > 0,
+                                       work_.table, *models, encoder);
     for (std::uint32_t v = 0; v < work_.mesh.vertex_count; ++v)
       if (!codec.code(v)) throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "no residual");
     return encoder.finish();

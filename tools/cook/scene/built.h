@@ -185,8 +185,9 @@ struct Character {
 };
 
 struct BuiltScene {
-  bool is_pack = false;    // the skeletons are only referred to
-  bool is_outfit = false;  // the skeletons are a body's, which poses them
+  bool is_pack = false;      // the skeletons are only referred to
+  bool packs_clips = false;  // a file without meshes, too, is packed if it has coded clips
+  bool is_outfit = false;    // the skeletons are a body's, which poses them
   std::vector<BuiltSkeleton> skeletons;
   std::vector<int> joint_of_node;         // in its skeleton; kNone for nodes that are no joints
   std::vector<NearestJoint> nearest;      // a node

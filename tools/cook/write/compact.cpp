@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <span>
 
 #include "cook/geometry/record.h"
 #include "cook/scene/matrices.h"
@@ -94,57 +93,6 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
     if (scales)
       for (const auto& axis : four.scale) add_value(axis[lane], out);
   }
-  return out;
-}
-
-std::vector<std::byte> compact_clip(std::span<const std::byte> section, std::uint32_t codec, std::size_t joint_count) {
-  format::ClipHeader h;
-  std::memcpy(&h, section.data(), sizeof h);
-  const format::ClipLayout lists = layout(h);
-  const bool coded = codec == format::kCodecSegments;
-  format::CodedHeader c{};
-  if (coded) std::memcpy(&c, section.data() + lists.bytes, sizeof c);
-  std::uint32_t flags = coded ? packed::kClipIsCoded : 0u;
-  if (h.additive != 0) flags |= packed::kClipIsAdditive;
-  if (lists.bytes > sizeof h) flags |= packed::kClipHasLists;
-  if (c.start_s != 0) flags |= packed::kClipStartsLater;
-  if (c.time_count != 0) flags |= packed::kClipIsUneven;
-
-  std::vector<std::byte> out = {static_cast<std::byte>(flags)};
-  const auto add_bytes = [&](std::uint64_t first, std::uint64_t end) {
-    const auto part = section.subspan(first, end - first);
-    out.insert(out.end(), part.begin(), part.end());
-  };
-  add_varint(h.name, out);
-  add_varint(h.skeleton, out);
-  add_value(h.duration_s, out);
-  if ((flags & packed::kClipHasLists) != 0) {
-    for (const std::uint32_t count : {h.track_count, h.channel_count, h.time_count, h.value_count})
-      add_varint(count, out);
-    add_value(h.reference_groups, out);
-  }
-  add_bytes(sizeof h, lists.bytes);
-  if (!coded) return out;
-
-  const format::CodedLayout l = layout(c, lists.bytes, static_cast<std::uint32_t>(joint_count));
-  add_varint(c.frame_count, out);
-  add_varint(c.segment_intervals, out);
-  add_value(c.frames_per_s, out);
-  if (c.start_s != 0) add_value(c.start_s, out);
-  add_bytes(l.times, l.offsets);
-  std::uint32_t before = 0;
-  for (std::uint64_t at = l.offsets + 4; at < l.masks; at += 4) {
-    std::uint32_t offset = 0;
-    std::memcpy(&offset, section.data() + at, sizeof offset);
-    add_varint(offset - before, out);
-    before = offset;
-  }
-  for (std::uint64_t at = l.masks; at < l.constants; at += 2) {
-    std::uint16_t mask = 0;
-    std::memcpy(&mask, section.data() + at, sizeof mask);
-    add_varint(mask, out);
-  }
-  add_bytes(l.constants, l.bytes - format::kPayloadPadding);
   return out;
 }
 

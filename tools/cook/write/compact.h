@@ -1,8 +1,7 @@
-// Skeletons, clips, meshes and names as packed files hold them; runtime/unpack/structure.h reads them.
+// Skeletons, meshes and names as packed files hold them; runtime/unpack/structure.h reads them.
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "cook/scene/built.h"
@@ -12,8 +11,6 @@ namespace marrow::cook {
 // `name`: of the skeleton, an offset plus one, or 0 if it is the next new one; of joints likewise.
 std::vector<std::byte> compact_skeleton(const BuiltSkeleton& skeleton, std::uint32_t name,
                                         const std::vector<std::uint32_t>& joint_names);
-// Of a whole section.
-std::vector<std::byte> compact_clip(std::span<const std::byte> section, std::uint32_t codec, std::size_t joint_count);
 // `header` is the section's; the names are targets'.
 std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHeader& header,
                                     const std::vector<MeshTarget>& targets);

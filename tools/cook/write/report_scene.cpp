@@ -110,6 +110,7 @@ ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
                    {"raw_because", clip.raw_because.empty() ? ordered_json() : ordered_json(clip.raw_because)},
                    {"raw_bytes", raw_bytes},
                    {"bytes", bytes},
+                   {"memory_bytes", written.clip_memory_bytes[i]},
                    {"ratio", raw_bytes > 0 ? ordered_json(static_cast<double>(bytes) / static_cast<double>(raw_bytes))
                                            : ordered_json()},
                    {"additive", clip.additive.empty() ? ordered_json() : ordered_json(clip.additive)},

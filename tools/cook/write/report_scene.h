@@ -22,8 +22,8 @@ struct SourceFile {
 
 // {source {file, bytes}, output {bytes, sections [{type, bytes}]}, clip_pack, skeletons [{name, joints}], meshes
 // [{name, vertices, triangles, influences, codec, bytes, max_position_error_m}], clips [{name, skeleton, duration_s,
-// raw_bytes, bytes, additive, channels [name], max_error_m, max_vertex_error_m, bounds}], materials [{name, alpha,
-// textures
+// raw_bytes, bytes, memory_bytes, additive, channels [name], max_error_m, max_vertex_error_m, bounds}], materials
+// [{name, alpha, textures
 // [{role, image}]}], images [{name, uri, format, bytes}], nodes [{name, skeleton, joint, properties}], keep [{glob,
 // nodes [name]}], warnings [{pointer, rule, text}]}; docs/architecture.md says what each means.
 nlohmann::ordered_json report_scene(const SourceFile& source, const BuiltScene& built, const WrittenFile& written,

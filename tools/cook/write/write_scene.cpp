@@ -9,6 +9,7 @@
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
 #include "cook/geometry/record.h"
+#include "cook/write/clip_packer.h"
 #include "cook/write/compact.h"
 #include "cook/write/measure_bounds.h"
 
@@ -104,7 +105,7 @@ void add_coded(const BuiltCoded& coded, Section& out) {
   out.add_all(coded.payload);
 }
 
-Section write_clip(const BuiltClip& c, std::size_t joint_count, Names& names) {
+Section write_clip(const BuiltClip& c, std::size_t joint_count, Names& names, ClipPacker& packer) {
   Section out;
   out.add(format::ClipHeader{names.add(c.name), c.skeleton, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
                              static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
@@ -121,7 +122,7 @@ Section write_clip(const BuiltClip& c, std::size_t joint_count, Names& names) {
   out.add_all(c.times_s);
   out.add_all(c.values);
   if (c.coded.header.frame_count > 0) add_coded(c.coded, out);
-  out.compact = compact_clip(out.bytes(), out.codec, joint_count);
+  out.compact = packer.pack(out.bytes(), out.codec, joint_count);
   return out;
 }
 
@@ -318,8 +319,11 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   sections.reserve(3 * scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
                    scene.images.size() + scene.nodes.size() + 1);
   std::vector<Entry> entries;
-  const bool is_packed = std::any_of(scene.geometries.begin(), scene.geometries.end(),
-                                     [](const BuiltGeometry& g) { return g.codec != 0; });
+  const bool is_packed =
+      std::any_of(scene.geometries.begin(), scene.geometries.end(),
+                  [](const BuiltGeometry& g) { return g.codec != 0; }) ||
+      (scene.packs_clips && std::any_of(scene.clips.begin(), scene.clips.end(),
+                                        [](const BuiltClip& c) { return c.coded.header.frame_count > 0; }));
   const auto add = [&](format::Kind kind, Section section) {
     const Section& kept = sections.emplace_back(std::move(section));
     const bool compact = is_packed && !kept.compact.empty();
@@ -333,9 +337,13 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
                   : add(format::kSkeletons, write_skeleton(skeleton, names));
     scratch_bytes = std::max(scratch_bytes, compact_scratch_bytes(skeleton));
   }
-  for (const BuiltClip& clip : scene.clips)
+  ClipPacker packer;
+  for (const BuiltClip& clip : scene.clips) {
     out.clip_bytes.push_back(
-        add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names)));
+        add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names, packer)));
+    out.clip_memory_bytes.push_back(entries.back().section.size());
+  }
+  scratch_bytes = std::max(scratch_bytes, packer.scratch_bytes());
   for (const BuiltGeometry& g : scene.geometries) {
     const std::span<const std::byte> section(g.section.data(), g.section.size());
     const bool has_record = g.codec != 0;

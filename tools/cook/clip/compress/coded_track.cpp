@@ -1,22 +1,16 @@
 #include "cook/clip/compress/coded_track.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "asset/format.h"
+#include "unpack/clip/track_fit.h"
 
 namespace marrow::cook {
 namespace {
 
 constexpr double kLargestInteger = 1e9;  // so that sums of two stay in 32 bits
-
-std::uint32_t width_code(std::uint32_t range) {
-  const auto bits = static_cast<std::uint32_t>(std::bit_width(range));
-  return bits <= 14 ? bits : bits <= 19 ? 15 : 16;
-}
 
 }  // namespace
 
@@ -30,7 +24,7 @@ CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code) {
   CodedTrack track;
   track.step_code = step_code;
   const double inverse = 1 / static_cast<double>(format::step_size(static_cast<std::uint32_t>(step_code)));
-  std::array<std::int32_t, 3> low{}, high{};
+  std::int32_t low[3] = {}, high[3] = {};
   track.values.reserve(frames.size());
   for (const glm::dvec3& v : frames) {
     std::array<std::int32_t, 3> n{};
@@ -43,17 +37,15 @@ CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code) {
     }
     track.values.push_back(n);
   }
-  const auto fits16 = [&](std::int32_t n) { return n >> track.shift >= -32768 && n >> track.shift <= 32767; };
-  while (!std::all_of(low.begin(), low.end(), fits16)) ++track.shift;
-  if (track.shift > 15) return track;
-  track.fits = true;
+  TrackFit fit;
+  track.fits = fit_track(low, high, fit);
+  if (!track.fits) return track;
+  track.shift = fit.shift;
   for (std::size_t c = 0; c < 3; ++c) {
-    track.least[c] = low[c] >> track.shift;
-    const std::int64_t range = std::int64_t{high[c]} - std::int64_t{track.least[c]} * (std::int64_t{1} << track.shift);
-    track.width_codes[c] = range < (1 << 19) ? width_code(static_cast<std::uint32_t>(range)) : 16;
-    if (track.width_codes[c] > 15) track.fits = false;
-    track.frame_bits += format::component_bits(track.width_codes[c]);
+    track.least[c] = fit.least[c];
+    track.width_codes[c] = fit.width_codes[c];
   }
+  track.frame_bits = fit.bits;
   return track;
 }
 

@@ -23,8 +23,13 @@ constexpr double kShare = 0.97;                                 // of the promis
 constexpr int kMostTries = 6;                                   // with ever less of it, until the vertices keep theirs
 constexpr std::size_t kMostSkinned = 15'000'000;  // vertices that one measurement skins, if it need not more
 
+bool is_among(const std::vector<TrackId>& ids, const Track& track) {
+  return std::any_of(ids.begin(), ids.end(),
+                     [&](const TrackId& id) { return id.joint == track.joint && id.path == track.path; });
+}
+
 // The tracks that stay raw, with the times and values that they use.
-BuiltClip keep_jumping(const BuiltClip& clip) {
+BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
   BuiltClip out;
   out.name = clip.name;
   out.skeleton = clip.skeleton;
@@ -32,7 +37,7 @@ BuiltClip keep_jumping(const BuiltClip& clip) {
   out.most_keys = clip.most_keys;
   std::uint32_t list = UINT32_MAX, moved = 0;
   for (const Track& track : clip.tracks) {
-    if (!jumps(clip, track)) continue;
+    if (!is_among(raw, track)) continue;
     if (track.first_time != list) {
       list = track.first_time;
       moved = static_cast<std::uint32_t>(out.times_s.size());
@@ -66,8 +71,6 @@ class Compressor {
       source_.emplace_back();
       for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) source_[j].push_back(curves_.at(j, time_of(e)));
     }
-    for (const Track& track : clip.tracks)
-      if (jumps(clip, track)) exact_.push_back({track.joint, track.path});
     sort_tracks(promise);
   }
 
@@ -105,11 +108,18 @@ bool Compressor::stays(std::size_t joint, TrackPath path, const Transform& at, c
   for (const std::size_t below : rig_.subtrees[joint]) least = std::min(least, promise.error[below]);
   const double most = kStillShare * least /
                       (path == TrackPath::translation ? rig_.scale_above[joint] : reach_below(joint, rig_, promise));
-  return std::all_of(source_[joint].begin(), source_[joint].end(), [&](const Transform& t) {
+  const auto is_near = [&](const Transform& t) {
     if (path == TrackPath::translation) return glm::length(t.translation - at.translation) <= most;
     if (path == TrackPath::scale) return glm::length(t.scale - at.scale) <= most;
     const glm::dquat turned = glm::conjugate(at.rotation) * t.rotation;
     return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) <= most;
+  };
+  if (!std::all_of(source_[joint].begin(), source_[joint].end(), is_near)) return false;
+  // Between two moments a track that jumps may be anywhere.
+  const Track& track = *curves_.track(joint, path);
+  const float* const times = clip_.times_s.data() + track.first_time;
+  return !jumps(clip_, track) || std::all_of(times, times + track.key_count, [&](float time_s) {
+    return is_near(curves_.at(joint, static_cast<double>(time_s)));
   });
 }
 
@@ -135,7 +145,7 @@ void Compressor::sort_tracks(const Promise& promise) {
     for (const TrackPath path : {TrackPath::rotation, TrackPath::translation, TrackPath::scale})
       for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
         const Track* const track = curves_.track(j, path);
-        if (track == nullptr || jumps(clip_, *track) || stays(j, path, rig_.rest[j], promise)) continue;
+        if (track == nullptr || stays(j, path, rig_.rest[j], promise)) continue;
         const Transform& rest = rig_.rest[j];
         Transform at = middle(j);
         const format::Constant numbers = path == TrackPath::rotation ? code_rotation(at.rotation)
@@ -146,7 +156,7 @@ void Compressor::sort_tracks(const Promise& promise) {
         if (path == TrackPath::translation) at.translation = rest.translation + decode_offset(numbers);
         if (path == TrackPath::scale) at.scale = rest.scale + decode_offset(numbers);
         if (!stays(j, path, at, promise)) {
-          moving_.push_back({j, path});
+          (jumps(clip_, *track) ? exact_ : moving_).push_back({j, path});
           continue;
         }
         constant_.push_back({{j, path}, numbers});
@@ -210,7 +220,7 @@ std::optional<BuiltCoded> Compressor::code(const Promise& promise, std::size_t l
 
 std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share, std::size_t& length) const {
   std::optional<BuiltClip> best;
-  if (moving_.empty() && constant_.empty()) best = keep_jumping(clip_);
+  if (moving_.empty() && constant_.empty()) best = keep_raw(clip_, exact_);
   Promise stricter = promise;
   for (double& error : stricter.error) error *= share;
   std::size_t last_count = 0;
@@ -223,7 +233,7 @@ std::optional<BuiltClip> Compressor::compress(const Promise& promise, double sha
     std::optional<BuiltCoded> coded = code(stricter, most);
     if (!coded) break;  // a finer grid may help, other segments will not
     if (best && coded->payload.size() >= best->coded.payload.size()) continue;
-    best = keep_jumping(clip_);
+    best = keep_raw(clip_, exact_);
     best->coded = std::move(*coded);
     length = most;
   }

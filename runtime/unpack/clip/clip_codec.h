@@ -1,0 +1,241 @@
+// The integers of coded clips as symbols: one text for the cooker, which writes them, and for unpacking. A component of
+// a track is predicted from its own frames before; what is missing is coded by how far predictions were off lately.
+#pragma once
+
+#include <bit>
+
+#include "asset/format.h"
+#include "unpack/symbol_coder.h"
+
+namespace marrow {
+
+// From two differences before, in sixteenths: x₁ + a · (x₁ − x₂) + b · (x₂ − x₃).
+struct ClipPredictor {
+  std::int16_t a, b;
+};
+inline constexpr std::uint32_t kClipPredictors = 8;
+inline constexpr ClipPredictor kClipPredictor[kClipPredictors] = {{0, 0},  {8, 0},   {16, 0},   {32, -16},
+                                                                  {-6, 0}, {12, -4}, {24, -12}, {4, 0}};
+
+// A component is within so much of its first frame: more than its width allows.
+inline constexpr std::int32_t kClipReach = 1 << 19;
+// Of first frames.
+inline constexpr std::int32_t kClipFarthest = 1 << 30;
+
+// How far predictions are off, in half octaves of sixteenths.
+class ClipScale {
+ public:
+  static constexpr std::uint32_t kCount = 29;
+
+  std::uint32_t code() const { return nearest(mean_); }
+  static std::uint32_t nearest(std::int32_t distance) {
+    const auto x = static_cast<std::uint32_t>(distance) + 4;
+    const auto octave = static_cast<std::uint32_t>(std::bit_width(x)) - 1;
+    const std::uint32_t out = 2 * octave + (x >> (octave - 1) & 1) - 4;
+    return out < kCount ? out : kCount - 1;
+  }
+  void begin(std::uint32_t code) { mean_ = static_cast<std::int32_t>((5 + 2 * (code & 1)) << (code + 4) / 2 >> 2) - 4; }
+  std::int32_t mean() const { return mean_; }
+  void learn(std::int32_t distance) { mean_ += (distance - mean_) * 7 >> 4; }
+
+ private:
+  std::int32_t mean_ = 0;
+};
+
+struct ClipModels {
+  // By how far predictions are off; by the last difference, none, small or large; by where the last prediction lay.
+  SymbolModel numbers[ClipScale::kCount][3][3];
+  // Of the first segment and of others.
+  SymbolModel steps[2], firsts[2];
+  SymbolModel scales[2], predictors;  // scales: by whether the component before moves
+
+  void begin();
+};
+
+// How a component is coded: an encoder's choice.
+struct ClipCurve {
+  bool moves = false;
+  std::uint32_t predictor = 0, scale = 0;
+};
+
+// A track of a segment.
+struct ClipTrack {
+  std::int32_t (*numbers)[3] = nullptr;  // a frame
+  std::uint32_t frame_count = 0;
+  std::int32_t step = 0;
+  ClipCurve curves[3];
+};
+
+// What a segment leaves of a track for the next one.
+struct ClipTrackEnd {
+  std::int32_t step, numbers[3];
+};
+
+// Coder: SymbolDecoder, or an encoder that has the same functions. An encoder's track holds what is to be written; a
+// decoder's is filled in. A clip has one of its own; models go on from clip to clip.
+template <class Coder>
+class ClipCodec {
+ public:
+  ClipCodec(ClipModels& models, Coder& coder) : models_(models), coder_(coder) {}
+
+  // What stands in front of the numbers: step, first frame, and which components move. before: of the same track; null
+  // in the first segment. False if it is nothing that an encoder writes.
+  bool code_head(ClipTrack& track, const ClipTrackEnd* before) {
+    const std::uint32_t which = before != nullptr ? 1 : 0;
+    const std::int32_t step = before != nullptr ? before->step : step_;
+    track.step = sum(step, code_number(models_.steps[which], Coder::kEncodes ? track.step - step : 0));
+    bool fits = track.step >= 0 && track.step <= 255, moves = false;
+    if (!fits) return false;
+    step_ = track.step;
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const std::int32_t guess = before != nullptr ? rescaled(before->numbers[c], before->step, track.step) : 0;
+      std::int32_t& first = track.numbers[0][c];
+      first = sum(guess, code_number(models_.firsts[which], Coder::kEncodes ? first - guess : 0));
+      fits = fits && first >= -kClipFarthest && first <= kClipFarthest;
+      code_curve(track.curves[c], moves);
+      moves = track.curves[c].moves;
+    }
+    return fits;
+  }
+
+  // All frames but the first; of components that do not move copies of it.
+  bool code_numbers(ClipTrack& track) {
+    Walk walks[3];
+    for (std::uint32_t c = 0; c < 3; ++c)
+      if (track.curves[c].moves) walks[c].begin(track.curves[c]);
+    const std::int32_t(&first)[3] = track.numbers[0];
+    for (std::uint32_t f = 1; f < track.frame_count; ++f) {
+      bool fits = true;
+      std::int32_t(&now)[3] = track.numbers[f];
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const std::int32_t wanted = Coder::kEncodes ? now[c] - first[c] : 0;
+        const std::int32_t x = track.curves[c].moves ? code_next(walks[c], wanted) : 0;
+        fits = fits && x > -kClipReach && x < kClipReach;
+        if (!Coder::kEncodes) now[c] = first[c] + x;
+      }
+      if (!fits) return false;
+    }
+    return true;
+  }
+
+ private:
+  // Of the symbols of a number: the least that each stands for, and how many bits say which. The last has others.
+  static constexpr std::uint32_t kEscape = SymbolModel::kCount - 1, kEscapeLow = 12, kEscapeHigh = 10;
+  static constexpr std::uint32_t kFirstShifted = 10;  // scale from which the lowest bits are raw
+  static constexpr std::uint8_t kLeast[SymbolModel::kCount] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 64, 128, 0};
+  static constexpr std::uint8_t kRawBits[SymbolModel::kCount] = {0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 3, 3, 5, 6, 7, 0};
+  static constexpr std::uint32_t kEnd = 256;
+
+  // A component on its way: its number less the first, its last two differences, and how far the last prediction was
+  // off.
+  struct Walk {
+    std::int32_t x = 0, d1 = 0, d2 = 0, off = 0;
+    ClipPredictor predictor{};
+    ClipScale scale;
+
+    void begin(const ClipCurve& curve) {
+      predictor = kClipPredictor[curve.predictor];
+      scale.begin(curve.scale);
+    }
+  };
+
+  // 0, 1, -1, 2, -2 … as 0, 1, 2, 3, 4 …
+  static std::uint32_t folded(std::int32_t x) {
+    const auto bits = static_cast<std::uint32_t>(x);
+    return x > 0 ? 2 * bits - 1 : 0 - 2 * bits;
+  }
+  static std::int32_t unfolded(std::uint32_t x) {
+    const std::uint32_t half = (x >> 1) + (x & 1);
+    return static_cast<std::int32_t>((x & 1) != 0 ? half : 0 - half);
+  }
+  // Of what may be anything.
+  static std::int32_t sum(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+  }
+
+  // The nearest whole number to the prediction first, then the next nearest, on either side of it.
+  std::int32_t code_next(Walk& w, std::int32_t wanted) {
+    const std::int32_t exact = 16 * w.x + w.predictor.a * w.d1 + w.predictor.b * w.d2;
+    const std::int32_t nearest = (exact + 8) >> 4;
+    const std::int32_t flip = exact < 16 * nearest ? -1 : 0;  // or 0: towards where the prediction is
+    const auto flipped = [flip](std::int32_t x) { return (x ^ flip) - flip; };
+    const std::uint32_t scale = w.scale.code();
+    const std::uint32_t shift = scale > kFirstShifted ? (scale - kFirstShifted) / 2 : 0;
+    const std::uint32_t size = (w.d1 != 0 ? 1u : 0u) + (w.d1 > 2 || w.d1 < -2 ? 1u : 0u);
+    const std::int32_t side = flipped(w.off), far = w.scale.mean() >> 2;
+    SymbolModel& model = models_.numbers[scale][size][side > far ? 1 : side < -far ? 2 : 0];
+    const std::int32_t off = flipped(unfolded(code_folded(model, shift, folded(flipped(wanted - nearest)))));
+    const std::int32_t x = nearest + off;
+    w.off = 16 * x - exact;
+    w.scale.learn(w.off < 0 ? -w.off : w.off);
+    w.d2 = w.d1;
+    w.d1 = x - w.x;
+    w.x = x;
+    return x;
+  }
+
+  std::uint32_t code_folded(SymbolModel& model, std::uint32_t shift, std::uint32_t wanted) {
+    std::uint32_t symbol = kEscape;
+    if (Coder::kEncodes && wanted >> shift < kEnd) do
+        --symbol;
+      while (kLeast[symbol] > wanted >> shift);
+    symbol = coder_.symbol(model, symbol);
+    if (symbol == kEscape) [[unlikely]] {
+      const std::uint32_t low = coder_.raw_bits(kEscapeLow, wanted & ((1u << kEscapeLow) - 1));
+      return coder_.raw_bits(kEscapeHigh, wanted >> kEscapeLow) << kEscapeLow | low;
+    }
+    const std::uint32_t least = std::uint32_t{kLeast[symbol]} << shift;
+    return least + coder_.raw_bits(kRawBits[symbol] + shift, wanted - least);
+  }
+
+  // Its length, and the bits behind its first.
+  std::int32_t code_number(SymbolModel& model, std::int32_t wanted) {
+    constexpr std::uint32_t kLong = SymbolModel::kCount - 1, kMostLength = 32;
+    const std::uint32_t bits = folded(wanted), size = Coder::kEncodes ? bit_length(bits) : 0;
+    std::uint32_t length = coder_.symbol(model, size < kLong ? size : kLong);
+    length += length == kLong ? coder_.raw_bits(5, size - kLong) : coder_.raw_bits(0, 0);
+    if (length < 2) return unfolded(length);
+    std::uint32_t out = 1;
+    for (std::uint32_t left = (length < kMostLength ? length : kMostLength) - 1; left > 0;) {
+      const std::uint32_t some = left < SymbolDecoder::kMostRawBits ? left : SymbolDecoder::kMostRawBits - 1;
+      left -= some;
+      out = out << some | coder_.raw_bits(some, bits >> left & ((1u << some) - 1));
+    }
+    return unfolded(out);
+  }
+
+  // Scales are close to the last one.
+  void code_curve(ClipCurve& curve, bool is_after_moving) {
+    constexpr std::int32_t kFarthest = 7, kMost = ClipScale::kCount - 1;
+    std::int32_t off = static_cast<std::int32_t>(curve.scale) - scale_;
+    off = off < -kFarthest ? -kFarthest : off > kFarthest ? kFarthest : off;
+    const std::uint32_t code =
+        coder_.symbol(models_.scales[is_after_moving ? 1 : 0], curve.moves ? 1 + folded(off) : 0);
+    coder_.raw_bits(0, 0);
+    curve.moves = code != 0;
+    if (!curve.moves) return;
+    scale_ += unfolded(code - 1);
+    scale_ = scale_ < 0 ? 0 : scale_ > kMost ? kMost : scale_;
+    curve.scale = static_cast<std::uint32_t>(scale_);
+    curve.predictor = coder_.symbol(models_.predictors, curve.predictor) % kClipPredictors;
+    coder_.raw_bits(0, 0);
+  }
+
+  // In steps of another code. 0 of what is too far off to be a guess.
+  static std::int32_t rescaled(std::int32_t number, std::int32_t from, std::int32_t to) {
+    constexpr std::int32_t kMostOctaves = 24;
+    const std::int32_t octaves = from / 4 - to / 4;
+    if (octaves > kMostOctaves || octaves < -kMostOctaves) return 0;
+    const std::int64_t up = std::int64_t{1} << (octaves > 0 ? octaves : 0);
+    const std::int64_t down = (std::int64_t{1} << (octaves < 0 ? -octaves : 0)) * (4 + to % 4);
+    const std::int64_t twice = std::int64_t{2} * number * (4 + from % 4) * up;
+    const std::int64_t out = (twice + (twice < 0 ? -down : down)) / (2 * down);
+    return out < -kClipFarthest || out > kClipFarthest ? 0 : static_cast<std::int32_t>(out);
+  }
+
+  ClipModels& models_;
+  Coder& coder_;
+  std::int32_t step_ = 100, scale_ = 10;  // of the track and of the moving component before
+};
+
+}  // namespace marrow

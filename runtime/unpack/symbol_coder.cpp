@@ -1,0 +1,111 @@
+#include "unpack/symbol_coder.h"
+
+#include <cstring>
+
+namespace marrow {
+namespace {
+
+// Of 2^16, less a half.
+std::int16_t moved(std::int16_t from, bool bit, std::uint32_t shift) {
+  constexpr std::int32_t kOne = 1 << 16, kHalf = kOne / 2, kLeast = 32;
+  std::int32_t chance = from + kHalf;
+  chance += bit ? (kOne - chance) >> shift : -(chance >> shift);
+  chance = chance < kLeast ? kLeast : chance > kOne - kLeast ? kOne - kLeast : chance;
+  return static_cast<std::int16_t>(chance - kHalf);
+}
+
+constexpr std::int16_t kLeastOfSymbol = 8;  // that each symbol moves to
+constexpr std::int16_t kAllButLeast = (1 << SymbolModel::kBits) - SymbolModel::kCount * kLeastOfSymbol;
+
+// Where the ends of symbols move to: those of the symbol and of what stands behind it by kAllButLeast further than
+// others. The last 16 from 15 - symbol on.
+struct EndSteps {
+  std::int16_t of[2 * SymbolModel::kCount] = {};
+  constexpr EndSteps() {
+    for (std::uint32_t i = SymbolModel::kCount - 1; i < 2 * SymbolModel::kCount; ++i) of[i] = kAllButLeast;
+  }
+};
+constexpr EndSteps kEndSteps;
+
+// How far they move, of 2^16, by how many symbols were seen.
+constexpr std::int16_t kRates[] = {1 << 13, 1 << 13, 1 << 12, 1 << 12, 1 << 11, 1 << 11, 1 << 11, 1 << 11, 1 << 10};
+constexpr std::int16_t kMostSeen = sizeof(kRates) / sizeof(kRates[0]) - 1, kGuessSeen = 3;
+
+}  // namespace
+
+void BitModel::learn(bool bit) {
+  constexpr std::uint32_t kSeenMost = 32, kFast = 4;
+  const auto seen = static_cast<std::uint32_t>(seen_);
+  fast_ = moved(fast_, bit, seen + 1 < kFast ? seen + 1 : kFast);
+  slow_ = moved(slow_, bit, 1 + bit_length(seen));
+  if (seen < kSeenMost) ++seen_;
+}
+
+void SymbolModel::begin(const std::uint8_t (&weights)[kCount], bool is_guess) {
+  std::uint32_t start = 0;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    starts_[i] = static_cast<std::int16_t>(start);
+    start += weights[i] * ((1u << kBits) / kWeights);
+  }
+  starts_[kCount] = static_cast<std::int16_t>(start);
+  seen_ = is_guess ? kGuessSeen : 0;
+}
+
+// Written so that compilers see 16-bit vectors in it.
+std::uint32_t SymbolModel::find(std::uint32_t place) const {
+  const auto wanted = static_cast<std::int16_t>(place);
+  std::int16_t out = 0;
+  for (std::uint32_t i = 1; i <= kCount; ++i) out = static_cast<std::int16_t>(out + (starts_[i] <= wanted ? 1 : 0));
+  return static_cast<std::uint32_t>(out);
+}
+
+// So is this: a product's upper half is a vector's operation, a shift by a number from memory is none.
+void SymbolModel::learn(std::uint32_t symbol) {
+  const std::int16_t* const steps = kEndSteps.of + (kCount - 1 - symbol);
+  const std::int16_t rate = kRates[seen_];
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const auto least = static_cast<std::int16_t>((i + 1) * kLeastOfSymbol);
+    const auto way = static_cast<std::int16_t>(least + steps[i] - starts_[i + 1]);
+    starts_[i + 1] = static_cast<std::int16_t>(starts_[i + 1] + static_cast<std::int16_t>(way * rate >> 16));
+  }
+  if (seen_ < kMostSeen) ++seen_;
+}
+
+SymbolDecoder::SymbolDecoder(Span<const std::byte> bytes) : at_(bytes.data), left_(bytes.size) {
+  for (int i = 0; i < 2; ++i) state_ = state_ << 32 | next();
+}
+
+std::uint32_t SymbolDecoder::symbol(SymbolModel& model, std::uint32_t) {
+  const std::uint32_t place = static_cast<std::uint32_t>(state_) & ((1u << SymbolModel::kBits) - 1);
+  const std::uint32_t symbol = model.find(place);
+  const SymbolShare share = model.share(symbol);
+  state_ = share.size * (state_ >> SymbolModel::kBits) + (place - share.start);
+  model.learn(symbol);
+  return symbol;
+}
+
+bool SymbolDecoder::bit(BitModel& model, bool) {
+  const std::uint32_t place = static_cast<std::uint32_t>(state_) & ((1u << BitModel::kBits) - 1);
+  const std::uint32_t chance = model.chance();
+  const bool bit = place < chance;
+  state_ >>= BitModel::kBits;
+  state_ = bit ? chance * state_ + place : ((1u << BitModel::kBits) - chance) * state_ + (place - chance);
+  refill();
+  model.learn(bit);
+  return bit;
+}
+
+std::uint32_t SymbolDecoder::next() {
+  std::uint32_t out = 0;
+  if (left_ < sizeof out) {
+    left_ = 0;
+    failed_ = true;
+    return 0;
+  }
+  std::memcpy(&out, at_, sizeof out);
+  at_ += sizeof out;
+  left_ -= sizeof out;
+  return out;
+}
+
+}  // namespace marrow

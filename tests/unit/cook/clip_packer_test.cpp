@@ -1,0 +1,231 @@
+// Coded clips as packed files have them: sections laid out here must come back to the bit, and what is damaged must be
+// refused or become something within its bounds.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "cook/write/clip_packer.h"
+#include "support/aligned.h"
+#include "unpack/clip/clip.h"
+
+namespace marrow::cook {
+namespace {
+
+using test::AlignedBlock;
+
+constexpr std::uint32_t kPackedJoints = 6, kMaskedTracks = 5;
+
+// A segment after docs/format.md: all tracks' numbers, three columns each, as few bits as they need.
+std::vector<std::byte> segment_of(const std::vector<std::array<std::vector<std::int32_t>, 3>>& tracks,
+                                  const std::vector<int>& steps, std::size_t frames) {
+  std::vector<std::byte> heads;
+  std::vector<std::vector<bool>> records(frames);
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    int shift = 0;
+    const auto least = [&](std::size_t c) { return *std::min_element(tracks[t][c].begin(), tracks[t][c].end()); };
+    for (std::size_t c = 0; c < 3; ++c)
+      while (least(c) >> shift < -32768 || least(c) >> shift > 32767) ++shift;
+    unsigned widths[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int32_t from = (least(c) >> shift) * (1 << shift);
+      const std::int32_t range = *std::max_element(tracks[t][c].begin(), tracks[t][c].end()) - from;
+      const auto bits = static_cast<unsigned>(std::bit_width(static_cast<unsigned>(range)));
+      widths[c] = bits > 14 ? 15 : bits;
+      for (std::size_t f = 0; f < frames; ++f)
+        for (unsigned i = 0; i < (widths[c] == 15 ? 19 : widths[c]); ++i)
+          records[f].push_back(((tracks[t][c][f] - from) >> i & 1) != 0);
+    }
+    heads.push_back(static_cast<std::byte>(static_cast<unsigned>(shift) | widths[0] << 4));
+    heads.push_back(static_cast<std::byte>(widths[1] | widths[2] << 4));
+    heads.push_back(static_cast<std::byte>(steps[t]));
+    for (std::size_t c = 0; c < 3; ++c)
+      for (int i = 0; i < 16; i += 8) heads.push_back(static_cast<std::byte>(least(c) >> shift >> i));
+  }
+  const std::size_t bytes = frames > 0 ? (records[0].size() + 7) / 8 : 0;
+  std::vector<std::byte> out(4 + heads.size() + frames * bytes);
+  for (std::size_t i = 0; i < 4; ++i) out[i] = static_cast<std::byte>(bytes >> 8 * i);
+  std::copy(heads.begin(), heads.end(), out.begin() + 4);
+  for (std::size_t f = 0; f < frames; ++f)
+    for (std::size_t i = 0; i < records[f].size(); ++i)
+      if (records[f][i]) out[4 + heads.size() + f * bytes + i / 8] |= std::byte{1} << (i % 8);
+  return out;
+}
+
+// A clip of five tracks on six joints, and two constants.
+std::vector<std::byte> section_of(std::mt19937& random, std::uint32_t frames, std::uint32_t intervals, int wildness) {
+  std::vector<std::byte> out;
+  const auto add = [&](const auto& value) {
+    const auto* const first = reinterpret_cast<const std::byte*>(&value);
+    out.insert(out.end(), first, first + sizeof value);
+  };
+  const auto below = [&](std::uint32_t n) { return static_cast<std::int32_t>(random() % n); };
+  add(format::ClipHeader{1, 0, 1.0f, 0, 0, 0, 0, 0, 0});
+  format::CodedHeader h{frames, intervals, 0, 30, kMaskedTracks, 2, 0, 0};
+  std::vector<std::byte> payload;
+  std::vector<std::uint32_t> offsets;
+  for (std::uint32_t first = 0; first + 1 < frames; first += intervals) {
+    const std::uint32_t count = std::min(intervals, frames - 1 - first) + 1;
+    std::vector<std::array<std::vector<std::int32_t>, 3>> tracks(kMaskedTracks);
+    std::vector<int> steps;
+    for (auto& track : tracks) {
+      steps.push_back(wildness > 1 ? below(256) : 90 + below(8));
+      for (auto& column : track) {
+        std::int32_t x = wildness > 1 ? below(2000000000) - 1000000000 : below(2000) - 1000, speed = 0;
+        const std::int32_t start = x, kind = below(4);
+        for (std::uint32_t f = 0; f < count; ++f) {
+          column.push_back(x);
+          speed += below(3) - 1;
+          if (kind == 1) x += speed;
+          if (kind == 2) x = start + below(4);
+          if (kind == 3) x = start + (wildness > 0 ? below(wildness > 1 ? 1 << 18 : 3000) : f > 5 ? 40 : 0);
+        }
+      }
+    }
+    offsets.push_back(static_cast<std::uint32_t>(payload.size()));
+    const std::vector<std::byte> segment = segment_of(tracks, steps, count);
+    payload.insert(payload.end(), segment.begin(), segment.end());
+  }
+  payload.insert(payload.end(), 8, std::byte{0});
+  h.payload_bytes = static_cast<std::uint32_t>(payload.size());
+  add(h);
+  for (const std::uint32_t offset : offsets) add(offset);
+  add(GroupMasks{0x0013, 0x0008});
+  add(GroupMasks{0x0101, 0x0200});
+  add(format::Constant{{1, 2, 3, 4}});
+  add(format::Constant{{5, 6, 7, 100}});
+  out.insert(out.end(), payload.begin(), payload.end());
+  return out;
+}
+
+// The front of a file whose only skeleton has kPackedJoints joints.
+std::vector<std::byte> skeleton_file() {
+  std::vector<std::byte> out(sizeof(format::Header) + sizeof(File::Section) + sizeof(format::SkeletonHeader));
+  const File::Section entry{format::kTypes[format::kSkeletons], 48, sizeof(format::SkeletonHeader), 0};
+  const format::SkeletonHeader h{0, kPackedJoints, 1, 0};
+  std::memcpy(out.data() + sizeof(format::Header), &entry, sizeof entry);
+  std::memcpy(out.data() + 48, &h, sizeof h);
+  return out;
+}
+
+struct Unpacked {
+  const char* rule;
+  std::uint32_t bytes = 0, codec = 0;
+};
+
+Unpacked unpack(const std::vector<std::byte>& record, bool has_models, AlignedBlock& scratch, AlignedBlock& out) {
+  static const std::vector<std::byte> file = skeleton_file();
+  Unpacked u{};
+  u.rule = unpack_clip({record.data(), record.size()}, {file.data(), 1, 0}, has_models,
+                       {scratch.data(), scratch.size()}, {out.data(), out.size()}, u.bytes, u.codec);
+  return u;
+}
+
+TEST(ClipPacker, GivesBackWhatItGot) {
+  std::mt19937 random(7);
+  std::size_t coded = 0, plain = 0;
+  for (int wildness = 0; wildness < 3; ++wildness) {
+    ClipPacker packer;
+    std::vector<std::vector<std::byte>> sections, records;
+    for (int i = 0; i < 60; ++i) {
+      const auto frames = static_cast<std::uint32_t>(2 + random() % 90);
+      sections.push_back(section_of(random, frames, 1 + static_cast<std::uint32_t>(random() % 64), wildness));
+      records.push_back(packer.pack(sections.back(), format::kCodecSegments, kPackedJoints));
+    }
+    AlignedBlock scratch(packer.scratch_bytes());
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      ClipNeeds needs;
+      ASSERT_STREQ(measure_clip_record({records[i].data(), records[i].size()}, needs), nullptr);
+      ASSERT_LE(needs.scratch_bytes, scratch.size());
+      AlignedBlock out(sections[i].size());
+      std::memset(out.data(), 0xCD, out.size());
+      const Unpacked u = unpack(records[i], i > 0, scratch, out);
+      ASSERT_STREQ(u.rule, nullptr) << wildness << ' ' << i;
+      ASSERT_EQ(u.bytes, sections[i].size());
+      ASSERT_EQ(u.codec, format::kCodecSegments);
+      ASSERT_EQ(std::memcmp(out.data(), sections[i].data(), u.bytes), 0) << wildness << ' ' << i;
+      coded += wildness == 0 ? records[i].size() : 0;
+      plain += wildness == 0 ? sections[i].size() : 0;
+    }
+  }
+  EXPECT_LT(coded, plain * 3 / 4) << "curves that go on as they did";
+}
+
+// The record that structure_test reads.
+TEST(ClipPacker, WritesTheSymbolsThatTheRuntimesTestsRead) {
+  std::vector<std::byte> section;
+  const auto add = [&](const auto& value) {
+    const auto* const first = reinterpret_cast<const std::byte*>(&value);
+    section.insert(section.end(), first, first + sizeof value);
+  };
+  add(format::ClipHeader{6, 0, 2.0f, 0, 1, 1, 1, 0, 0});
+  add(Channel{12, 0.5f, 1, 0, 0, Interpolation::linear, {}});
+  for (const float x : {0.25f, 0.75f}) add(x);
+  add(format::CodedHeader{3, 1, 0.25f, 1.25f, 1, 1, 2 * 15 + 8, 3});
+  for (const float x : {0.25f, 0.5f, 1.85f}) add(x);
+  for (const std::uint32_t x : {0u, 15u}) add(x);
+  add(GroupMasks{1, 0x20});
+  add(format::Constant{{1, 2, 3, 100}});
+  const unsigned char payload[38] = {1, 0, 0, 0, 0x10, 0x01, 100, 0, 0, 0, 0, 0, 0, 1, 2,
+                                     1, 0, 0, 0, 0x10, 0x01, 101, 0, 0, 0, 0, 0, 0, 2, 1};
+  add(payload);
+  const std::vector<std::byte> record = ClipPacker().pack(section, format::kCodecSegments, 3);
+  const unsigned char symbols[] = {0x0D, 0, 0, 0, 0x10, 0x80, 0xB3, 0x91, 0x0C, 0x45, 3, 0, 0x67, 5, 0x44, 0x53};
+  ASSERT_EQ(record.size(), 80 + sizeof symbols);
+  EXPECT_EQ(std::memcmp(record.data() + 80, symbols, sizeof symbols), 0);
+}
+
+// Cut short anywhere or longer by a byte: refused. Any byte changed to anything: it ends, and touches only what belongs
+// to it, which the sanitizers watch; what it gives has the size that the record's counts say.
+TEST(ClipPacker, DamagedRecords) {
+  std::mt19937 random(11);
+  std::size_t tried = 0, refused = 0;
+  for (int wildness = 0; wildness < 3; ++wildness) {
+    const std::vector<std::byte> section = section_of(random, 23, 9, wildness);
+    ClipPacker packer;
+    const std::vector<std::byte> record = packer.pack(section, format::kCodecSegments, kPackedJoints);
+    AlignedBlock scratch(packer.scratch_bytes()), out(section.size());
+    for (std::size_t size = 0; size < record.size(); ++size)
+      ASSERT_NE(unpack({record.begin(), record.begin() + static_cast<std::ptrdiff_t>(size)}, false, scratch, out).rule,
+                nullptr)
+          << size;
+    std::vector<std::byte> longer = record;
+    longer.push_back(std::byte{0});
+    ASSERT_NE(unpack(longer, false, scratch, out).rule, nullptr);
+    for (std::size_t i = 0; i < record.size(); ++i)
+      for (unsigned v = 0; v < 256; v += i < 64 ? 1 : 15, ++tried) {
+        std::vector<std::byte> changed = record;
+        changed[i] = static_cast<std::byte>(v);
+        ClipNeeds needs;
+        const bool measured = measure_clip_record({changed.data(), changed.size()}, needs) == nullptr;
+        const bool fits = measured && needs.scratch_bytes <= scratch.size();
+        const Unpacked u = unpack(changed, false, scratch, out);
+        refused += u.rule != nullptr ? 1 : 0;
+        if (u.rule == nullptr) {
+          ASSERT_TRUE(fits) << i;
+          ASSERT_LE(u.bytes, out.size());
+        }
+      }
+  }
+  EXPECT_GT(refused, tried / 2) << "others change a number; the file's checksum is for them";
+}
+
+// Symbols of nothing but chance, behind counts that are right.
+TEST(ClipPacker, SymbolsOfChance) {
+  std::mt19937 random(13);
+  const std::vector<std::byte> section = section_of(random, 40, 13, 0);
+  ClipPacker packer;
+  std::vector<std::byte> record = packer.pack(section, format::kCodecSegments, kPackedJoints);
+  AlignedBlock scratch(packer.scratch_bytes()), out(section.size());
+  const std::size_t symbols = record.size() / 4;  // well behind the constants
+  for (int round = 0; round < 3000; ++round) {
+    for (std::size_t i = symbols; i < record.size(); ++i) record[i] = static_cast<std::byte>(random());
+    ASSERT_NE(unpack(record, round % 2 == 1, scratch, out).rule, nullptr) << round;
+  }
+}
+
+}  // namespace
+}  // namespace marrow::cook
