@@ -1,5 +1,13 @@
-# Writes the bytes of IN as a C++ array called NAME to OUT.
-file(READ ${IN} hex HEX)
+# Writes the bytes of IN as a C++ array called NAME to OUT; of a shader's text without comments, indents and empty lines.
+if(IN MATCHES "\\.(glsl|vert|frag|comp)$")
+  file(READ ${IN} text)
+  string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
+  string(REGEX REPLACE "\n[ \t\n]+" "\n" text "${text}")
+  string(REGEX REPLACE "^\n" "" text "${text}")
+  string(HEX "${text}" hex)
+else()
+  file(READ ${IN} hex HEX)
+endif()
 string(LENGTH "${hex}" digits)
 math(EXPR bytes "${digits} / 2")
 string(REGEX REPLACE "(..)" "0x\\1," body "${hex}")
