@@ -24,9 +24,11 @@ namespace {
 // A driver that notes what it is told to compile.
 std::map<std::string, const char*>* noted = nullptr;  // text → the compiler's name of the stage
 unsigned stage = 0;
+const char* renderer = "";
 
 gles3::Api noting_api() {
   gles3::Api api;
+  api.GetString = [](unsigned) { return reinterpret_cast<const unsigned char*>(renderer); };
   api.CreateShader = [](unsigned type) { return stage = type; };
   api.ShaderSource = [](unsigned, int count, const char* const* texts, const int*) {
     std::string all;
@@ -68,7 +70,7 @@ void note_all() {
              {gles3::Palettes::uniform_block, gles3::Palettes::texture, gles3::Palettes::crowd}) {
           // These stand beside skinning.
           const bool looks = (features & (gles3::kUvs | gles3::kColours)) != 0;
-          if (looks && influences != 4 && influences != 8) continue;
+          if ((looks || *renderer != 0) && influences != 4 && influences != 8) continue;
           const bool crowd = palettes == gles3::Palettes::crowd;
           const bool can = !crowd || (deformer != 0 && (features & gles3::kMorphs) == 0);
           const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
@@ -90,7 +92,10 @@ TEST(ShaderText, PassesTheReferenceCompiler) {
   }
   std::map<std::string, const char*> texts;
   noted = &texts;
-  note_all();
+  for (const char* const name : {"", "Mali-G57", "Mali-T860", "Adreno (TM) 660"}) {
+    renderer = name;
+    note_all();
+  }
   EXPECT_GT(texts.size(), 1000u);
   std::string folder = (std::filesystem::temp_directory_path() / "marrow_shaders_XXXXXX").string();
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <compare>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 
 #include "cook/geometry/record.h"
 #include "cook/geometry/symbol_encoder.h"
@@ -55,6 +56,20 @@ std::vector<Numbers> read_segment(std::span<const std::byte> segment, std::uint3
   return out;
 }
 
+// A product of numbers from 1 to 2^64, which orders as the sum of their logarithms does: rest · 2^(512 · scales).
+struct LongProduct {
+  std::size_t scales = 0;
+  double rest = 1;
+
+  void times(double x) {
+    rest *= x;
+    if (rest < 0x1p512) return;
+    rest *= 0x1p-512;
+    ++scales;
+  }
+  auto operator<=>(const LongProduct&) const = default;
+};
+
 // Of two predictors about the same, the first.
 ClipCurve choose_curve(const Numbers& numbers, std::size_t component) {
   constexpr std::size_t kFirstFrames = 11;  // that say how far predictions are off at first
@@ -62,19 +77,19 @@ ClipCurve choose_curve(const Numbers& numbers, std::size_t component) {
   const auto& frames = numbers.frames;
   const auto at = [&](std::size_t f) { return frames[f][component]; };
   for (std::size_t f = 1; f < frames.size(); ++f) best.moves = best.moves || at(f) != at(0);
-  double least = INFINITY;
+  std::optional<LongProduct> least;
   for (std::uint32_t p = 0; best.moves && p < kClipPredictors; ++p) {
-    double bits = 0;
+    LongProduct bits;  // 2 to their power
     std::int64_t first = 0, d1 = 0, d2 = 0;
     for (std::size_t f = 1; f < frames.size(); ++f) {
       const std::int64_t step = at(f) - at(f - 1);
       const std::int64_t off = std::abs(16 * step - kClipPredictor[p].a * d1 - kClipPredictor[p].b * d2);
-      bits += std::log2(static_cast<double>(8 + off));
+      bits.times(static_cast<double>(8 + off));
       if (f <= kFirstFrames) first += off;
       d2 = d1;
       d1 = step;
     }
-    if (bits >= least) continue;
+    if (least && bits >= *least) continue;
     least = bits;
     best.predictor = p;
     const auto count = static_cast<std::int64_t>(std::min(kFirstFrames, frames.size() - 1));
