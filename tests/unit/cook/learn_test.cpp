@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -10,7 +12,9 @@
 #include "cook/gltf/read.h"
 #include "cook/learn/check_truth.h"
 #include "cook/learn/trainees.h"
+#include "cook/skin/joint_motion.h"
 #include "deform/animation_space.h"
+#include "deform/motion/motion_errors.h"
 #include "marrow/marrow.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
@@ -304,6 +308,45 @@ TEST(Learn, TakesJointsInOnePlace) {
       EXPECT_NO_THROW(LoadedCook(cook_scene(scene, options)));
     }
   }
+}
+
+// The closed form about centres of rotation is worse than SSD in poses of this model, where it is not kept from that.
+TEST(Learn, HelpersAreWorseThanSsdInNoPoseOfTheRangeOfMotion) {
+  const std::string model = test::assets_folder() + "/m2m_shark.glb";
+  if (!std::filesystem::exists(model)) {
+    std::fprintf(stderr, "SKIPPED: %s is not there\n", model.c_str());
+    GTEST_SKIP() << model;
+  }
+  const RawScene scene = read_gltf(model);
+  CookOptions plain;
+  plain.raw_clips = true;
+  Notes notes;
+  const BuiltScene built = build_scene(scene, plain, notes);
+  std::size_t skinned = 0, poses = 0, helpers = 0;
+  for (const RawInstance& instance : scene.instances) {
+    if (instance.skin == kNone) continue;
+    ++skinned;
+    const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    const RawSkin& skin = scene.skins[static_cast<std::size_t>(instance.skin)];
+    DeformSource source = deform_source(mesh, skin, bind_to_skin(mesh, notes), built);
+    source.motion = range_of_motion(source, built.skeletons[source.skeleton]).poses;
+    LearnOptions options;
+    options.helpers = kAutoHelpers;
+    const Learnt learnt = learn(source, find_trainees(source, built, options).poses, options);
+    const deform::Deformer with_helpers = [&](const deform::Pose& pose, deform::Positions& out) {
+      deform::Pose extended = pose;
+      deform::append_helpers(learnt.helpers, extended);
+      deform::animation_space(learnt.coordinates)(extended, out);
+    };
+    EXPECT_TRUE(
+        deform::worse_than_ssd(source.mesh, source.motion, deform::centres_of_rotation(source.mesh), with_helpers)
+            .empty());
+    poses += source.motion.size();
+    helpers += learnt.helpers.size();
+  }
+  EXPECT_GT(skinned, 0u);
+  EXPECT_GT(poses, 100u);
+  EXPECT_GT(helpers, 10u);
 }
 
 // Angles between the two joints in the poses that are made up.
