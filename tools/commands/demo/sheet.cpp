@@ -181,7 +181,11 @@ Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::
   const Play play = clip ? play_together(file, *clip) : Play{};
   Rows rows = shoot_rows(gl, file, textures, play);
   std::uint64_t vertices = 0, joints = 0;
-  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) vertices += file.mesh(i).geometry.vertex_count;
+  bool helped = false;  // then SSD's weights are over helpers, too, and its elbows are better than without
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
+    vertices += file.mesh(i).geometry.vertex_count;
+    helped = helped || file.mesh(i).helpers.size > 0;
+  }
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;
 
   SheetPage page;
@@ -192,7 +196,8 @@ Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::
   page.right = fmt::format("{} joints   {} vertices", joints, vertices);
   const bool differs = !shows_nothing(rows.largest_m(), rows.full_scale_m);
   const std::string largest = length_text(static_cast<double>(rows.largest_m()));
-  page.rows = {{"SSD", "skeletal subspace deformation, by the vertex shader", std::move(rows.cells[0]), {}, {}},
+  const std::string ssd = helped ? "over the same joints and helpers, by the vertex shader" : "by the vertex shader";
+  page.rows = {{"SSD", "skeletal subspace deformation, " + ssd, std::move(rows.cells[0]), {}, {}},
                {"AS", "animation space, by the vertex shader", std::move(rows.cells[1]), {}, {}},
                {"Difference",
                 "largest distance between SSD and AS: " + largest,
