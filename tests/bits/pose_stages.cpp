@@ -281,10 +281,15 @@ void hash_helpers(StageHashes& out) {
   std::uint64_t by_dual_quaternions = kHashStart, about_centres = kHashStart;
   for (std::size_t moment = 0; moment < 24; ++moment) {
     for (std::size_t j = 0; j < joints.size(); ++j) {
-      const auto place = [&] { return Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; };
+      // Draws one after the other: compilers evaluate the arguments of a call in orders of their own.
+      const auto placed = [&](const Vec3& scale) {
+        const Vec3 place = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+        const auto turn = random.rotation();
+        return to_affine(from_trs(place, turn, scale));
+      };
       const double* const s = kScales[j % 10 == 0 ? moment % std::size(kScales) : 0];
-      bind[j] = to_affine(from_trs(place(), random.rotation(), {1, 1, 1}));
-      scene[j] = to_affine(from_trs(place(), random.rotation(), {s[0], s[1], s[2]}));
+      bind[j] = placed({1, 1, 1});
+      scene[j] = placed({s[0], s[1], s[2]});
     }
     for (float& c : centres) c = static_cast<float>(random.between(-1, 1));
     must(build_palette(joints, bind, scene, palette, helpers));
