@@ -16,13 +16,18 @@ out="$here/build/same/out"
 
 tools/install.sh tools/packages/build.txt tools/packages/same.txt || echo "same_bytes: some packages cannot be installed" >&2
 
+# Says what a command said only where it fails.
+quiet() {
+  local said
+  said=$("$@") || { tail -n 40 <<<"$said" >&2; exit 2; }
+}
 # What the cooker needs and no more. Other arguments go to cmake.
 build() {  # NAME FLAGS ...
   local name=$1 flags=$2
   shift 2
-  cmake -G Ninja -S . -B "build/same/$name" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$flags" \
-    -DMARROW_TESTS=OFF -DMARROW_GLES=OFF -DMARROW_ALL_COMMANDS=OFF --no-warn-unused-cli "$@" >/dev/null || exit 2
-  cmake --build "build/same/$name" --target marrow >/dev/null || exit 2
+  quiet cmake -G Ninja -S . -B "build/same/$name" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$flags" \
+    -DMARROW_TESTS=OFF -DMARROW_GLES=OFF -DMARROW_ALL_COMMANDS=OFF --no-warn-unused-cli "$@"
+  quiet cmake --build "build/same/$name" --target marrow
 }
 
 # Says why where a variant cannot be had.
@@ -109,7 +114,8 @@ compare() {  # VARIANT NAME SOURCE OPTION ...
   fi
 }
 
-cmake --preset release >/dev/null && cmake --build --preset release --target marrow >/dev/null || exit 2
+quiet cmake --preset release
+quiet cmake --build --preset release --target marrow
 variants=(release)
 for variant in "$@"; do make_variant "$variant" && variants+=("$variant"); done
 rm -rf "$out"

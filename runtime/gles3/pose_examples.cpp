@@ -118,7 +118,7 @@ Status make_examples(const Api& api, const Geometry& g, float half_extent, std::
   const std::uint64_t lines = number_rows(g, rows) / kWidth + 1;
   if (lines > kMostLines) return Status::unsupported;
   auto* const texels = reinterpret_cast<std::int16_t*>(scratch.data);
-  std::memset(texels, 0, lines * kWidth * kChangeBytes);
+  std::memset(texels, 0, static_cast<std::size_t>(lines) * kWidth * kChangeBytes);
   const double step = common_step(g);
   fill_texels(g, rows, step, texels);
   out.example_step = static_cast<float>(step / double{half_extent});

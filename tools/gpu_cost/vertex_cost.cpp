@@ -45,7 +45,7 @@ constexpr const char *kMali = "Mali-G57", *kAdreno = "Adreno 660", *kVideocore =
 // Whether the table has all three of them for a program.
 bool is_told(const json& program) {
   const json& gpus = table().at("gpus");
-  return std::ranges::none_of(std::initializer_list{kMali, kAdreno, kVideocore},
+  return std::ranges::none_of(std::initializer_list<const char*>{kMali, kAdreno, kVideocore},
                               [&](const char* gpu) { return program.at(index_of(gpus, gpu)).is_null(); });
 }
 
