@@ -7,8 +7,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "deform/slerp.h"
-
 namespace marrow::cook {
 namespace {
 
@@ -16,11 +14,6 @@ constexpr double kFirstShare = 0.5;     // of the promise, for each track's step
 constexpr int kMostShrinks = 18;        // to a fiftieth of it
 constexpr int kFarthestStep = 24;       // quarter octaves that one coarsening may take
 constexpr std::uint32_t kMoreBits = 2;  // a frame, that a track may take to make good what those above it miss
-
-double eighth_power(double x) {
-  const double x2 = x * x, x4 = x2 * x2;
-  return x4 * x4;
-}
 
 // The rotation in a map that is one after a scaling along its own axes; nullopt if it is not.
 std::optional<glm::dquat> rotation_of(const glm::dmat3& linear) {
@@ -30,6 +23,11 @@ std::optional<glm::dquat> rotation_of(const glm::dmat3& linear) {
                                 std::fabs(glm::dot(unit[2], unit[0]))});
   if (!(skew < kSlack) || glm::determinant(unit) < 0) return std::nullopt;
   return glm::quat_cast(unit);
+}
+
+// Between two rotations less than half a turn apart.
+glm::dquat halfway(const glm::dquat& a, const glm::dquat& b) {
+  return glm::normalize(a + b);
 }
 
 double largest_axis(const World& w) {
@@ -45,22 +43,11 @@ Segment::Segment(const Rig& rig, const Promise& promise, const std::vector<Track
       promise_(promise),
       ids_(coded),
       source_(std::move(source)),
-      source_world_(rig.size()),
       coded_(coded.size()),
-      world_(rig.size()),
-      energy_(rig.size(), 0),
-      trial_world_(rig.size()),
-      trial_energy_(rig.size(), 0) {
-  for (std::size_t j = 0; j < rig_.size(); ++j) {
-    for (std::size_t e = 0; e < moment_count(); ++e) {
-      const World* parent =
-          rig_.parents[j] == kNone ? nullptr : &source_world_[static_cast<std::size_t>(rig_.parents[j])][e];
-      source_world_[j].push_back(rig_.place(j, parent, source_[j][e]));
-    }
-    local_.emplace_back(moment_count(), still[j]);
-    world_[j].resize(moment_count());
-    trial_world_[j].resize(moment_count());
-  }
+      strays_(rig, promise_, source_),
+      trial_local_(moment_count()),
+      hard_frame_(coded.size(), 0) {
+  for (std::size_t j = 0; j < rig_.size(); ++j) local_.emplace_back(moment_count(), still[j]);
   for (const TrackId& id : exact)
     for (std::size_t e = 0; e < moment_count(); ++e) {
       if (id.path == TrackPath::translation) local_[id.joint][e].translation = source_[id.joint][e].translation;
@@ -110,75 +97,64 @@ void Segment::find_reach() {
   least_ = promise_.error;
   for (std::size_t j = 0; j < rig_.size(); ++j) {
     const std::size_t parent = static_cast<std::size_t>(rig_.parents[j]);
-    scale_above_[j] = rig_.parents[j] == kNone ? largest_axis(rig_.above[j]) : largest_axis(source_world_[parent][0]);
+    scale_above_[j] = rig_.parents[j] == kNone ? largest_axis(rig_.above[j]) : largest_axis(strays_.source(parent, 0));
     for (const std::size_t below : rig_.subtrees[j]) least_[j] = std::min(least_[j], promise_.error[below]);
     for (const std::size_t below : rig_.subtrees[j])
       for (std::size_t e = 0; e < moment_count(); e += kMoments)
         reach_[j] = std::max(reach_[j], promise_.reach[below] +
-                                            glm::length(source_world_[below][e].origin - source_world_[j][e].origin));
+                                            glm::length(strays_.source(below, e).origin - strays_.source(j, e).origin));
   }
 }
 
-// Local transforms of a joint with one of its tracks replaced.
-void Segment::decode_local(std::size_t joint, std::size_t track, const CodedTrack& candidate,
+// Local transforms of a track's joint from one frame on to the next, with that track replaced.
+void Segment::decode_frame(std::size_t track, const CodedTrack& candidate, std::size_t frame,
                            std::vector<Transform>& out) const {
-  out = local_[joint];
-  const Transform& rest = rig_.rest[joint];
-  const TrackPath path = ids_[track].path;
-  glm::dvec3 b = decode(candidate, 0);
-  glm::dquat qb = from_rodrigues(b);
-  for (std::size_t e = 0; e < out.size(); ++e) {
-    const glm::dvec3 a = b;
-    const glm::dquat qa = qb;
-    const std::size_t frame = e / kMoments;
-    const bool last = frame + 1 == candidate.values.size();
-    if (!last) {
-      b = decode(candidate, frame + 1);
-      if (path == TrackPath::rotation) qb = from_rodrigues(b);
-    }
-    for (std::size_t k = 0; k < (last ? 1 : kMoments); ++k, ++e) {
-      const double u = static_cast<double>(k) / static_cast<double>(kMoments);
-      if (path == TrackPath::translation) out[e].translation = rest.translation + a + u * (b - a);
-      if (path == TrackPath::scale) out[e].scale = rest.scale + a + u * (b - a);
-      if (path == TrackPath::rotation) out[e].rotation = rest.rotation * deform::slerp(qa, qb, u);
-    }
-    --e;
+  const TrackId& id = ids_[track];
+  const Transform& rest = rig_.rest[id.joint];
+  const std::size_t first = frame * kMoments, count = frame + 1 == candidate.values.size() ? 1 : kMoments;
+  std::copy_n(local_[id.joint].begin() + static_cast<std::ptrdiff_t>(first), count,
+              out.begin() + static_cast<std::ptrdiff_t>(first));
+  const glm::dvec3 a = decode(candidate, frame), b = count == 1 ? a : decode(candidate, frame + 1);
+  if (id.path == TrackPath::rotation) {
+    const glm::dquat qa = from_rodrigues(a);
+    out[first].rotation = rest.rotation * qa;
+    if (count == 1) return;
+    // Halves of arcs, and halves of those: no angle is needed.
+    const glm::dquat qb = from_rodrigues(b), middle = halfway(qa, glm::dot(qa, qb) < 0 ? -qb : qb);
+    out[first + 1].rotation = rest.rotation * halfway(qa, middle);
+    out[first + 2].rotation = rest.rotation * middle;
+    out[first + 3].rotation = rest.rotation * halfway(middle, glm::dot(middle, qb) < 0 ? -qb : qb);
+    return;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const glm::dvec3 at = a + static_cast<double>(k) / static_cast<double>(kMoments) * (b - a);
+    if (id.path == TrackPath::translation) out[first + k].translation = rest.translation + at;
+    if (id.path == TrackPath::scale) out[first + k].scale = rest.scale + at;
   }
 }
 
+// Begins where the track broke the promise before: most of what fails fails there again.
 Segment::Trial Segment::attempt(std::size_t track, const CodedTrack& candidate) {
-  const std::size_t changed = ids_[track].joint;
-  decode_local(changed, track, candidate, trial_local_);
+  tried_ = SIZE_MAX;
   Trial trial;
-  for (const std::size_t j : rig_.subtrees[changed]) {
-    const int parent = rig_.parents[j];
-    const std::vector<World>* up = nullptr;
-    if (parent != kNone)
-      up = j == changed ? &world_[static_cast<std::size_t>(parent)] : &trial_world_[static_cast<std::size_t>(parent)];
-    const std::vector<Transform>& local = j == changed ? trial_local_ : local_[j];
-    double energy = 0;
-    for (std::size_t e = 0; e < moment_count(); ++e) {
-      trial_world_[j][e] = rig_.place(j, up == nullptr ? nullptr : &(*up)[e], local[e]);
-      const double error = joint_error(source_world_[j][e], trial_world_[j][e], promise_, j);
-      if (!(error <= promise_.error[j])) return trial;
-      energy += eighth_power(error / promise_.error[j]);
-    }
-    trial_energy_[j] = energy;
-    trial.energy += energy - energy_[j];
+  const std::size_t frames = strays_.frame_count();
+  for (std::size_t i = 0, frame = hard_frame_[track]; i < frames; ++i, frame = frame + 1 == frames ? 0 : frame + 1) {
+    decode_frame(track, candidate, frame, trial_local_);
+    if (strays_.attempt(ids_[track].joint, frame, &trial_local_[frame * kMoments], trial.energy)) continue;
+    hard_frame_[track] = frame;
+    return trial;
   }
   trial.kept = true;
+  tried_ = track;
   return trial;
 }
 
 // Takes over what the last attempt, which must have been of this track, has computed.
 void Segment::commit(std::size_t track, CodedTrack candidate) {
-  const std::size_t changed = ids_[track].joint;
-  std::swap(local_[changed], trial_local_);
-  for (const std::size_t j : rig_.subtrees[changed]) {
-    std::swap(world_[j], trial_world_[j]);
-    energy_[j] = trial_energy_[j];
-  }
+  std::swap(local_[ids_[track].joint], trial_local_);
+  strays_.commit(ids_[track].joint);
   coded_[track] = std::move(candidate);
+  tried_ = SIZE_MAX;
 }
 
 // Steps in proportion to 1 / reach, so that each track alone strays by about `share` of the promise.
@@ -194,20 +170,10 @@ bool Segment::start(double share) {
       coded_[t] = quantise(targets_[t], code);
     } while (!coded_[t].fits && code++ < 255);
     if (!coded_[t].fits) return false;
-    decode_local(id.joint, t, coded_[t], trial_local_);
-    std::swap(local_[id.joint], trial_local_);
+    for (std::size_t frame = 0; frame < strays_.frame_count(); ++frame)
+      decode_frame(t, coded_[t], frame, local_[id.joint]);
   }
-  for (std::size_t j = 0; j < rig_.size(); ++j) {
-    energy_[j] = 0;
-    for (std::size_t e = 0; e < moment_count(); ++e) {
-      const World* parent = rig_.parents[j] == kNone ? nullptr : &world_[static_cast<std::size_t>(rig_.parents[j])][e];
-      world_[j][e] = rig_.place(j, parent, local_[j][e]);
-      const double error = joint_error(source_world_[j][e], world_[j][e], promise_, j);
-      if (!(error <= promise_.error[j])) return false;
-      energy_[j] += eighth_power(error / promise_.error[j]);
-    }
-  }
-  return true;
+  return strays_.place(local_);
 }
 
 // The finest of the coarser steps that saves a bit.
@@ -246,7 +212,7 @@ void Segment::coarsen() {
       propose(best.track);
       continue;
     }
-    if (!attempt(best.track, best.candidate).kept) continue;
+    if (tried_ != best.track && !attempt(best.track, best.candidate).kept) continue;
     commit(best.track, std::move(best.candidate));
     ++age;
     propose(best.track);
@@ -269,8 +235,8 @@ std::vector<glm::dvec3> Segment::compensated(std::size_t track) const {
   std::vector<glm::dvec3> out;
   Unwrapper unwrapper(from_rodrigues(targets_[track][0]));
   for (std::size_t e = 0; e < moment_count(); e += kMoments) {
-    const World& above = world_[static_cast<std::size_t>(parent)][e];
-    const World& wanted = source_world_[id.joint][e];
+    const World above = strays_.decoded(static_cast<std::size_t>(parent), e);
+    const World& wanted = strays_.source(id.joint, e);
     const glm::dmat3 inverse = glm::inverse(above.linear);
     if (id.path == TrackPath::translation) {
       out.push_back(inverse * (wanted.origin - above.origin) - rest.translation);

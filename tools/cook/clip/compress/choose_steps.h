@@ -1,10 +1,11 @@
 // Chooses the step of every coded track of one segment: the fewest bits that keep the promise.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "cook/clip/compress/coded_track.h"
-#include "cook/clip/compress/rig.h"
+#include "cook/clip/compress/strays.h"
 
 namespace marrow::cook {
 
@@ -13,13 +14,10 @@ struct TrackId {
   TrackPath path;
 };
 
-// Moments between two frames at which the error is watched: the frame itself, the quarters and the middle.
-inline constexpr std::size_t kMoments = 4;
-
-// Works on poses in scene space through the whole hierarchy, in double precision, and on the very integers that are
-// stored. First every track gets a step by how far its joint reaches, all shrunk together until the promise holds; then
-// one track at a time is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸. Then
-// every track aims again, so that it makes good what the joints above it miss, and the rest of the slack is spent.
+// Works on poses in scene space through the whole hierarchy, and on the very integers that are stored. First every
+// track gets a step by how far its joint reaches, all shrunk together until the promise holds; then one track at a time
+// is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸. Then every track aims
+// again, so that it makes good what the joints above it miss, and the rest of the slack is spent.
 class Segment {
  public:
   // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint. exact: tracks that are stored
@@ -43,7 +41,7 @@ class Segment {
   bool start(double share);
   Trial attempt(std::size_t track, const CodedTrack& candidate);
   void commit(std::size_t track, CodedTrack candidate);
-  void decode_local(std::size_t joint, std::size_t track, const CodedTrack& candidate,
+  void decode_frame(std::size_t track, const CodedTrack& candidate, std::size_t frame,
                     std::vector<Transform>& out) const;
   bool coarser(std::size_t track, CodedTrack& candidate) const;
   void coarsen();
@@ -55,7 +53,6 @@ class Segment {
   Promise promise_;
   const std::vector<TrackId>& ids_;
   std::vector<std::vector<Transform>> source_;
-  std::vector<std::vector<World>> source_world_;
   std::vector<std::vector<glm::dvec3>> targets_;  // a track and frame: what is rounded
   std::vector<double> reach_;                     // a joint: metres to the farthest of what it carries
   std::vector<double> scale_above_;               // a joint: scene units a unit of its translation
@@ -63,13 +60,11 @@ class Segment {
 
   std::vector<CodedTrack> coded_;
   std::vector<std::vector<Transform>> local_;  // as decoded, a joint and moment
-  std::vector<std::vector<World>> world_;
-  std::vector<double> energy_;  // a joint
+  Strays strays_;
 
-  // The last attempt.
-  std::vector<Transform> trial_local_;
-  std::vector<std::vector<World>> trial_world_;
-  std::vector<double> trial_energy_;
+  std::size_t tried_ = SIZE_MAX;         // the track of the last attempt, if it is not committed and was kept
+  std::vector<Transform> trial_local_;   // of the last attempt
+  std::vector<std::size_t> hard_frame_;  // a track: where it last broke the promise
 };
 
 }  // namespace marrow::cook

@@ -69,19 +69,6 @@ void Promise::watch(std::size_t joint, const glm::dvec4& point, const Rig& rig) 
   reach[joint] = std::max(reach[joint], distance);
 }
 
-double joint_error(const World& source, const World& other, const Promise& promise, std::size_t joint) {
-  const double shell = shell_error(source, other, promise.shell);
-  if (promise.points[joint].empty()) return shell;
-  const glm::dmat3 turned = other.linear - source.linear;
-  const glm::dvec3 moved = other.origin - source.origin;
-  double squared = shell * shell;
-  for (const glm::dvec4& point : promise.points[joint]) {
-    const glm::dvec3 off = turned * glm::dvec3(point) + moved * point.w;
-    squared = std::max(squared, glm::dot(off, off));
-  }
-  return std::sqrt(squared);
-}
-
 double reach_below(std::size_t joint, const Rig& rig, const Promise& promise) {
   double out = 0;
   for (const std::size_t below : rig.subtrees[joint])

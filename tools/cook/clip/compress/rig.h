@@ -53,8 +53,6 @@ struct Promise {
 // The largest distance between the six points of the shell of a joint in two poses. The shell is round in the source's
 // pose at scene scale, however its joint is scaled.
 double shell_error(const World& source, const World& other, double shell);
-// The same, and of the points.
-double joint_error(const World& source, const World& other, const Promise& promise, std::size_t joint);
 
 // How far what a joint carries is from it, at rest: the joints below it, their shells and points.
 double reach_below(std::size_t joint, const Rig& rig, const Promise& promise);
