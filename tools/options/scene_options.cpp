@@ -6,7 +6,12 @@ namespace {
 constexpr Named<Images> kImages[] = {
     {"reference", Images::reference}, {"embed", Images::embed}, {"none", Images::none}};
 
+constexpr Named<Effort> kEfforts[] = {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}};
+
 constexpr Option kSceneOptions[] = {
+    {"effort", OptionKind::text, "TEXT",
+     "how long to look for fewer bytes within the same errors: fast, for drafts; default; best, for what is shipped",
+     names_in<kEfforts>, [](CookOptions& o, const Value& v) { o.effort = *value_of(kEfforts, v.text); }},
     {"images", OptionKind::text, "TEXT",
      "reference: materials name their images as the source does; embed: the picture files as they are; none: "
      "neither",

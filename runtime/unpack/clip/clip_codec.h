@@ -48,6 +48,7 @@ struct ClipModels {
   // Of the first segment and of others.
   SymbolModel steps[2], firsts[2];
   SymbolModel scales[2], predictors;  // scales: by whether the component before moves
+  SymbolModel moves[2];               // of what goes on: by whether it moved in the segment before
 
   void begin();
 };
@@ -56,6 +57,28 @@ struct ClipModels {
 struct ClipCurve {
   bool moves = false;
   std::uint32_t predictor = 0, scale = 0;
+};
+
+// A component on its way: its number less the segment's first, its last two differences, and how far the last
+// prediction was off.
+struct ClipWalk {
+  std::int32_t x = 0, d1 = 0, d2 = 0, off = 0;
+  ClipPredictor predictor{};
+  ClipScale scale;
+  bool begun = false, moves = false;  // moves: in the last segment
+
+  void begin(const ClipCurve& curve) {
+    *this = {};
+    predictor = kClipPredictor[curve.predictor];
+    scale.begin(curve.scale);
+    begun = true;
+  }
+  // Into the next segment, of the same steps.
+  void go_on(bool now_moves) {
+    x = 0;
+    if (!now_moves) d1 = d2 = off = 0;
+    moves = now_moves;
+  }
 };
 
 // A track of a segment.
@@ -69,6 +92,7 @@ struct ClipTrack {
 // What a segment leaves of a track for the next one.
 struct ClipTrackEnd {
   std::int32_t step, numbers[3];
+  ClipWalk walks[3];
 };
 
 // Coder: SymbolDecoder, or an encoder that has the same functions. An encoder's track holds what is to be written; a
@@ -78,43 +102,52 @@ class ClipCodec {
  public:
   ClipCodec(ClipModels& models, Coder& coder) : models_(models), coder_(coder) {}
 
-  // What stands in front of the numbers: step, first frame, and which components move. before: of the same track; null
-  // in the first segment. False if it is nothing that an encoder writes.
-  bool code_head(ClipTrack& track, const ClipTrackEnd* before) {
-    const std::uint32_t which = before != nullptr ? 1 : 0;
-    const std::int32_t step = before != nullptr ? before->step : step_;
+  // What stands in front of the numbers: step, first frame, and which components move. `end` is what the segment before
+  // left of the same track, and gets its walks; is_first: there is none. Where steps go on as they were, so do walks.
+  // False if it is nothing that an encoder writes.
+  bool code_head(ClipTrack& track, ClipTrackEnd& end, bool is_first) {
+    const std::uint32_t which = is_first ? 0 : 1;
+    const std::int32_t step = is_first ? step_ : end.step;
     track.step = sum(step, code_number(models_.steps[which], Coder::kEncodes ? track.step - step : 0));
     bool fits = track.step >= 0 && track.step <= 255, moves = false;
     if (!fits) return false;
     step_ = track.step;
+    const bool goes_on = !is_first && track.step == end.step;
     for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::int32_t guess = before != nullptr ? rescaled(before->numbers[c], before->step, track.step) : 0;
+      const std::int32_t guess = is_first ? 0 : rescaled(end.numbers[c], end.step, track.step);
       std::int32_t& first = track.numbers[0][c];
       first = sum(guess, code_number(models_.firsts[which], Coder::kEncodes ? first - guess : 0));
       fits = fits && first >= -kClipFarthest && first <= kClipFarthest;
+      ClipWalk& walk = end.walks[c];
+      if (goes_on) {
+        code_going_on(track.curves[c], walk);
+        continue;
+      }
       code_curve(track.curves[c], moves);
       moves = track.curves[c].moves;
+      walk = {};
+      if (moves) walk.begin(track.curves[c]);
+      walk.moves = moves;
     }
     return fits;
   }
 
   // All frames but the first; of components that do not move copies of it.
-  bool code_numbers(ClipTrack& track) {
-    Walk walks[3];
-    for (std::uint32_t c = 0; c < 3; ++c)
-      if (track.curves[c].moves) walks[c].begin(track.curves[c]);
+  bool code_numbers(const ClipTrack& track, ClipWalk (&walks)[3]) {
+    ClipWalk now_at[3] = {walks[0], walks[1], walks[2]};
     const std::int32_t(&first)[3] = track.numbers[0];
     for (std::uint32_t f = 1; f < track.frame_count; ++f) {
       bool fits = true;
       std::int32_t(&now)[3] = track.numbers[f];
       for (std::uint32_t c = 0; c < 3; ++c) {
         const std::int32_t wanted = Coder::kEncodes ? now[c] - first[c] : 0;
-        const std::int32_t x = track.curves[c].moves ? code_next(walks[c], wanted) : 0;
+        const std::int32_t x = track.curves[c].moves ? code_next(now_at[c], wanted) : 0;
         fits = fits && x > -kClipReach && x < kClipReach;
         if (!Coder::kEncodes) now[c] = first[c] + x;
       }
       if (!fits) return false;
     }
+    for (std::uint32_t c = 0; c < 3; ++c) walks[c] = now_at[c];
     return true;
   }
 
@@ -125,19 +158,6 @@ class ClipCodec {
   static constexpr std::uint8_t kLeast[SymbolModel::kCount] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 64, 128, 0};
   static constexpr std::uint8_t kRawBits[SymbolModel::kCount] = {0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 3, 3, 5, 6, 7, 0};
   static constexpr std::uint32_t kEnd = 256;
-
-  // A component on its way: its number less the first, its last two differences, and how far the last prediction was
-  // off.
-  struct Walk {
-    std::int32_t x = 0, d1 = 0, d2 = 0, off = 0;
-    ClipPredictor predictor{};
-    ClipScale scale;
-
-    void begin(const ClipCurve& curve) {
-      predictor = kClipPredictor[curve.predictor];
-      scale.begin(curve.scale);
-    }
-  };
 
   // 0, 1, -1, 2, -2 … as 0, 1, 2, 3, 4 …
   static std::uint32_t folded(std::int32_t x) {
@@ -154,7 +174,7 @@ class ClipCodec {
   }
 
   // The nearest whole number to the prediction first, then the next nearest, on either side of it.
-  std::int32_t code_next(Walk& w, std::int32_t wanted) {
+  std::int32_t code_next(ClipWalk& w, std::int32_t wanted) {
     const std::int32_t exact = 16 * w.x + w.predictor.a * w.d1 + w.predictor.b * w.d2;
     const std::int32_t nearest = (exact + 8) >> 4;
     const std::int32_t flip = exact < 16 * nearest ? -1 : 0;  // or 0: towards where the prediction is
@@ -202,6 +222,17 @@ class ClipCodec {
       out = out << some | coder_.raw_bits(some, bits >> left & ((1u << some) - 1));
     }
     return unfolded(out);
+  }
+
+  // A component whose walk goes on, or begins only now.
+  void code_going_on(ClipCurve& curve, ClipWalk& walk) {
+    curve.moves = coder_.symbol(models_.moves[walk.moves ? 1 : 0], curve.moves ? 1 : 0) != 0;
+    coder_.raw_bits(0, 0);
+    if (curve.moves && !walk.begun) {
+      code_curve(curve, true);
+      if (curve.moves) walk.begin(curve);
+    }
+    walk.go_on(curve.moves);
   }
 
   // Scales are close to the last one.

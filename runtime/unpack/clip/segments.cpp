@@ -77,13 +77,13 @@ format::TrackHeader header_of(const TrackFit& fit, std::int32_t step) {
 
 // A track of a segment, its header and its numbers. A component that moves has a bit a frame at least, so that the
 // bytes of the frames bound the work.
-bool unpack_track(ClipCodec<SymbolDecoder>& codec, ClipTrack& track, const ClipTrackEnd* before, FrameCursor& at,
-                  std::byte* header, ClipTrackEnd& end) {
-  if (!codec.code_head(track, before)) return false;
+bool unpack_track(ClipCodec<SymbolDecoder>& codec, ClipTrack& track, bool is_first, FrameCursor& at, std::byte* header,
+                  ClipTrackEnd& end) {
+  if (!codec.code_head(track, end, is_first)) return false;
   std::uint32_t moving = 0;
   for (const ClipCurve& curve : track.curves) moving += curve.moves ? 1 : 0;
   const std::uint64_t room = std::uint64_t{at.frame_bytes} * 8;
-  if (at.bit + moving > room || (moving > 0 && !codec.code_numbers(track))) return false;
+  if (at.bit + moving > room || (moving > 0 && !codec.code_numbers(track, end.walks))) return false;
   TrackFit fit;
   if (!find_fit(track, moving > 0, fit) || at.bit + fit.bits > room) return false;
   for (int c = 0; c < 3; ++c)
@@ -108,6 +108,7 @@ void ClipModels::begin() {
   begin_all(firsts, 2);
   begin_all(scales, 2);
   begin_all(&predictors, 1);
+  begin_all(moves, 2);
 }
 
 bool read_segment_sizes(ByteReader& reader, SegmentSizes& sizes) {
@@ -148,8 +149,7 @@ const char* unpack_segments(Span<const std::byte> symbols, const SegmentSizes& s
     std::memset(segment + heads, 0, std::size_t{track.frame_count} * bytes);
     FrameCursor at{segment + heads, bytes};
     for (std::uint32_t t = 0; t < sizes.header.track_count; ++t)
-      if (!unpack_track(codec, track, s > 0 ? scratch.ends + t : nullptr, at,
-                        segment + 4 + t * sizeof(format::TrackHeader), scratch.ends[t]))
+      if (!unpack_track(codec, track, s == 0, at, segment + 4 + t * sizeof(format::TrackHeader), scratch.ends[t]))
         return "a coded track that is none";
     if ((at.bit + 7) / 8 != bytes) return "a frame's bytes that are not its tracks' bits";
     offsets[s] = offset;

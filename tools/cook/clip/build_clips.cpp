@@ -95,7 +95,7 @@ std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vecto
   deform::Steps steps(options.clip_progress, clips.size());
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
     const Rigged& of = rigged.at(clips[i].skeleton);
-    compress_clip(clips[i], skeletons[clips[i].skeleton], of.rig, of.promise, of.hung);
+    compress_clip(clips[i], skeletons[clips[i].skeleton], of.rig, of.promise, of.hung, options.effort);
     steps.one_more();
   });
   return clips;

@@ -95,11 +95,15 @@ struct MeshPrecision {
   double weight_error = 2.5e-4;
 };
 
+// How long the cooker looks for fewer bytes.
+enum class Effort { fast, normal, best };
+
 enum class MeshCodec { draco, meshopt, none };
 // What becomes of the source's images.
 enum class Images { reference, embed, none };
 
 struct CookOptions {
+  Effort effort = Effort::normal;
   MeshCodec mesh_codec = MeshCodec::draco;
   int subdivide = 0;  // steps of Loop's scheme, 0 … kMostSubdivisions
   // How far quantisation may move vertices, in metres or, if is_share, of the mesh's longest side.

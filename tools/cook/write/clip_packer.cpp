@@ -1,12 +1,9 @@
 #include "cook/write/clip_packer.h"
 
 #include <algorithm>
-#include <array>
-#include <compare>
-#include <cstdlib>
 #include <cstring>
-#include <optional>
 
+#include "cook/clip/compress/packed_cost.h"
 #include "cook/geometry/record.h"
 #include "cook/geometry/symbol_encoder.h"
 #include "unpack/clip/clip.h"
@@ -24,7 +21,7 @@ T value_at(std::span<const std::byte> bytes, std::uint64_t at) {
 
 // Frames and header of a track that a segment begins with or goes on with.
 struct Numbers {
-  std::vector<std::array<std::int32_t, 3>> frames;
+  ClipFrames frames;
   std::int32_t step = 0;
 };
 
@@ -56,46 +53,17 @@ std::vector<Numbers> read_segment(std::span<const std::byte> segment, std::uint3
   return out;
 }
 
-// A product of numbers from 1 to 2^64, which orders as the sum of their logarithms does: rest · 2^(512 · scales).
-struct LongProduct {
-  std::size_t scales = 0;
-  double rest = 1;
+using Curves = std::array<ClipCurve, 3>;
 
-  void times(double x) {
-    rest *= x;
-    if (rest < 0x1p512) return;
-    rest *= 0x1p-512;
-    ++scales;
+// Of a track, from one segment on as far as its steps stay.
+Curves choose_curves(const std::vector<std::vector<Numbers>>& segments, std::size_t first, std::size_t track) {
+  const std::int32_t step = segments[first][track].step;
+  ClipFrames frames;
+  for (std::size_t s = first; s < segments.size() && segments[s][track].step == step; ++s) {
+    const ClipFrames& more = segments[s][track].frames;
+    frames.insert(frames.end(), more.begin() + (s > first ? 1 : 0), more.end());
   }
-  auto operator<=>(const LongProduct&) const = default;
-};
-
-// Of two predictors about the same, the first.
-ClipCurve choose_curve(const Numbers& numbers, std::size_t component) {
-  constexpr std::size_t kFirstFrames = 11;  // that say how far predictions are off at first
-  ClipCurve best;
-  const auto& frames = numbers.frames;
-  const auto at = [&](std::size_t f) { return frames[f][component]; };
-  for (std::size_t f = 1; f < frames.size(); ++f) best.moves = best.moves || at(f) != at(0);
-  std::optional<LongProduct> least;
-  for (std::uint32_t p = 0; best.moves && p < kClipPredictors; ++p) {
-    LongProduct bits;  // 2 to their power
-    std::int64_t first = 0, d1 = 0, d2 = 0;
-    for (std::size_t f = 1; f < frames.size(); ++f) {
-      const std::int64_t step = at(f) - at(f - 1);
-      const std::int64_t off = std::abs(16 * step - kClipPredictor[p].a * d1 - kClipPredictor[p].b * d2);
-      bits.times(static_cast<double>(8 + off));
-      if (f <= kFirstFrames) first += off;
-      d2 = d1;
-      d1 = step;
-    }
-    if (least && bits >= *least) continue;
-    least = bits;
-    best.predictor = p;
-    const auto count = static_cast<std::int64_t>(std::min(kFirstFrames, frames.size() - 1));
-    best.scale = ClipScale::nearest(static_cast<std::int32_t>(first / count));
-  }
-  return best;
+  return {choose_curve(frames, 0), choose_curve(frames, 1), choose_curve(frames, 2)};
 }
 
 }  // namespace
@@ -151,24 +119,32 @@ void ClipPacker::add_coded(std::span<const std::byte> coded, std::size_t joint_c
   for (std::uint64_t at = l.masks; at < l.constants; at += 2) add_varint(value_at<std::uint16_t>(coded, at), out);
   add_bytes(l.constants, l.payload);
 
+  std::vector<std::vector<Numbers>> segments;
+  for (std::uint32_t s = 0; s < format::segment_count(c); ++s) {
+    const auto offset = value_at<std::uint32_t>(coded, l.offsets + std::uint64_t{s} * 4);
+    segments.push_back(read_segment(coded.subspan(l.payload + offset), c.track_count, sizes.frames_of(s)));
+  }
+  std::vector<Curves> curves(c.track_count);
   SymbolEncoder encoder;
   ClipCodec<SymbolEncoder> codec(models_, encoder);
   std::vector<ClipTrackEnd> ends(c.track_count);
-  for (std::uint32_t s = 0; s < format::segment_count(c); ++s) {
-    const auto offset = value_at<std::uint32_t>(coded, l.offsets + std::uint64_t{s} * 4);
-    std::vector<Numbers> tracks = read_segment(coded.subspan(l.payload + offset), c.track_count, sizes.frames_of(s));
+  for (std::size_t s = 0; s < segments.size(); ++s)
     for (std::uint32_t t = 0; t < c.track_count; ++t) {
+      Numbers& numbers = segments[s][t];
       ClipTrack track;
-      track.numbers = reinterpret_cast<std::int32_t(*)[3]>(tracks[t].frames.data());
-      track.frame_count = sizes.frames_of(s);
-      track.step = tracks[t].step;
-      for (std::size_t i = 0; i < 3; ++i) track.curves[i] = choose_curve(tracks[t], i);
-      codec.code_head(track, s > 0 ? &ends[t] : nullptr);
-      codec.code_numbers(track);
+      track.numbers = reinterpret_cast<std::int32_t(*)[3]>(numbers.frames.data());
+      track.frame_count = static_cast<std::uint32_t>(numbers.frames.size());
+      track.step = numbers.step;
+      if (s == 0 || numbers.step != ends[t].step) curves[t] = choose_curves(segments, s, t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        track.curves[i] = curves[t][i];
+        track.curves[i].moves = moves(numbers.frames, i);
+      }
+      codec.code_head(track, ends[t], s == 0);
+      codec.code_numbers(track, ends[t].walks);
       ends[t].step = track.step;
-      for (std::size_t i = 0; i < 3; ++i) ends[t].numbers[i] = tracks[t].frames.back()[i];
+      for (std::size_t i = 0; i < 3; ++i) ends[t].numbers[i] = numbers.frames.back()[i];
     }
-  }
   const std::vector<std::byte> symbols = encoder.finish();
   out.insert(out.end(), symbols.begin(), symbols.end());
 }

@@ -13,6 +13,9 @@ namespace {
 constexpr double kFirstShare = 0.5;     // of the promise, for each track's step at the start
 constexpr int kMostShrinks = 18;        // to a fiftieth of it
 constexpr int kFarthestStep = 24;       // quarter octaves that one coarsening may take
+constexpr int kMostPushes = 3;          // of a track, quarter octaves, a round
+constexpr int kMostRounds = 8;          // of pushing, with the best effort; else one
+constexpr float kMostBroken = 6.25f;    // (error / promise)² that mending may begin with
 constexpr std::uint32_t kMoreBits = 2;  // a frame, that a track may take to make good what those above it miss
 
 // The rotation in a map that is one after a scaling along its own axes; nullopt if it is not.
@@ -36,14 +39,15 @@ double largest_axis(const World& w) {
 
 }  // namespace
 
-Segment::Segment(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded,
-                 const std::vector<TrackId>& exact, const std::vector<Transform>& still,
-                 std::vector<std::vector<Transform>> source)
+StepSearch::StepSearch(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded,
+                       const std::vector<TrackId>& exact, const std::vector<Transform>& still,
+                       std::vector<std::vector<Transform>> source)
     : rig_(rig),
       promise_(promise),
       ids_(coded),
       source_(std::move(source)),
       coded_(coded.size()),
+      curves_(coded.size()),
       strays_(rig, promise_, source_),
       trial_local_(moment_count()),
       hard_frame_(coded.size(), 0) {
@@ -76,7 +80,7 @@ class Unwrapper {
 };
 
 // Rotations relative to the rest pose; the others as differences.
-void Segment::find_targets() {
+void StepSearch::find_targets() {
   for (const TrackId& id : ids_) {
     const Transform& rest = rig_.rest[id.joint];
     std::vector<glm::dvec3> frames;
@@ -91,7 +95,7 @@ void Segment::find_targets() {
   }
 }
 
-void Segment::find_reach() {
+void StepSearch::find_reach() {
   reach_ = promise_.reach;
   scale_above_.assign(rig_.size(), 1);
   least_ = promise_.error;
@@ -107,8 +111,8 @@ void Segment::find_reach() {
 }
 
 // Local transforms of a track's joint from one frame on to the next, with that track replaced.
-void Segment::decode_frame(std::size_t track, const CodedTrack& candidate, std::size_t frame,
-                           std::vector<Transform>& out) const {
+void StepSearch::decode_frame(std::size_t track, const CodedTrack& candidate, std::size_t frame,
+                              std::vector<Transform>& out) const {
   const TrackId& id = ids_[track];
   const Transform& rest = rig_.rest[id.joint];
   const std::size_t first = frame * kMoments, count = frame + 1 == candidate.values.size() ? 1 : kMoments;
@@ -133,8 +137,15 @@ void Segment::decode_frame(std::size_t track, const CodedTrack& candidate, std::
   }
 }
 
+// Says what the candidate costs.
+void StepSearch::price(std::size_t track, CodedTrack& candidate) {
+  std::array<ClipCurve, 3> curves = curves_[track];
+  for (std::size_t c = 0; c < 3; ++c) curves[c].moves = moves(candidate.values, c);
+  candidate.cost = packed_cost_.of(candidate.values, curves);
+}
+
 // Begins where the track broke the promise before: most of what fails fails there again.
-Segment::Trial Segment::attempt(std::size_t track, const CodedTrack& candidate) {
+StepSearch::Trial StepSearch::attempt(std::size_t track, const CodedTrack& candidate) {
   tried_ = SIZE_MAX;
   Trial trial;
   const std::size_t frames = strays_.frame_count();
@@ -150,15 +161,16 @@ Segment::Trial Segment::attempt(std::size_t track, const CodedTrack& candidate) 
 }
 
 // Takes over what the last attempt, which must have been of this track, has computed.
-void Segment::commit(std::size_t track, CodedTrack candidate) {
+void StepSearch::commit(std::size_t track, CodedTrack candidate) {
   std::swap(local_[ids_[track].joint], trial_local_);
   strays_.commit(ids_[track].joint);
+  for (std::size_t c = 0; c < 3; ++c) curves_[track][c] = choose_curve(candidate.values, c);
   coded_[track] = std::move(candidate);
   tried_ = SIZE_MAX;
 }
 
 // Steps in proportion to 1 / reach, so that each track alone strays by about `share` of the promise.
-bool Segment::start(double share) {
+bool StepSearch::start(double share) {
   for (std::size_t t = 0; t < ids_.size(); ++t) {
     const TrackId& id = ids_[t];
     const double budget = share * least_[id.joint];
@@ -170,6 +182,8 @@ bool Segment::start(double share) {
       coded_[t] = quantise(targets_[t], code);
     } while (!coded_[t].fits && code++ < 255);
     if (!coded_[t].fits) return false;
+    for (std::size_t c = 0; c < 3; ++c) curves_[t][c] = choose_curve(coded_[t].values, c);
+    price(t, coded_[t]);
     for (std::size_t frame = 0; frame < strays_.frame_count(); ++frame)
       decode_frame(t, coded_[t], frame, local_[id.joint]);
   }
@@ -177,16 +191,18 @@ bool Segment::start(double share) {
 }
 
 // The finest of the coarser steps that saves a bit.
-bool Segment::coarser(std::size_t track, CodedTrack& candidate) const {
+bool StepSearch::coarser(std::size_t track, CodedTrack& candidate) {
   const CodedTrack& now = coded_[track];
   for (int code = now.step_code + 1; code <= 255 && code <= now.step_code + kFarthestStep; ++code) {
     candidate = quantise(targets_[track], code);
-    if (candidate.fits && candidate.frame_bits < now.frame_bits) return true;
+    if (!candidate.fits) continue;
+    price(track, candidate);
+    if (candidate.cost < now.cost) return true;
   }
   return false;
 }
 
-void Segment::coarsen() {
+void StepSearch::coarsen() {
   struct Move {
     double worth;
     std::size_t track;
@@ -201,7 +217,7 @@ void Segment::coarsen() {
     if (!coarser(track, move.candidate)) return;
     const Trial trial = attempt(track, move.candidate);
     if (!trial.kept) return;  // and never will be: errors only grow
-    move.worth = (coded_[track].frame_bits - move.candidate.frame_bits) / std::max(trial.energy, 1e-9);
+    move.worth = static_cast<double>(coded_[track].cost - move.candidate.cost) / std::max(trial.energy, 1e-9);
     moves.push(std::move(move));
   };
   for (std::size_t t = 0; t < ids_.size(); ++t) propose(t);
@@ -219,15 +235,15 @@ void Segment::coarsen() {
   }
 }
 
-std::size_t Segment::frame_bits() const {
-  std::size_t bits = 0;
-  for (const CodedTrack& track : coded_) bits += track.frame_bits;
-  return bits;
+std::uint64_t StepSearch::cost() const {
+  std::uint64_t out = 0;
+  for (const CodedTrack& track : coded_) out += track.cost;
+  return out;
 }
 
 // What a track would have to hold for its joint to stand in the scene as in the source, below joints that do not quite.
 // Empty where a parent is scaled unevenly.
-std::vector<glm::dvec3> Segment::compensated(std::size_t track) const {
+std::vector<glm::dvec3> StepSearch::compensated(std::size_t track) const {
   const TrackId& id = ids_[track];
   const Transform& rest = rig_.rest[id.joint];
   const int parent = rig_.parents[id.joint];
@@ -250,12 +266,14 @@ std::vector<glm::dvec3> Segment::compensated(std::size_t track) const {
 }
 
 // From the root down, with steps as they are.
-void Segment::compensate() {
+void StepSearch::compensate() {
   for (std::size_t t = 0; t < ids_.size(); ++t) {
     std::vector<glm::dvec3> targets = compensated(t);
     if (targets.empty()) continue;
     CodedTrack candidate = quantise(targets, coded_[t].step_code);
-    if (!candidate.fits || candidate.frame_bits > coded_[t].frame_bits + kMoreBits) continue;
+    if (!candidate.fits) continue;
+    price(t, candidate);
+    if (candidate.cost > coded_[t].cost + kMoreBits * candidate.values.size() * PackedCost::kBit) continue;
     const Trial trial = attempt(t, candidate);
     if (!trial.kept || trial.energy >= 0) continue;
     commit(t, std::move(candidate));
@@ -263,7 +281,61 @@ void Segment::compensate() {
   }
 }
 
-bool Segment::search() {
+// The largest (error / promise)² at a frame and between it and the one before.
+float StepSearch::error_at(std::size_t track, const CodedTrack& candidate, std::size_t frame, float most) {
+  const std::size_t joint = ids_[track].joint;
+  decode_frame(track, candidate, frame, trial_local_);
+  float out = strays_.worst(joint, frame, &trial_local_[frame * kMoments], true, most);
+  if (frame == 0 || !(out <= most)) return out;
+  decode_frame(track, candidate, frame - 1, trial_local_);
+  out = std::max(out, strays_.worst(joint, frame - 1, &trial_local_[(frame - 1) * kMoments], false, most));
+  return out;
+}
+
+// Frame by frame: where the promise is broken, the best of the 27 triples around. False: there is none, or it is broken
+// too often.
+bool StepSearch::mend(std::size_t track, CodedTrack& candidate) {
+  const std::size_t frames = candidate.values.size();
+  std::size_t mended = 0;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    float least = error_at(track, candidate, frame, kMostBroken);
+    if (least < 1) continue;
+    if (!(least < kMostBroken) || ++mended > frames / 2 + 4) return false;
+    const std::array<std::int32_t, 3> middle = candidate.values[frame];
+    std::array<std::int32_t, 3> best = middle;
+    for (int i = 0; i < 27; ++i) {
+      candidate.values[frame] = {middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1};
+      const float error = error_at(track, candidate, frame, least);
+      if (!(error < least)) continue;
+      least = error;
+      best = candidate.values[frame];
+    }
+    candidate.values[frame] = best;
+    if (!(least < 1)) return false;
+  }
+  return true;
+}
+
+bool StepSearch::push(std::size_t track) {
+  std::vector<glm::dvec3> targets = compensated(track);
+  if (targets.empty()) targets = targets_[track];
+  bool pushed = false;
+  for (int i = 0; i < kMostPushes && coded_[track].step_code < 255; ++i) {
+    tried_ = SIZE_MAX;
+    CodedTrack candidate = quantise(targets, coded_[track].step_code + 1);
+    if (!candidate.fits || !mend(track, candidate)) break;
+    fit(candidate);
+    if (!candidate.fits) break;
+    price(track, candidate);
+    if (candidate.cost >= coded_[track].cost || !attempt(track, candidate).kept) break;
+    commit(track, std::move(candidate));
+    targets_[track] = targets;
+    pushed = true;
+  }
+  return pushed;
+}
+
+bool StepSearch::search(Effort effort) {
   double share = kFirstShare;
   int shrinks = 0;
   while (!start(share)) {
@@ -271,15 +343,22 @@ bool Segment::search() {
     share *= 0.8;
   }
   coarsen();
+  if (effort == Effort::fast) return true;
   std::vector<CodedTrack> best = coded_;
-  for (std::size_t least = frame_bits();;) {
+  std::uint64_t least = cost();
+  for (;;) {
     compensate();
     coarsen();
-    if (frame_bits() >= least) break;
-    least = frame_bits();
+    if (cost() >= least) break;
+    least = cost();
     best = coded_;
   }
-  coded_ = std::move(best);
+  bool pushed = true;
+  for (int round = 0; pushed && round < (effort == Effort::best ? kMostRounds : 1); ++round) {
+    pushed = false;
+    for (std::size_t t = 0; t < ids_.size(); ++t) pushed = push(t) || pushed;
+  }
+  if (cost() >= least) coded_ = std::move(best);
   return true;
 }
 

@@ -1,11 +1,13 @@
-// Chooses the step of every coded track of one segment: the fewest bits that keep the promise.
+// Chooses the step of every coded track of one stretch of a clip: the fewest bits on disk that keep the promise.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "cook/clip/compress/coded_track.h"
+#include "cook/clip/compress/packed_cost.h"
 #include "cook/clip/compress/strays.h"
+#include "cook/scene/cook_options.h"
 
 namespace marrow::cook {
 
@@ -18,15 +20,16 @@ struct TrackId {
 // track gets a step by how far its joint reaches, all shrunk together until the promise holds; then one track at a time
 // is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸. Then every track aims
 // again, so that it makes good what the joints above it miss, and the rest of the slack is spent.
-class Segment {
+class StepSearch {
  public:
   // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint. exact: tracks that are stored
   // without loss. still: a joint; what is neither coded nor exact.
-  Segment(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded, const std::vector<TrackId>& exact,
-          const std::vector<Transform>& still, std::vector<std::vector<Transform>> source);
+  StepSearch(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded,
+             const std::vector<TrackId>& exact, const std::vector<Transform>& still,
+             std::vector<std::vector<Transform>> source);
 
   // False if no steps keep the promise.
-  bool search();
+  bool search(Effort effort);
   const std::vector<CodedTrack>& tracks() const { return coded_; }
 
  private:
@@ -43,11 +46,15 @@ class Segment {
   void commit(std::size_t track, CodedTrack candidate);
   void decode_frame(std::size_t track, const CodedTrack& candidate, std::size_t frame,
                     std::vector<Transform>& out) const;
-  bool coarser(std::size_t track, CodedTrack& candidate) const;
+  bool coarser(std::size_t track, CodedTrack& candidate);
   void coarsen();
-  std::size_t frame_bits() const;
+  void price(std::size_t track, CodedTrack& candidate);
+  std::uint64_t cost() const;
   std::vector<glm::dvec3> compensated(std::size_t track) const;
   void compensate();
+  float error_at(std::size_t track, const CodedTrack& candidate, std::size_t frame, float most);
+  bool mend(std::size_t track, CodedTrack& candidate);
+  bool push(std::size_t track);
 
   const Rig& rig_;
   Promise promise_;
@@ -59,7 +66,9 @@ class Segment {
   std::vector<double> least_;                     // a joint: the strictest promise for it and those below it
 
   std::vector<CodedTrack> coded_;
-  std::vector<std::vector<Transform>> local_;  // as decoded, a joint and moment
+  PackedCost packed_cost_;
+  std::vector<std::array<ClipCurve, 3>> curves_;  // a track
+  std::vector<std::vector<Transform>> local_;     // as decoded, a joint and moment
   Strays strays_;
 
   std::size_t tried_ = SIZE_MAX;         // the track of the last attempt, if it is not committed and was kept

@@ -14,6 +14,26 @@ constexpr double kLargestInteger = 1e9;  // so that sums of two stay in 32 bits
 
 }  // namespace
 
+void fit(CodedTrack& track) {
+  std::int32_t low[3], high[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    low[c] = high[c] = track.values[0][c];
+    for (const std::array<std::int32_t, 3>& n : track.values) {
+      low[c] = std::min(low[c], n[c]);
+      high[c] = std::max(high[c], n[c]);
+    }
+  }
+  TrackFit found;
+  track.fits = fit_track(low, high, found);
+  if (!track.fits) return;
+  track.shift = found.shift;
+  for (std::size_t c = 0; c < 3; ++c) {
+    track.least[c] = found.least[c];
+    track.width_codes[c] = found.width_codes[c];
+  }
+  track.frame_bits = found.bits;
+}
+
 int code_of_step(double step) {
   int code = 255;
   while (code > 0 && static_cast<double>(format::step_size(static_cast<std::uint32_t>(code))) > step) --code;
@@ -24,7 +44,6 @@ CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code) {
   CodedTrack track;
   track.step_code = step_code;
   const double inverse = 1 / static_cast<double>(format::step_size(static_cast<std::uint32_t>(step_code)));
-  std::int32_t low[3] = {}, high[3] = {};
   track.values.reserve(frames.size());
   for (const glm::dvec3& v : frames) {
     std::array<std::int32_t, 3> n{};
@@ -32,21 +51,20 @@ CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code) {
       const double exact = v[static_cast<int>(c)] * inverse;
       if (!(std::fabs(exact) < kLargestInteger)) return track;
       n[c] = static_cast<std::int32_t>(std::lround(exact));
-      low[c] = track.values.empty() ? n[c] : std::min(low[c], n[c]);
-      high[c] = track.values.empty() ? n[c] : std::max(high[c], n[c]);
     }
     track.values.push_back(n);
   }
-  TrackFit fit;
-  track.fits = fit_track(low, high, fit);
-  if (!track.fits) return track;
-  track.shift = fit.shift;
-  for (std::size_t c = 0; c < 3; ++c) {
-    track.least[c] = fit.least[c];
-    track.width_codes[c] = fit.width_codes[c];
-  }
-  track.frame_bits = fit.bits;
+  fit(track);
   return track;
+}
+
+CodedTrack part_of(const CodedTrack& track, std::size_t first_frame, std::size_t frame_count) {
+  CodedTrack out;
+  out.step_code = track.step_code;
+  const auto begin = track.values.begin() + static_cast<std::ptrdiff_t>(first_frame);
+  out.values.assign(begin, begin + static_cast<std::ptrdiff_t>(frame_count));
+  fit(out);
+  return out;
 }
 
 glm::dvec3 decode(const CodedTrack& track, std::size_t frame) {

@@ -19,11 +19,18 @@ struct CodedTrack {
   std::uint32_t shift = 0;
   std::array<std::int32_t, 3> least{};  // before the shift
   std::uint32_t frame_bits = 0;
+  std::uint64_t cost = 0;                           // of all frames, as who searches counts it
   std::vector<std::array<std::int32_t, 3>> values;  // least not yet subtracted
 };
 
 // Rounds every frame's value to the step.
 CodedTrack quantise(const std::vector<glm::dvec3>& frames, int step_code);
+
+// Finds the widths of the integers.
+void fit(CodedTrack& track);
+
+// Some frames of a track that fits.
+CodedTrack part_of(const CodedTrack& track, std::size_t first_frame, std::size_t frame_count);
 
 // The code of the largest step that is not above `step`, clamped to what a byte holds.
 int code_of_step(double step);

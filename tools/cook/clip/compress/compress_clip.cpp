@@ -16,11 +16,13 @@
 namespace marrow::cook {
 namespace {
 
-constexpr std::size_t kMostTransforms = 1'000'000;              // a joint and moment: 80 MB; larger clips stay raw
-constexpr std::size_t kSegmentIntervals[] = {512, 64, 32, 24};  // lengths that are tried; the smallest result wins
-constexpr double kStillShare = 0.05;                            // of the promise, below which a movement does not count
-constexpr double kShare = 0.97;                                 // of the promise, that the search may use up
-constexpr int kMostTries = 6;                                   // with ever less of it, until the vertices keep theirs
+constexpr std::size_t kMostTransforms = 1'000'000;  // a joint and moment: 80 MB; larger clips stay raw
+constexpr std::size_t kStretch = 96;                // intervals that have the same steps, at most
+// Lengths of segments that are tried: the fewest bytes in memory win. Each divides a stretch.
+constexpr std::size_t kSegmentIntervals[] = {kStretch, 48, 32, 24, 16};
+constexpr double kStillShare = 0.05;              // of the promise, below which a movement does not count
+constexpr double kShare = 0.97;                   // of the promise, that the search may use up
+constexpr int kMostTries = 6;                     // with ever less of it, until the vertices keep theirs
 constexpr std::size_t kMostSkinned = 15'000'000;  // vertices that one measurement skins, if it need not more
 
 bool is_among(const std::vector<TrackId>& ids, const Track& track) {
@@ -59,11 +61,12 @@ BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
 class Compressor {
  public:
   Compressor(const BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Grid& grid,
-             const Promise& promise, const Hung& hung)
+             const Promise& promise, const Hung& hung, Effort effort)
       : clip_(clip),
         skeleton_(skeleton),
         rig_(rig),
         hung_(hung),
+        effort_(effort),
         curves_(clip, skeleton),
         grid_(grid),
         intervals_(grid.intervals) {
@@ -74,8 +77,7 @@ class Compressor {
     sort_tracks(promise);
   }
 
-  // length: of segments, at most; 0: all that are worth it are tried, and the best one is left in it.
-  std::optional<BuiltClip> compress(const Promise& promise, double share, std::size_t& length) const;
+  std::optional<BuiltClip> compress(const Promise& promise, double share) const;
 
  private:
   double time_of(std::size_t moment) const {
@@ -85,13 +87,15 @@ class Compressor {
   bool stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const;
   Transform middle(std::size_t joint) const;
   void sort_tracks(const Promise& promise);
-  std::optional<BuiltCoded> code(const Promise& promise, std::size_t length) const;
+  std::optional<BuiltCoded> code(const Promise& promise) const;
+  BuiltCoded in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const;
   ClipError measure(const BuiltClip& out, const Promise& promise) const;
 
   const BuiltClip& clip_;
   const BuiltSkeleton& skeleton_;
   const Rig& rig_;
   const Hung& hung_;
+  Effort effort_;
   SourceCurves curves_;
   Grid grid_;
   std::size_t intervals_;
@@ -199,46 +203,53 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
   return worst;
 }
 
-// Coded tracks in segments of at most `length` intervals, all about as long.
-std::optional<BuiltCoded> Compressor::code(const Promise& promise, std::size_t length) const {
-  const std::size_t segments = (intervals_ + length - 1) / length;
-  const std::size_t each = (intervals_ + segments - 1) / segments;
-  Packer packer(moving_, constant_, rig_.size());
-  for (std::size_t first = 0; first < intervals_; first += each) {
-    const std::size_t count = std::min(each, intervals_ - first);
+std::optional<BuiltCoded> Compressor::code(const Promise& promise) const {
+  std::vector<std::vector<CodedTrack>> stretches;
+  for (std::size_t first = 0; first < intervals_; first += kStretch) {
+    const std::size_t count = std::min(kStretch, intervals_ - first);
     std::vector<std::vector<Transform>> source;
     for (const std::vector<Transform>& joint : source_) {
       const auto begin = joint.begin() + static_cast<std::ptrdiff_t>(first * kMoments);
       source.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count * kMoments + 1));
     }
-    Segment segment(rig_, promise, moving_, exact_, still_, std::move(source));
-    if (!segment.search()) return std::nullopt;
-    packer.add(segment.tracks());
+    StepSearch search(rig_, promise, moving_, exact_, still_, std::move(source));
+    if (!search.search(effort_)) return std::nullopt;
+    stretches.push_back(search.tracks());
+  }
+  std::optional<BuiltCoded> best;
+  for (const std::size_t length : kSegmentIntervals) {
+    BuiltCoded coded = in_segments(stretches, length);
+    if (!best || coded.payload.size() < best->payload.size()) best = std::move(coded);
+  }
+  return best;
+}
+
+// In segments of at most `length` intervals; of a clip of one stretch all about as long.
+BuiltCoded Compressor::in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const {
+  const std::size_t count = (intervals_ + length - 1) / length;
+  const std::size_t each = stretches.size() > 1 ? length : (intervals_ + count - 1) / count;
+  Packer packer(moving_, constant_, rig_.size());
+  for (std::size_t first = 0; first < intervals_; first += each) {
+    const std::vector<CodedTrack>& tracks = stretches[first / kStretch];
+    std::vector<CodedTrack> parts;
+    for (const CodedTrack& track : tracks)
+      parts.push_back(part_of(track, first % kStretch, std::min(each, intervals_ - first) + 1));
+    packer.add(parts);
   }
   return packer.finish(grid_, each);
 }
 
-std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share, std::size_t& length) const {
-  std::optional<BuiltClip> best;
-  if (moving_.empty() && constant_.empty()) best = keep_raw(clip_, exact_);
-  Promise stricter = promise;
-  for (double& error : stricter.error) error *= share;
-  std::size_t last_count = 0;
-  const std::size_t wanted = length;
-  for (const std::size_t most : kSegmentIntervals) {
-    if (best && best->coded.header.frame_count == 0) break;  // nothing to code
-    const std::size_t count = (intervals_ + most - 1) / most;
-    if (count == last_count || (wanted != 0 && most != wanted)) continue;
-    last_count = count;
-    std::optional<BuiltCoded> coded = code(stricter, most);
-    if (!coded) break;  // a finer grid may help, other segments will not
-    if (best && coded->payload.size() >= best->coded.payload.size()) continue;
-    best = keep_raw(clip_, exact_);
-    best->coded = std::move(*coded);
-    length = most;
+std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
+  BuiltClip out = keep_raw(clip_, exact_);
+  if (!moving_.empty() || !constant_.empty()) {
+    Promise stricter = promise;
+    for (double& error : stricter.error) error *= share;
+    std::optional<BuiltCoded> coded = code(stricter);
+    if (!coded) return std::nullopt;  // a finer grid may help
+    out.coded = std::move(*coded);
   }
-  if (best) best->error = measure(*best, promise);
-  return best;
+  out.error = measure(out, promise);
+  return out;
 }
 
 std::size_t bytes_of(const BuiltClip& clip) {
@@ -258,9 +269,8 @@ struct Strayed {
 std::optional<BuiltClip> compress_on(const Compressor& compressor, const BuiltClip& clip, const Promise& promise,
                                      Strayed& strayed) {
   double share = kShare, last = INFINITY;
-  std::size_t length = 0;
   for (int i = 0; i < kMostTries; ++i) {
-    std::optional<BuiltClip> made = compressor.compress(promise, share, length);
+    std::optional<BuiltClip> made = compressor.compress(promise, share);
     if (!made) return std::nullopt;
     const double worst = std::max(made->error.share, promise.of_vertices ? made->error.vertex_share : 0.0);
     if (worst <= 1) return made;
@@ -282,14 +292,14 @@ std::string why_it_strays(const Strayed& strayed) {
 }  // namespace
 
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
-                   const Hung& hung) {
+                   const Hung& hung, Effort effort) {
   if (clip.tracks.empty()) return;
   clip.raw_because = "its curves are STEP, or all at one time";
   Strayed strayed;
   for (const Grid& grid : grids(clip)) {
     clip.raw_because = "it has more than a million joints times moments";
     if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) return;
-    const Compressor compressor(clip, skeleton, rig, grid, promise, hung);
+    const Compressor compressor(clip, skeleton, rig, grid, promise, hung, effort);
     std::optional<BuiltClip> made = compress_on(compressor, clip, promise, strayed);
     if (!made) {
       clip.raw_because = why_it_strays(strayed);

@@ -11,6 +11,6 @@ namespace marrow::cook {
 // the largest errors found. Deterministic. Method: the cooker's own; the search for bit rates against the error of the
 // whole hierarchy follows Frechette's "Compression by object-space error" in the Animation Compression Library.
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
-                   const Hung& hung);
+                   const Hung& hung, Effort effort);
 
 }  // namespace marrow::cook

@@ -108,8 +108,8 @@ f32x4 Strays::squared_error(std::size_t joint, std::size_t frame, const FourMaps
   return out;
 }
 
-// own: where the joint's tracks are; above: where its parent is placed.
-bool Strays::move(std::size_t joint, std::size_t frame, const Poses& own, const Poses& above, f32x4& change) {
+// Places a joint for trial. Gives (error / promise)². own: where its tracks are; above: where its parent is placed.
+f32x4 Strays::move(std::size_t joint, std::size_t frame, const Poses& own, const Poses& above) {
   const std::size_t i = at(frame, joint);
   FourMaps stray = own.own[i];
   if (rig_.parents[joint] != kNone) {
@@ -119,26 +119,44 @@ bool Strays::move(std::size_t joint, std::size_t frame, const Poses& own, const 
     stray.linear = {stray.linear.x + turned.x, stray.linear.y + turned.y, stray.linear.z + turned.z};
     stray.origin = stray.origin + up.origin + up.linear * local.origin;
   }
-  const f32x4 share = squared_error(joint, frame, stray) * splat(inverse_limit_[joint]);
-  if (!all(share < splat(1.0f))) return false;
-  const f32x4 fourth_power = share * share, eighth_power = fourth_power * fourth_power;
-  trial_.placed[i] = {stray, eighth_power};
-  change = change + (eighth_power - now_.placed[i].energy);
-  return true;
+  trial_.placed[i].stray = stray;
+  return squared_error(joint, frame, stray) * splat(inverse_limit_[joint]);
+}
+
+// share: as move() gives it.
+f32x4 Strays::energy_change(std::size_t joint, std::size_t frame, f32x4 share) {
+  const f32x4 fourth_power = share * share, energy = fourth_power * fourth_power;
+  trial_.placed[at(frame, joint)].energy = energy;
+  return energy - now_.placed[at(frame, joint)].energy;
 }
 
 bool Strays::attempt(std::size_t joint, std::size_t frame, const Transform* decoded, double& energy) {
   take_local(joint, frame, decoded, trial_);
   f32x4 change = splat(0.0f);
-  if (!move(joint, frame, trial_, now_, change)) return false;
-  const std::vector<std::size_t>& below = rig_.subtrees[joint];
-  for (std::size_t i = 1; i < below.size(); ++i)
-    if (!move(below[i], frame, now_, trial_, change)) return false;
+  for (const std::size_t j : rig_.subtrees[joint]) {
+    const bool first = j == joint;
+    const f32x4 share = move(j, frame, first ? trial_ : now_, first ? now_ : trial_);
+    if (!all(share < splat(1.0f))) return false;
+    change = change + energy_change(j, frame, share);
+  }
   float lanes[4];
   store(lanes, change);
   const std::size_t count = frame + 1 == frame_count_ ? 1 : kMoments;
   for (std::size_t lane = 0; lane < count; ++lane) energy += static_cast<double>(lanes[lane]);
   return true;
+}
+
+float Strays::worst(std::size_t joint, std::size_t frame, const Transform* decoded, bool only_first, float most) {
+  take_local(joint, frame, decoded, trial_);
+  float out = 0;
+  for (const std::size_t j : rig_.subtrees[joint]) {
+    const bool first = j == joint;
+    float lanes[4];
+    store(lanes, move(j, frame, first ? trial_ : now_, first ? now_ : trial_));
+    for (std::size_t lane = 0; lane < (only_first ? 1 : kMoments); ++lane) out = std::max(out, lanes[lane]);
+    if (!(out <= most)) return out;
+  }
+  return out;
 }
 
 void Strays::commit(std::size_t joint) {
@@ -150,11 +168,12 @@ void Strays::commit(std::size_t joint) {
 }
 
 bool Strays::place(const std::vector<std::vector<Transform>>& decoded) {
-  f32x4 change = splat(0.0f);
   for (std::size_t frame = 0; frame < frame_count_; ++frame)
     for (std::size_t j = 0; j < rig_.size(); ++j) {
       take_local(j, frame, &decoded[j][frame * kMoments], trial_);
-      if (!move(j, frame, trial_, trial_, change)) return false;
+      const f32x4 share = move(j, frame, trial_, trial_);
+      if (!all(share < splat(1.0f))) return false;
+      energy_change(j, frame, share);
     }
   std::swap(now_, trial_);
   return true;

@@ -31,6 +31,9 @@ class Strays {
   // to `energy` how much the sum of (error / promise)⁸ changes of it and all that is below it. False: one of them
   // strays beyond its promise.
   bool attempt(std::size_t joint, std::size_t frame, const Transform* decoded, double& energy);
+  // The largest (error / promise)² at decoded moments of one frame, or at the frame itself alone; of what is above
+  // `most`, anything above it.
+  float worst(std::size_t joint, std::size_t frame, const Transform* decoded, bool only_first, float most);
   // Takes over the joint's last attempts, which must have been of all frames.
   void commit(std::size_t joint);
 
@@ -53,7 +56,8 @@ class Strays {
   std::size_t moment_of(std::size_t frame, std::size_t lane) const;
   std::size_t at(std::size_t frame, std::size_t joint) const { return frame * rig_.size() + joint; }
   void take_local(std::size_t joint, std::size_t frame, const Transform* decoded, Poses& out) const;
-  bool move(std::size_t joint, std::size_t frame, const Poses& own, const Poses& above, f32x4& change);
+  f32x4 move(std::size_t joint, std::size_t frame, const Poses& own, const Poses& above);
+  f32x4 energy_change(std::size_t joint, std::size_t frame, f32x4 share);
   f32x4 squared_error(std::size_t joint, std::size_t frame, const FourMaps& stray) const;
 
   const Rig& rig_;
