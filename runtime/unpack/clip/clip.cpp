@@ -15,17 +15,23 @@ void copy_to(Span<const std::byte> from, Span<std::byte> out, std::uint64_t offs
   if (from.size > 0) std::memcpy(out.data + offset, from.data, from.size);
 }
 
-// A u16 each, as varints. False if they are not those of the tracks and constants.
-bool take_masks(ByteReader& reader, std::uint64_t groups, GroupMasks* masks, format::CodedHeader& h) {
+// False if they are not those of the tracks.
+bool take_masks(ClipCodec<SymbolDecoder>& codec, std::uint32_t groups, GroupMasks* masks, format::CodedHeader& h) {
   std::uint32_t track_count = 0;
-  for (std::uint64_t g = 0; g < groups; ++g) {
-    const std::uint32_t moving = reader.take_varint(), constant = reader.take_varint();
-    if (moving > 0xFFFF || constant > 0xFFFF) return false;
-    masks[g] = {static_cast<std::uint16_t>(moving), static_cast<std::uint16_t>(constant)};
-    track_count += bit_count(moving);
-    h.constant_count += bit_count(constant);
+  for (std::uint32_t g = 0; g < groups; ++g) {
+    masks[g].moving = codec.code_mask(2 * g, 0);
+    masks[g].constant = codec.code_mask(2 * g + 1, 0);
+    track_count += bit_count(masks[g].moving);
+    h.constant_count += bit_count(masks[g].constant);
   }
   return track_count == h.track_count;
+}
+
+void take_constants(ClipCodec<SymbolDecoder>& codec, std::uint32_t groups, const GroupMasks* masks,
+                    format::Constant* out) {
+  for (std::uint32_t g = 0; g < groups; ++g)
+    for (std::uint32_t left = masks[g].constant; left != 0; left &= left - 1)
+      *out++ = codec.code_constant(16 * g + static_cast<std::uint32_t>(std::countr_zero(left)), {});
 }
 
 // What stands in front of a clip's lists.
@@ -69,25 +75,29 @@ const char* unpack_coded(ByteReader& reader, std::uint32_t flags, std::uint32_t 
   const format::CodedLayout fixed = layout(h, start, joint_count);  // up to the constants
   if (fixed.constants > out.size) return "file_bytes too small";
   copy_to(reader.take_bytes(std::size_t{h.time_count} * 4), out, fixed.times);
-  if (!take_masks(reader, soa_count(joint_count), reinterpret_cast<GroupMasks*>(out.data + fixed.masks), h))
-    return "masks that are not the tracks'";
-  const Span<const std::byte> constants = reader.take_bytes(std::size_t{h.constant_count} * sizeof(format::Constant));
   const std::uint64_t payload_bytes = sizes.payload_bytes + format::kPayloadPadding;
   if (reader.failed() || payload_bytes > UINT32_MAX) return "a clip that is too short, or larger than a file";
-  h.payload_bytes = static_cast<std::uint32_t>(payload_bytes);
-  const format::CodedLayout l = layout(h, start, joint_count);
-  if (l.bytes > out.size) return "file_bytes too small";
-  std::memcpy(out.data + l.header, &h, sizeof h);
-  copy_to(constants, out, l.constants);
-  std::memset(out.data + l.bytes - format::kPayloadPadding, 0, format::kPayloadPadding);
-
   Memory memory{scratch.data, 0, scratch.size};
   const SegmentScratch work = take_segment_scratch(memory, h.track_count, sizes.most_frames);
   if (memory.failed) return "memory_bytes too small";
   if (!has_models) work.models->begin();
+  SymbolDecoder decoder(reader.take_bytes(reader.left()));
+  ClipCodec<SymbolDecoder> codec(*work.models, decoder);
+
+  auto* const masks = reinterpret_cast<GroupMasks*>(out.data + fixed.masks);
+  const auto groups = static_cast<std::uint32_t>(soa_count(joint_count));
+  if (!take_masks(codec, groups, masks, h)) return "masks that are not the tracks'";
+  h.payload_bytes = static_cast<std::uint32_t>(payload_bytes);
+  const format::CodedLayout l = layout(h, start, joint_count);
+  if (l.bytes > out.size) return "file_bytes too small";
+  std::memcpy(out.data + l.header, &h, sizeof h);
+  take_constants(codec, groups, masks, reinterpret_cast<format::Constant*>(out.data + l.constants));
+  std::memset(out.data + l.bytes - format::kPayloadPadding, 0, format::kPayloadPadding);
   bytes = static_cast<std::uint32_t>(l.bytes);
-  return unpack_segments(reader.take_bytes(reader.left()), sizes, work, out.data + l.payload,
-                         reinterpret_cast<std::uint32_t*>(out.data + l.offsets));
+  if (!unpack_segments(codec, sizes, work, out.data + l.payload,
+                       reinterpret_cast<std::uint32_t*>(out.data + l.offsets)))
+    return "a segment that is none";
+  return decoder.at_end() ? nullptr : "a clip that is too short or too long";
 }
 
 }  // namespace

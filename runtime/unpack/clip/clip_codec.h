@@ -49,6 +49,14 @@ struct ClipModels {
   SymbolModel steps[2], firsts[2];
   SymbolModel scales[2], predictors;  // scales: by whether the component before moves
   SymbolModel moves[2];               // of what goes on: by whether it moved in the segment before
+  // By whether the one before was as it had been.
+  SymbolModel masks[2], constants[2];
+  SymbolModel mask_changes, constant_changes;
+
+  // What was last, by place: of places that fall together, one.
+  static constexpr std::uint32_t kPlaces = 1024;
+  std::uint16_t last_masks[kPlaces];
+  format::Constant last_constants[kPlaces];
 
   void begin();
 };
@@ -101,6 +109,33 @@ template <class Coder>
 class ClipCodec {
  public:
   ClipCodec(ClipModels& models, Coder& coder) : models_(models), coder_(coder) {}
+
+  // place: which mask of the clip it is.
+  std::uint16_t code_mask(std::uint32_t place, std::uint16_t wanted) {
+    std::uint16_t& last = models_.last_masks[place % ClipModels::kPlaces];
+    if (!code_same(models_.masks[mask_same_], mask_same_, wanted == last))
+      last = static_cast<std::uint16_t>(last ^ code_number(models_.mask_changes, wanted ^ last));
+    return last;
+  }
+  // place: which of the skeleton's sub-tracks it is. What is far from what was last has all its bits.
+  format::Constant code_constant(std::uint32_t place, const format::Constant& wanted) {
+    format::Constant& last = models_.last_constants[place % ClipModels::kPlaces];
+    bool same = Coder::kEncodes, near = Coder::kEncodes;
+    for (std::uint32_t i = 0; Coder::kEncodes && i < 4; ++i) {
+      const std::int32_t change = wanted.v[i] - last.v[i];
+      same = same && change == 0;
+      near = near && change >= -kNear && change <= kNear;
+    }
+    if (code_same(models_.constants[constant_same_], constant_same_, same)) return last;
+    near = coder_.raw_bits(1, near ? 1 : 0) != 0;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      std::int16_t& number = last.v[i];
+      const std::int32_t to = Coder::kEncodes ? wanted.v[i] : 0;
+      number = near ? static_cast<std::int16_t>(sum(number, code_number(models_.constant_changes, to - number)))
+                    : static_cast<std::int16_t>(coder_.raw_bits(16, static_cast<std::uint16_t>(to)));
+    }
+    return last;
+  }
 
   // What stands in front of the numbers: step, first frame, and which components move. `end` is what the segment before
   // left of the same track, and gets its walks; is_first: there is none. Where steps go on as they were, so do walks.
@@ -158,6 +193,7 @@ class ClipCodec {
   static constexpr std::uint8_t kLeast[SymbolModel::kCount] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 64, 128, 0};
   static constexpr std::uint8_t kRawBits[SymbolModel::kCount] = {0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 3, 3, 5, 6, 7, 0};
   static constexpr std::uint32_t kEnd = 256;
+  static constexpr std::int32_t kNear = 2047;  // of constants
 
   // 0, 1, -1, 2, -2 … as 0, 1, 2, 3, 4 …
   static std::uint32_t folded(std::int32_t x) {
@@ -224,6 +260,12 @@ class ClipCodec {
     return unfolded(out);
   }
 
+  bool code_same(SymbolModel& model, std::uint32_t& was_same, bool wanted) {
+    was_same = coder_.symbol(model, wanted ? 1 : 0) == 1 ? 1 : 0;
+    coder_.raw_bits(0, 0);
+    return was_same != 0;
+  }
+
   // A component whose walk goes on, or begins only now.
   void code_going_on(ClipCurve& curve, ClipWalk& walk) {
     curve.moves = coder_.symbol(models_.moves[walk.moves ? 1 : 0], curve.moves ? 1 : 0) != 0;
@@ -267,6 +309,7 @@ class ClipCodec {
   ClipModels& models_;
   Coder& coder_;
   std::int32_t step_ = 100, scale_ = 10;  // of the track and of the moving component before
+  std::uint32_t mask_same_ = 0, constant_same_ = 0;
 };
 
 }  // namespace marrow

@@ -109,6 +109,12 @@ void ClipModels::begin() {
   begin_all(scales, 2);
   begin_all(&predictors, 1);
   begin_all(moves, 2);
+  begin_all(masks, 2);
+  begin_all(constants, 2);
+  begin_all(&mask_changes, 1);
+  begin_all(&constant_changes, 1);
+  std::memset(last_masks, 0, sizeof last_masks);
+  std::memset(last_constants, 0, sizeof last_constants);
 }
 
 bool read_segment_sizes(ByteReader& reader, SegmentSizes& sizes) {
@@ -132,10 +138,8 @@ SegmentScratch take_segment_scratch(Memory& memory, std::uint32_t track_count, s
   return out;
 }
 
-const char* unpack_segments(Span<const std::byte> symbols, const SegmentSizes& sizes, const SegmentScratch& scratch,
-                            std::byte* payload, std::uint32_t* offsets) {
-  SymbolDecoder decoder(symbols);
-  ClipCodec<SymbolDecoder> codec(*scratch.models, decoder);
+bool unpack_segments(ClipCodec<SymbolDecoder>& codec, const SegmentSizes& sizes, const SegmentScratch& scratch,
+                     std::byte* payload, std::uint32_t* offsets) {
   ByteReader frame_bytes = sizes.frame_bytes;
   std::uint32_t offset = 0;
   for (std::uint32_t s = 0; s < format::segment_count(sizes.header); ++s) {
@@ -150,12 +154,12 @@ const char* unpack_segments(Span<const std::byte> symbols, const SegmentSizes& s
     FrameCursor at{segment + heads, bytes};
     for (std::uint32_t t = 0; t < sizes.header.track_count; ++t)
       if (!unpack_track(codec, track, s == 0, at, segment + 4 + t * sizeof(format::TrackHeader), scratch.ends[t]))
-        return "a coded track that is none";
-    if ((at.bit + 7) / 8 != bytes) return "a frame's bytes that are not its tracks' bits";
+        return false;
+    if ((at.bit + 7) / 8 != bytes) return false;
     offsets[s] = offset;
     offset += heads + track.frame_count * bytes;
   }
-  return decoder.at_end() ? nullptr : "a clip that is too short or too long";
+  return true;
 }
 
 }  // namespace marrow

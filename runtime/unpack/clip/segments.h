@@ -32,8 +32,8 @@ struct SegmentScratch {
 SegmentScratch take_segment_scratch(Memory& memory, std::uint32_t track_count, std::uint32_t most_frames);
 
 // Writes payload_bytes at `payload`, and where each segment begins at `offsets`. What is behind payload_bytes may be
-// written, too, by up to seven bytes, as it is. Returns null, or the rule that is broken.
-const char* unpack_segments(Span<const std::byte> symbols, const SegmentSizes& sizes, const SegmentScratch& scratch,
-                            std::byte* payload, std::uint32_t* offsets);
+// written, too, by up to seven bytes, as it is. False: a segment that is none.
+bool unpack_segments(ClipCodec<SymbolDecoder>& codec, const SegmentSizes& sizes, const SegmentScratch& scratch,
+                     std::byte* payload, std::uint32_t* offsets);
 
 }  // namespace marrow

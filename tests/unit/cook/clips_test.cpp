@@ -99,7 +99,7 @@ TEST(CompressClip, AThousandJoints) {
     add_rotation(clip, j, times_s, keys.back());
   }
   const Rig rig(skeleton);
-  compress_clip(clip, skeleton, rig, promise_for(kJoints), {});
+  compress_clip(clip, skeleton, rig, promise_for(kJoints), {}, Effort::normal);
   ASSERT_EQ(clip.coded.header.track_count, kJoints);
   EXPECT_LE(clip.error.error_m, kError);
   EXPECT_LE(worst_angle(skeleton, clip, kJoints - 1, times_s, keys.back()), 2 * kAngle)
@@ -121,7 +121,7 @@ TEST(CompressClip, APoseIsConstants) {
   const std::vector<Quat> key = {test::axis_angle({1, 2, 3}, 0.7)};
   BuiltClip clip;
   for (std::size_t j = 1; j < 9; ++j) add_rotation(clip, j, {0.5f}, key);
-  compress_clip(clip, skeleton, Rig(skeleton), promise_for(9), {});
+  compress_clip(clip, skeleton, Rig(skeleton), promise_for(9), {}, Effort::normal);
   EXPECT_TRUE(clip.tracks.empty());
   EXPECT_EQ(clip.coded.header.track_count, 0u);
   EXPECT_EQ(clip.coded.header.constant_count, 8u);
@@ -140,7 +140,7 @@ TEST(CompressClip, WhatRestsCostsNothing) {
   const BuiltSkeleton skeleton = tree(9);
   BuiltClip clip;
   for (std::size_t j = 0; j < 9; ++j) add_rotation(clip, j, {0, 1}, {{0, 0, 0, 1}, {0, 0, 1e-7, 1}});
-  compress_clip(clip, skeleton, Rig(skeleton), promise_for(9), {});
+  compress_clip(clip, skeleton, Rig(skeleton), promise_for(9), {}, Effort::normal);
   EXPECT_TRUE(clip.tracks.empty());
   EXPECT_EQ(clip.coded.header.frame_count, 0u);
   EXPECT_EQ(clip.duration_s, 1.0f);
@@ -157,7 +157,7 @@ TEST(CompressClip, SpinsTurnOnAndOn) {
   }
   BuiltClip clip;
   add_rotation(clip, 1, times_s, keys);
-  compress_clip(clip, skeleton, Rig(skeleton), promise_for(3), {});
+  compress_clip(clip, skeleton, Rig(skeleton), promise_for(3), {}, Effort::normal);
   ASSERT_EQ(clip.coded.header.frame_count, 37u);
   EXPECT_LE(clip.error.error_m, kError);
   EXPECT_LE(worst_angle(skeleton, clip, 1, times_s, keys), kAngle);
@@ -172,7 +172,7 @@ TEST(CompressClip, KeysOutOfStep) {
     keys.push_back(test::axis_angle({1, 0, 0}, std::sin(2.0 * static_cast<double>(k))));
   BuiltClip clip;
   for (std::size_t j = 0; j < 3; ++j) add_rotation(clip, j, times_s, keys);
-  compress_clip(clip, skeleton, Rig(skeleton), promise_for(3), {});
+  compress_clip(clip, skeleton, Rig(skeleton), promise_for(3), {}, Effort::normal);
   EXPECT_EQ(clip.coded.times_s, times_s) << "rather than 20 frames, twelfths of a second";
   EXPECT_EQ(clip.coded.header.frame_count, 7u);
   EXPECT_EQ(clip.coded.header.time_count, 7u);
@@ -196,7 +196,7 @@ TEST(CompressClip, WhatHangsOnAJointCounts) {
   promise.watch(1, {0, 0, 0.5 * kShell, 1}, rig);
   ASSERT_EQ(promise.points[1].size(), 1u) << "nearer than the shell";
   EXPECT_EQ(promise.reach[1], kReach);
-  compress_clip(clip, skeleton, rig, promise, {});
+  compress_clip(clip, skeleton, rig, promise, {}, Effort::normal);
   ASSERT_GT(clip.coded.header.frame_count, 0u);
   EXPECT_EQ(clip.raw_because, "");
   EXPECT_LE(worst_angle(skeleton, clip, 1, times_s, keys), kError / kReach);
@@ -204,13 +204,13 @@ TEST(CompressClip, WhatHangsOnAJointCounts) {
 
 TEST(CompressClip, SaysWhyKeysStayAsTheyWere) {
   BuiltClip still;
-  compress_clip(still, tree(1), Rig(tree(1)), promise_for(1), {});
+  compress_clip(still, tree(1), Rig(tree(1)), promise_for(1), {}, Effort::normal);
   EXPECT_EQ(still.raw_because, "") << "nothing moves";
   // Two keys of noise take less room than a segment with all that belongs to it.
   const BuiltSkeleton skeleton = tree(1);
   BuiltClip two;
   add_rotation(two, 0, {0, 1}, {test::axis_angle({1, 2, 3}, 1), test::axis_angle({3, 2, 1}, -1)});
-  compress_clip(two, skeleton, Rig(skeleton), promise_for(1), {});
+  compress_clip(two, skeleton, Rig(skeleton), promise_for(1), {}, Effort::normal);
   EXPECT_EQ(two.coded.header.frame_count, 0u);
   EXPECT_NE(two.raw_because.find("in segments its curves would be "), std::string::npos) << two.raw_because;
 }

@@ -1,6 +1,7 @@
 #include "cook/write/clip_packer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "cook/clip/compress/packed_cost.h"
@@ -66,6 +67,18 @@ Curves choose_curves(const std::vector<std::vector<Numbers>>& segments, std::siz
   return {choose_curve(frames, 0), choose_curve(frames, 1), choose_curve(frames, 2)};
 }
 
+// Which sub-tracks move, which are constant, and those.
+void code_still(std::span<const std::byte> coded, const format::CodedLayout& l, ClipCodec<SymbolEncoder>& codec) {
+  const auto mask_count = static_cast<std::uint32_t>((l.constants - l.masks) / 2);
+  const auto mask_at = [&](std::uint32_t i) { return value_at<std::uint16_t>(coded, l.masks + std::uint64_t{2} * i); };
+  for (std::uint32_t i = 0; i < mask_count; ++i) codec.code_mask(i, mask_at(i));
+  std::uint64_t at = l.constants;
+  for (std::uint32_t i = 1; i < mask_count; i += 2)  // of constant sub-tracks
+    for (std::uint32_t left = mask_at(i); left != 0; left &= left - 1, at += sizeof(format::Constant))
+      codec.code_constant(16 * (i / 2) + static_cast<std::uint32_t>(std::countr_zero(left)),
+                          value_at<format::Constant>(coded, at));
+}
+
 }  // namespace
 
 std::vector<std::byte> ClipPacker::pack(std::span<const std::byte> section, std::uint32_t codec,
@@ -116,9 +129,6 @@ void ClipPacker::add_coded(std::span<const std::byte> coded, std::size_t joint_c
   read_segment_sizes(reader, sizes);
   scratch_bytes_ = std::max(scratch_bytes_, clip_scratch_bytes(c.track_count, sizes.most_frames));
   add_bytes(l.times, l.offsets);
-  for (std::uint64_t at = l.masks; at < l.constants; at += 2) add_varint(value_at<std::uint16_t>(coded, at), out);
-  add_bytes(l.constants, l.payload);
-
   std::vector<std::vector<Numbers>> segments;
   for (std::uint32_t s = 0; s < format::segment_count(c); ++s) {
     const auto offset = value_at<std::uint32_t>(coded, l.offsets + std::uint64_t{s} * 4);
@@ -127,6 +137,7 @@ void ClipPacker::add_coded(std::span<const std::byte> coded, std::size_t joint_c
   std::vector<Curves> curves(c.track_count);
   SymbolEncoder encoder;
   ClipCodec<SymbolEncoder> codec(models_, encoder);
+  code_still(coded, l, codec);
   std::vector<ClipTrackEnd> ends(c.track_count);
   for (std::size_t s = 0; s < segments.size(); ++s)
     for (std::uint32_t t = 0; t < c.track_count; ++t) {
