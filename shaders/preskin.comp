@@ -1,11 +1,16 @@
 // Skinning ahead of drawing, by compute shader: reads the vertex buffers as words, an invocation a vertex.
 layout(local_size_x = 64) in;
+// Mali-G waits for loads, and two words are one. With more influences the pairs would spill.
+#define MARROW_PAIRS (MARROW_GPU == 1 && MARROW_SURFACE_NORMALS && MARROW_INFLUENCES == 4)
 layout(std430, binding = 0) restrict readonly buffer MarrowSkinWords {
   uint marrow_skin_words[];
 };
+// Not beside the pairs: every GPU has four buffers, and some no more.
+#if !MARROW_PAIRS
 layout(std430, binding = 1) restrict readonly buffer MarrowSurfaceWords {
   uint marrow_surface_words[];
 };
+#endif
 layout(std430, binding = 2) restrict readonly buffer MarrowMorphRows {
   uint marrow_morph_rows[];
 };
@@ -33,7 +38,16 @@ uvec4 marrow_joints(int at, int group) {
   return uvec4(two, two >> 16, more, more >> 16) & 65535u;
 }
 
-#if MARROW_DEFORMER == 3
+#if MARROW_PAIRS
+layout(std430, binding = 0) restrict readonly buffer MarrowSkinPairs {
+  uvec2 marrow_skin_pairs[];
+};
+// A vertex that begins amid a pair has halves of the first and the last. Its joints follow, so that the last is a whole one.
+uvec2 marrow_pairs[13];
+uvec2 marrow_words(int pair) {
+  return (marrow_at & 1) == 0 ? marrow_pairs[pair] : uvec2(marrow_pairs[pair].y, marrow_pairs[pair + 1].x);
+}
+#elif MARROW_DEFORMER == 3
 uvec2 marrow_words(int pair) {
   return uvec2(marrow_skin_words[marrow_at + 2 * pair], marrow_skin_words[marrow_at + 2 * pair + 1]);
 }
@@ -43,6 +57,10 @@ uvec2 marrow_words(int pair) {
 void marrow_load(int vertex) {
   int at = vertex * marrow_vertex_layout[1];
   marrow_at = at;
+#if MARROW_PAIRS
+  for (int i = 0; i < 12; ++i) marrow_pairs[i] = marrow_skin_pairs[(at >> 1) + i];
+  marrow_pairs[12] = marrow_skin_pairs[(at >> 1) + 11 + (at & 1)];
+#endif
 #if MARROW_DEFORMER != 3
 #if MARROW_DEFORMER == 2
   in_position = marrow_snorm(at);

@@ -187,7 +187,8 @@ float marrow_share(int i) {
 #else
 #define MARROW_IF(Do, I, Joint) if (Joint != in_joints0.x) { Do(I, Joint) }
 #endif
-#if MARROW_DEFORMER == 3 && (MARROW_SURFACE_NORMALS || MARROW_INFLUENCES > 5)
+#if MARROW_DEFORMER == 3 && (MARROW_SURFACE_NORMALS || MARROW_INFLUENCES > 5) || \
+    MARROW_GPU == 1 && MARROW_DEFORMER == 2 && MARROW_PALETTES == 1 && MARROW_TANGENT && MARROW_INFLUENCES == 5
 #define MARROW_MORE(Do, I, Joint) MARROW_IF(Do, I, Joint)
 #else
 #define MARROW_MORE(Do, I, Joint) Do(I, Joint)
@@ -195,12 +196,25 @@ float marrow_share(int i) {
 #define MARROW_FOUR_APART(Do)                        \
   Do(0, in_joints0.x) MARROW_IF(Do, 1, in_joints0.y) \
   MARROW_IF(Do, 2, in_joints0.z) MARROW_IF(Do, 3, in_joints0.w)
-#if MARROW_DEFORMER == 2 && MARROW_PALETTES == 2 && MARROW_TANGENT && MARROW_GPU == 1
+// Orders and branches by which registers spilled least. The first last wants fewer registers.
+#if MARROW_GPU == 1 && MARROW_DEFORMER == 2 && MARROW_PALETTES == 2 && MARROW_TANGENT
 #define MARROW_FOUR(Do) MARROW_FOUR_APART(Do)
+#elif MARROW_GPU == 2 && MARROW_DEFORMER == 2 && \
+    (MARROW_POSE_SPACE == 1 && MARROW_INFLUENCES > 4 && MARROW_INFLUENCES < 7 && MARROW_PALETTES + MARROW_COMPUTE == 1 || \
+     MARROW_TANGENT == 1 && MARROW_INFLUENCES == 6 && MARROW_PALETTES == 1)
+#define MARROW_FOUR(Do) Do(0, in_joints0.x) Do(1, in_joints0.y) Do(2, in_joints0.z) MARROW_IF(Do, 3, in_joints0.w)
 #elif MARROW_DEFORMER == 2
-// The first last, which wants fewer registers.
 #define MARROW_FOUR(Do) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w) Do(0, in_joints0.x)
-#elif MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2)
+#elif MARROW_SURFACE_NORMALS && MARROW_INFLUENCES > 4 && \
+    (MARROW_GPU == 2 || MARROW_GPU == 0 && MARROW_PALETTES == 2 && MARROW_INFLUENCES > 5)
+#define MARROW_FOUR(Do) \
+  MARROW_IF(Do, 1, in_joints0.y) MARROW_IF(Do, 2, in_joints0.z) MARROW_IF(Do, 3, in_joints0.w) Do(0, in_joints0.x)
+// The fourth is the last of four: its tangents have what the others leave.
+#elif MARROW_SURFACE_NORMALS && MARROW_GPU == 0 && MARROW_PALETTES == 2 && MARROW_TANGENT && MARROW_INFLUENCES == 4
+#define MARROW_FOUR(Do) \
+  MARROW_IF(Do, 1, in_joints0.y) MARROW_IF(Do, 2, in_joints0.z) Do(0, in_joints0.x) MARROW_IF(Do, 3, in_joints0.w)
+#elif MARROW_SURFACE_NORMALS && (MARROW_WORDS || MARROW_PALETTES == 2) || \
+    MARROW_GPU == 2 && MARROW_PALETTES == 2 && MARROW_TANGENT
 #define MARROW_FOUR(Do) MARROW_FOUR_APART(Do)
 #else
 #define MARROW_FOUR(Do) Do(0, in_joints0.x) Do(1, in_joints0.y) Do(2, in_joints0.z) Do(3, in_joints0.w)
