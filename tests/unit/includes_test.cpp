@@ -182,7 +182,7 @@ const std::vector<Room> kRooms = {
     {"cook/skin", {"cook/geometry", "cook/scene"}},
     {"cook/learn", {"cook/skin", "cook/geometry", "cook/clip", "cook/skeleton", "cook/gltf", "cook/scene"}},
     {"cook/mesh", {"cook/learn", "cook/skin", "cook/geometry", "cook/scene"}},
-    {"cook/write", {"cook/geometry", "cook/scene"}},
+    {"cook/write", {"cook/geometry", "cook/clip/compress", "cook/scene"}},
     {"cook",
      {"cook/write", "cook/mesh", "cook/prepare", "cook/clip", "cook/skeleton", "cook/bvh", "cook/gltf", "cook/scene"}}};
 

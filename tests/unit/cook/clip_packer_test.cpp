@@ -173,9 +173,10 @@ TEST(ClipPacker, WritesTheSymbolsThatTheRuntimesTestsRead) {
                                      1, 0, 0, 0, 0x10, 0x01, 101, 0, 0, 0, 0, 0, 0, 2, 1};
   add(payload);
   const std::vector<std::byte> record = ClipPacker().pack(section, format::kCodecSegments, 3);
-  const unsigned char symbols[] = {0x0D, 0, 0, 0, 0x10, 0x80, 0xB3, 0x91, 0x0C, 0x45, 3, 0, 0x67, 5, 0x44, 0x53};
-  ASSERT_EQ(record.size(), 80 + sizeof symbols);
-  EXPECT_EQ(std::memcmp(record.data() + 80, symbols, sizeof symbols), 0);
+  const unsigned char symbols[] = {0x2E, 0x0D, 0xB3, 0,    0x7E, 0x40, 0xC4, 0xC8, 0xD9, 0x0C,
+                                   0x5A, 0x5A, 0x0C, 0x45, 3,    0,    0x67, 5,    0x44, 0x53};
+  ASSERT_EQ(record.size(), 70 + sizeof symbols);
+  EXPECT_EQ(std::memcmp(record.data() + 70, symbols, sizeof symbols), 0);
 }
 
 // Cut short anywhere or longer by a byte: refused. Any byte changed to anything: it ends, and touches only what belongs
