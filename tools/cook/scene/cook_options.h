@@ -95,7 +95,7 @@ struct MeshPrecision {
   double weight_error = 2.5e-4;
 };
 
-enum class MeshCodec { draco, meshopt, none };
+enum class MeshCodec { draco, draco_smallest, meshopt, none };
 // What becomes of the source's images.
 enum class Images { reference, embed, none };
 
