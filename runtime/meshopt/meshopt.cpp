@@ -9,19 +9,29 @@
 namespace marrow {
 namespace {
 
+constexpr std::size_t padded(std::size_t bytes) {
+  return (bytes + 3) / 4 * 4;
+}
+
 // A stream's numbers lie in as few bytes as its bits fit in, padded to four a vertex; spreads them, back to front, in
-// the array that they have been decoded to.
-template <class Number>
+// the array that they have been decoded to. Most: of a vertex, 2 to 4; or else as many as there can be.
+template <class Number, std::size_t Most>
 void spread(const Stream& s, std::uint32_t vertex_count) {
-  const std::size_t stride = (s.components * sizeof(Number) + 3) / 4 * 4;
+  const std::size_t components = Most <= 4 ? Most : s.components, stride = padded(components * sizeof(Number));
   auto* const bytes = reinterpret_cast<const std::byte*>(s.values);
   for (std::size_t v = vertex_count; v-- > 0;) {
-    for (std::size_t c = s.components; c-- > 0;) {
-      Number number;
-      std::memcpy(&number, bytes + v * stride + c * sizeof number, sizeof number);
-      s.values[v * s.components + c] = static_cast<std::int32_t>(number);
-    }
+    Number numbers[padded(Most * sizeof(Number)) / sizeof(Number)];
+    std::memcpy(numbers, bytes + v * stride, stride);
+    for (std::size_t c = 0; c < components; ++c) s.values[v * components + c] = static_cast<std::int32_t>(numbers[c]);
   }
+}
+
+template <class Number>
+void spread(const Stream& s, std::uint32_t vertex_count) {
+  if (s.components == 2) return spread<Number, 2>(s, vertex_count);
+  if (s.components == 3) return spread<Number, 3>(s, vertex_count);
+  if (s.components == 4) return spread<Number, 4>(s, vertex_count);
+  spread<Number, 256>(s, vertex_count);
 }
 
 Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
@@ -37,13 +47,12 @@ Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
   for (std::uint32_t i = 0; i < out.stream_count; ++i) {
     const Stream& s = out.streams[i];
     const std::size_t number_bytes = s.bits <= 8 ? 1 : s.bits <= 16 ? 2 : 4;
-    const std::size_t stride = (s.components * number_bytes + 3) / 4 * 4;
+    const std::size_t stride = padded(s.components * number_bytes);
     const Span<const unsigned char> part = take();
     if (reader.failed() || meshopt_decodeVertexBuffer(s.values, out.vertex_count, stride, part.data, part.size) != 0)
       return Status::bad_data;
     if (number_bytes == 1) spread<std::uint8_t>(s, out.vertex_count);
     if (number_bytes == 2) spread<std::uint16_t>(s, out.vertex_count);
-    if (number_bytes == 4) spread<std::int32_t>(s, out.vertex_count);
   }
   return reader.left() == 0 ? Status::ok : Status::bad_data;
 }

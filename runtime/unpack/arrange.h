@@ -9,6 +9,7 @@ namespace marrow {
 struct Arrangement {
   std::uint32_t* order = nullptr;           // vertex_count; vertices in the order of their slots, without padding
   std::uint32_t* slot_of_vertex = nullptr;  // vertex_count
+  std::uint32_t* run_ends = nullptr;        // run_count; in `order`, behind the last vertex each
   std::uint32_t block_count = 0;
   std::uint32_t influence_blocks = 0;
   std::uint32_t run_count = 0;

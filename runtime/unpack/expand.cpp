@@ -37,12 +37,46 @@ float residual(const Stream& s, const Stream& positions, std::uint32_t vertex, s
   return static_cast<float>(v[component] - nothing(s)) * s.step + value(positions, vertex, component) * w;
 }
 
-void direction(const Stream& s, std::uint32_t vertex, float out[3]) {
-  const std::int32_t* const v = s.values + std::size_t{vertex} * s.components;
+// Of four vertices.
+f32x4 raw(const Stream& s, const std::uint32_t (&v)[4], std::uint32_t component) {
+  std::int32_t n[4];
+  for (int i = 0; i < 4; ++i) n[i] = s.values[std::size_t{v[i]} * s.components + component];
+  if (s.bits == 0)
+    return lanes(bit_cast<float>(n[0]), bit_cast<float>(n[1]), bit_cast<float>(n[2]), bit_cast<float>(n[3]));
+  return lanes(static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]), static_cast<float>(n[3]));
+}
+
+// As value(), of what is not centred.
+f32x4 values(const Stream& s, const std::uint32_t (&v)[4], std::uint32_t component) {
+  const f32x4 numbers = raw(s, v, component);
+  return s.bits == 0 ? numbers : splat(s.origin[component < 3 ? component : 0]) + numbers * splat(s.step);
+}
+
+// What lies furthest out.
+template <class Number>
+void find_range(const std::int32_t* positions, std::uint32_t count, Number (&low)[3], Number (&high)[3]) {
+  for (std::size_t i = 0; i < 3; ++i) low[i] = high[i] = bit_cast<Number>(positions[i]);
+  for (std::uint32_t v = 1; v < count; ++v)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Number x = bit_cast<Number>(positions[std::size_t{v} * 3 + c]);
+      low[c] = x < low[c] ? x : low[c];
+      high[c] = x > high[c] ? x : high[c];
+    }
+}
+
+// The least and the greatest number are the least and the greatest position, or the other way round.
+void find_box(const Stream& s, std::uint32_t count, float (&low)[3], float (&high)[3]) {
   if (s.bits == 0) {
-    for (int i = 0; i < 3; ++i) out[i] = bit_cast<float>(v[i]);
-  } else {
-    from_octahedron(v[0], v[1], s.bits, out);
+    find_range(s.values, count, low, high);
+    return;
+  }
+  std::int32_t least[3], greatest[3];
+  find_range(s.values, count, least, greatest);
+  for (int c = 0; c < 3; ++c) {
+    const float a = s.origin[c] + static_cast<float>(least[c]) * s.step;
+    const float b = s.origin[c] + static_cast<float>(greatest[c]) * s.step;
+    low[c] = b < a ? b : a;
+    high[c] = b < a ? a : b;
   }
 }
 
@@ -58,32 +92,15 @@ GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a) {
   h.index_count = 3 * mesh.triangle_count;
   h.source_vertex_count = mesh.source_vertex_count;
   h.mwe_root = mesh.mwe_root;
-  const Stream& positions = *mesh.find(StreamKind::position);
-  for (std::uint32_t c = 0; c < 3; ++c) {
-    float low = value(positions, 0, c), high = low;
-    for (std::uint32_t v = 1; v < mesh.vertex_count; ++v) {
-      const float x = value(positions, v, c);
-      low = x < low ? x : low;
-      high = x > high ? x : high;
-    }
-    h.box_min[c] = low;
-    h.box_max[c] = high;
-  }
+  find_box(*mesh.find(StreamKind::position), mesh.vertex_count, h.box_min, h.box_max);
   return h;
 }
 
 // Calls run(first vertex, influences, vertices) and block(four vertices, influences) in the order of the slots.
 template <class OnRun, class OnBlock>
 void for_each_block(const MeshStreams& mesh, const Arrangement& a, const OnRun& on_run, const OnBlock& on_block) {
-  const Stream* const joints = mesh.find(StreamKind::joints);
-  const std::size_t bytes = joints == nullptr ? 0 : joints->components * sizeof(std::int32_t);
-  const auto same = [&](std::uint32_t i, std::uint32_t k) {
-    return joints == nullptr || std::memcmp(joints->values + std::size_t{a.order[i]} * joints->components,
-                                            joints->values + std::size_t{a.order[k]} * joints->components, bytes) == 0;
-  };
-  for (std::uint32_t first = 0; first < mesh.vertex_count;) {
-    std::uint32_t end = first + 1;
-    while (end < mesh.vertex_count && same(end, first)) ++end;
+  for (std::uint32_t run = 0, first = 0; run < a.run_count; ++run) {
+    const std::uint32_t end = a.run_ends[run];
     const std::uint32_t influences = influence_count(mesh, a.order[first]);
     on_run(a.order[first], influences, end - first);
     for (std::uint32_t i = first; i < end; i += 4) {
@@ -123,55 +140,65 @@ class Writer {
 
  private:
   void write_set(std::uint32_t vertex, std::uint32_t influences) {
-    const Stream* const joints = mesh_.find(StreamKind::joints);
     for (std::uint32_t j = 0; j < influences; ++j)
-      *sets_++ = joints == nullptr
+      *sets_++ = joints_ == nullptr
                      ? std::uint16_t{0}
-                     : static_cast<std::uint16_t>(joints->values[std::size_t{vertex} * joints->components + j]);
+                     : static_cast<std::uint16_t>(joints_->values[std::size_t{vertex} * joints_->components + j]);
   }
 
   void write_block(const std::uint32_t (&v)[4], std::uint32_t influences) {
-    const Stream& positions = *mesh_.find(StreamKind::position);
-    for (std::uint32_t c = 0; c < 3; ++c)
-      for (const std::uint32_t vertex : v) *skin_++ = value(positions, vertex, c);
-    const Stream* const weights = mesh_.find(StreamKind::weights);
-    for (std::uint32_t j = 0; j + 1 < influences; ++j)
-      for (const std::uint32_t vertex : v) *skin_++ = value(*weights, vertex, j);
-    if (const Stream* const s = mesh_.find(StreamKind::normal)) normals_ = write_directions(*s, v, normals_);
-    if (const Stream* const s = mesh_.find(StreamKind::tangent)) {
-      tangents_ = write_directions(*s, v, tangents_);
-      const Stream& sign = *mesh_.find(StreamKind::tangent_sign);
-      for (const std::uint32_t vertex : v) *tangents_++ = sign.values[vertex] != 0 ? 1.0f : -1.0f;
+    for (std::uint32_t c = 0; c < 3; ++c) put(values(positions_, v, c), skin_);
+    for (std::uint32_t j = 0; j + 1 < influences; ++j) put(values(*weights_, v, j), skin_);
+    if (normal_ != nullptr) write_directions(*normal_, v, normals_);
+    if (tangent_ != nullptr) {
+      write_directions(*tangent_, v, tangents_);
+      for (const std::uint32_t vertex : v) *tangents_++ = tangent_sign_->values[vertex] != 0 ? 1.0f : -1.0f;
     }
-    if (const Stream* const s = mesh_.find(StreamKind::residual))  // a stream an influence, back to back
+    if (residuals_ != nullptr)  // a stream an influence, back to back
       for (std::uint32_t j = 0; j < influences; ++j)
         for (std::uint32_t c = 0; c < 4; ++c)
-          for (const std::uint32_t vertex : v) *residual_++ = residual(s[j], positions, vertex, c);
-    if (const Stream* const s = mesh_.find(StreamKind::multi_weight))
+          for (const std::uint32_t vertex : v) *residual_++ = residual(residuals_[j], positions_, vertex, c);
+    if (multi_weight_ != nullptr)
       for (std::uint32_t i = 0; i < 12 * influences; ++i)
-        for (const std::uint32_t vertex : v) *multi_weights_++ = value(s[i / 12], vertex, i % 12);
+        for (const std::uint32_t vertex : v) *multi_weights_++ = value(multi_weight_[i / 12], vertex, i % 12);
     for (const std::uint32_t vertex : v) write_slot(vertex);
   }
 
-  float* write_directions(const Stream& s, const std::uint32_t (&v)[4], float* out) const {
-    for (int lane = 0; lane < 4; ++lane) {
-      float unit[3];
-      direction(s, v[lane], unit);
-      for (int c = 0; c < 3; ++c) out[4 * c + lane] = unit[c];
+  static void put(f32x4 four, float*& out) {
+    store(out, four);
+    out += 4;
+  }
+
+  static void write_directions(const Stream& s, const std::uint32_t (&v)[4], float*& out) {
+    f32x4 unit[3];
+    if (s.bits == 0) {
+      for (std::uint32_t c = 0; c < 3; ++c) unit[c] = raw(s, v, c);
+    } else {
+      from_octahedron(raw(s, v, 0), raw(s, v, 1), s.bits, unit);
     }
-    return out + 12;
+    for (const f32x4 axis : unit) put(axis, out);
   }
 
   void write_slot(std::uint32_t vertex) {
-    if (const Stream* const s = mesh_.find(StreamKind::uv))
-      for (std::uint32_t c = 0; c < 2; ++c) *uvs_++ = value(*s, vertex, c);
-    if (const Stream* const s = mesh_.find(StreamKind::colour))
+    if (uv_ != nullptr)
+      for (std::uint32_t c = 0; c < 2; ++c) *uvs_++ = value(*uv_, vertex, c);
+    if (colour_ != nullptr)
       for (std::uint32_t c = 0; c < 4; ++c)
-        *colours_++ = static_cast<std::uint8_t>(s->values[std::size_t{vertex} * 4 + c]);
+        *colours_++ = static_cast<std::uint8_t>(colour_->values[std::size_t{vertex} * 4 + c]);
   }
 
   const MeshStreams& mesh_;
   const Arrangement& a_;
+  const Stream& positions_ = *mesh_.find(StreamKind::position);
+  const Stream* const joints_ = mesh_.find(StreamKind::joints);
+  const Stream* const weights_ = mesh_.find(StreamKind::weights);
+  const Stream* const normal_ = mesh_.find(StreamKind::normal);
+  const Stream* const tangent_ = mesh_.find(StreamKind::tangent);
+  const Stream* const tangent_sign_ = mesh_.find(StreamKind::tangent_sign);
+  const Stream* const residuals_ = mesh_.find(StreamKind::residual);
+  const Stream* const multi_weight_ = mesh_.find(StreamKind::multi_weight);
+  const Stream* const uv_ = mesh_.find(StreamKind::uv);
+  const Stream* const colour_ = mesh_.find(StreamKind::colour);
   float *skin_, *normals_, *tangents_, *residual_, *multi_weights_, *uvs_;
   std::uint8_t* colours_;
   Run* runs_;
@@ -321,6 +348,14 @@ void write_indices(const MeshStreams& mesh, const Arrangement& a, const Geometry
   }
 }
 
+// Whether any of them is negative, or `end` or more. Looks at all, which compilers do four at a time.
+template <class Number>
+bool any_from(const Number* numbers, std::size_t count, std::uint32_t end) {
+  std::uint32_t bad = 0;
+  for (std::size_t i = 0; i < count; ++i) bad |= static_cast<std::uint32_t>(numbers[i]) >= end ? 1u : 0u;
+  return bad != 0;
+}
+
 }  // namespace
 
 std::uint64_t expand_scratch_bytes(const MeshStreams& mesh) {
@@ -328,32 +363,29 @@ std::uint64_t expand_scratch_bytes(const MeshStreams& mesh) {
 }
 
 const char* check_streams(const MeshStreams& mesh) {
-  for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i)
-    if (mesh.indices[i] >= mesh.vertex_count) return "a triangle has no such vertex";
+  if (any_from(mesh.indices, 3 * std::size_t{mesh.triangle_count}, mesh.vertex_count))
+    return "a triangle has no such vertex";
   for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
     if (mesh.source_map[i] >= mesh.vertex_count && mesh.source_map[i] != kNoSlot)
       return "a source vertex has become none";
-  if (const Stream* const joints = mesh.find(StreamKind::joints))
-    for (std::size_t i = 0; i < std::size_t{mesh.vertex_count} * joints->components; ++i)
-      if (joints->values[i] < 0 || static_cast<std::uint32_t>(joints->values[i]) >= mesh.joint_count)
-        return "a palette entry beyond joint_count";
   for (std::uint32_t i = 0; i < mesh.stream_count; ++i) {
     const Stream& s = mesh.streams[i];
-    if (!is_centred(s.kind) || s.bits == 0) continue;
-    for (std::size_t k = 0; k < std::size_t{mesh.vertex_count} * s.components; ++k)
-      if (s.values[k] < 0 || s.values[k] >> s.bits != 0) return "a change beyond its bits";
+    const std::size_t count = std::size_t{mesh.vertex_count} * s.components;
+    if (s.kind == StreamKind::joints && any_from(s.values, count, mesh.joint_count))
+      return "a palette entry beyond joint_count";
+    if (is_centred(s.kind) && s.bits != 0 && any_from(s.values, count, 1u << s.bits)) return "a change beyond its bits";
   }
   const Stream* const weights = mesh.find(StreamKind::weights);
   if (weights == nullptr || weights->bits == 0) return nullptr;
+  const std::uint32_t most = (1u << weights->bits) - 1;
+  std::uint32_t bad = 0;
+  const std::int32_t* w = weights->values;
   for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
-    std::int64_t left = (std::int64_t{1} << weights->bits) - 1;
-    for (std::uint32_t j = 0; j < weights->components; ++j) {
-      const std::int32_t w = weights->values[std::size_t{v} * weights->components + j];
-      left = w < 0 ? -1 : left - w;
-      if (left < 0) return "weights that sum to more than one";
-    }
+    std::uint64_t sum = 0;
+    for (std::uint32_t j = 0; j < weights->components; ++j) sum += static_cast<std::uint32_t>(*w++);
+    bad |= sum > most ? 1u : 0u;
   }
-  return nullptr;
+  return bad == 0 ? nullptr : "weights that sum to more than one";
 }
 
 const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, Arrangement& out) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "math/f32x4.h"
+
 namespace marrow {
 
 // s and t: 0 … 2^bits - 2 with (2^bits - 2) / 2 as the middle; anything else gives some unit vector, too. bits: 2 … 16.
@@ -17,6 +19,20 @@ inline void from_octahedron(std::int32_t s, std::int32_t t, std::uint32_t bits, 
   y += y < 0 ? fold : -fold;
   z += z < 0 ? fold : -fold;
   const float length = std::sqrt(x * x + y * y + z * z);
+  out[0] = x / length;
+  out[1] = y / length;
+  out[2] = z / length;
+}
+
+// The same of four, in the same operations.
+inline void from_octahedron(f32x4 s, f32x4 t, std::uint32_t bits, f32x4 (&out)[3]) {
+  const f32x4 scale = splat(2.0f / static_cast<float>((1 << bits) - 2)), one = splat(1.0f), none = splat(0.0f);
+  f32x4 y = s * scale - one, z = t * scale - one;
+  const f32x4 x = one - absolute(y) - absolute(z);
+  const f32x4 fold = only_where(x < none, none - x);
+  y = select(y < none, y + fold, y - fold);
+  z = select(z < none, z + fold, z - fold);
+  const f32x4 length = sqrt(x * x + y * y + z * z);
   out[0] = x / length;
   out[1] = y / length;
   out[2] = z / length;

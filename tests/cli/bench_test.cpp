@@ -64,6 +64,23 @@ int joints_of_the_sample() {
   return nlohmann::json::parse(cooked.out).at("skeletons").at(0).at("joints");
 }
 
+// All parts write again what the whole file has unpacked to.
+TEST(Bench, UnpacksTheSampleInWholeAndInParts) {
+  const Rows rows = bench("unpack/*/newt", "2");
+  ASSERT_EQ(rows.size(), 10u);
+  for (const char* codec : {"draco", "meshopt"}) {
+    const BenchRow& file = rows.at(std::string("unpack/") + codec + "/file/newt");
+    EXPECT_GT(file.items, 1000);
+    for (const char* part : {"decode", "arrange", "write"})
+      EXPECT_EQ(rows.at(std::string("unpack/") + codec + '/' + part + "/newt"), file) << codec << ' ' << part;
+  }
+  const BenchRow& whole = rows.at("unpack/meshopt/file/newt");
+  EXPECT_EQ(rows.at("unpack/clips/newt").hash, whole.hash);
+  EXPECT_EQ(rows.at("unpack/structure/newt").hash, whole.hash);
+  EXPECT_EQ(rows.at("unpack/structure/newt").items, joints_of_the_sample());
+  EXPECT_GT(rows.at("unpack/clips/newt").items, 1000);
+}
+
 TEST(Bench, SamplesEveryClipOfTheSampleInEveryOrder) {
   const int joints = joints_of_the_sample();
   const Rows rows = bench("sample/*/newt_*", "2");
@@ -141,7 +158,7 @@ TEST(Bench, HashesDoNotDependOnIterationsOrOnOtherRows) {
 TEST(Bench, WithoutModelsTheSampleStandsInAndItIsSaid) {
   const TemporaryFolder none;
   const AssetsAt empty(none / "");
-  const Rows rows = bench("[!is]*", "1");
+  const Rows rows = bench("[!isu]*", "1");
   const int joints = joints_of_the_sample();
   for (const char* name : {"blend/2", "blend/4", "blend/2_masked", "blend/4_masked", "blend/2_additive1",
                            "local_to_model", "palette", "bounds", "frame", "character"}) {

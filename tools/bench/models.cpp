@@ -11,6 +11,11 @@
 namespace marrow::tools {
 namespace {
 
+cook::RawScene read_model(const ModelSource& model, const std::string& folder) {
+  return model.embedded ? cook::read_gltf(model.file, sample_glb())
+                        : cook::read_gltf((std::filesystem::path(folder) / model.file).string());
+}
+
 // What a clip moves stays a joint, so the skeleton is the same whichever clips are wanted.
 void keep_first_keys(cook::RawClip& clip) {
   for (cook::RawChannel& channel : clip.channels) {
@@ -35,8 +40,7 @@ const File& Models::get(const ModelSource& model) {
   const auto [at, is_new] = cooked_.try_emplace(&model);
   LoadedFile& loaded = at->second;
   if (!is_new) return loaded.file;
-  cook::RawScene scene = model.embedded ? cook::read_gltf(model.file, sample_glb())
-                                        : cook::read_gltf((std::filesystem::path(folder_) / model.file).string());
+  cook::RawScene scene = read_model(model, folder_);
   for (cook::RawClip& clip : scene.clips)
     if (!wanted_[&model].contains(clip.name)) keep_first_keys(clip);
   cook::CookOptions options;
@@ -45,6 +49,15 @@ const File& Models::get(const ModelSource& model) {
   if (load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file) != Status::ok)
     throw Failure(Exit::internal, model.file, "", "cannot be loaded once cooked", "please report this");
   return loaded.file;
+}
+
+const std::vector<std::byte>& Models::packed(const ModelSource& model, const std::string& codec) {
+  const auto [at, is_new] = packed_.try_emplace({&model, codec});
+  if (!is_new) return at->second;
+  cook::CookOptions options;
+  options.mesh_codec = codec == "draco" ? cook::MeshCodec::draco : cook::MeshCodec::meshopt;
+  at->second = cook::cook_scene(read_model(model, folder_), options).file;
+  return at->second;
 }
 
 ClipOfModel find_clip(const ModelSource& model, const File& file, const std::string& name) {

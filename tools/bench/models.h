@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/load_mrw.h"
 
@@ -16,6 +18,7 @@ struct ModelSource {
 inline constexpr ModelSource kPab = {"pab.glb", false};
 inline constexpr ModelSource kCesiumMan = {"CesiumMan.glb", false};
 inline constexpr ModelSource kRuby = {"ruby.glb", false};
+inline constexpr ModelSource kMannequiny = {"mannequiny.glb", false};
 inline constexpr ModelSource kNewt = {"newt.glb", true};
 
 class Models {
@@ -29,11 +32,14 @@ class Models {
   void want(const ModelSource& model, const std::string& clip) { wanted_[&model].insert(clip); }
   // Cooked with default settings; clips that nobody wants stand still. Throws Failure.
   const File& get(const ModelSource& model);
+  // The packed file, with all clips; codec: "draco" or "meshopt". Throws Failure.
+  const std::vector<std::byte>& packed(const ModelSource& model, const std::string& codec);
 
  private:
   std::string folder_;
   std::map<const ModelSource*, std::set<std::string>> wanted_;
   std::map<const ModelSource*, LoadedFile> cooked_;
+  std::map<std::pair<const ModelSource*, std::string>, std::vector<std::byte>> packed_;
 };
 
 // The first clip of this name and its skeleton. Throws Failure (invalid) if there is none.

@@ -51,6 +51,7 @@ RowGroup chain_rows();
 RowGroup body_rows();
 RowGroup reaching_rows();
 RowGroup following_rows();
+RowGroup unpacking_rows();
 
 // xorshift32 (Marsaglia, Journal of Statistical Software 8(14), 2003): the same numbers everywhere.
 class Noise {

@@ -30,7 +30,8 @@ CLIP_ERROR = "0.05%"
 def ours(marrow, model):
     with tempfile.TemporaryDirectory() as work:
         out = os.path.join(work, "out.mrw")
-        run = subprocess.run([marrow, "cook", str(model), "-o", out, "--json", "--clip-error", CLIP_ERROR, "--clip-shell", "3cm"],
+        run = subprocess.run([marrow, "cook", str(model), "-o", out, "--json", "--clip-error", CLIP_ERROR, "--clip-shell", "3cm",
+                              "--mesh-codec", "draco-smallest"],
                              check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         report, data = json.loads(run.stdout), pathlib.Path(out).read_bytes()
         info = json.loads(subprocess.run([marrow, "info", out, "--json"], check=True, stdout=subprocess.PIPE).stdout)

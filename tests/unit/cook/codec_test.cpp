@@ -302,7 +302,9 @@ class Codec : public ::testing::TestWithParam<MeshCodec> {
     return loaded;
   }
 };
-INSTANTIATE_TEST_SUITE_P(All, Codec, ::testing::Values(MeshCodec::draco, MeshCodec::meshopt, MeshCodec::none));
+INSTANTIATE_TEST_SUITE_P(All, Codec,
+                         ::testing::Values(MeshCodec::draco, MeshCodec::draco_smallest, MeshCodec::meshopt,
+                                           MeshCodec::none));
 
 TEST_P(Codec, CarriesEverything) {
   const Loaded loaded = expect_round_trip(tube(24, 12, 5, 3), 5);
@@ -443,6 +445,18 @@ TEST(MeshPrecision, PartsOfAMeshMeet) {
   const Geometry a = loaded.file.mesh(0).geometry, b = loaded.file.mesh(1).geometry;
   for (const std::size_t v : {1u, 2u})
     EXPECT_EQ(position_of(a, a.source_slots[v]), position_of(b, b.source_slots[v])) << "to the bit";
+}
+
+TEST(PackedFile, TheSmallestIsTheSameSurfaceInNoMoreBytes) {
+  CookOptions options;
+  options.keep_vertex_order = true;
+  const RawPrimitive source = tube(40, 30, 3, 3);
+  const Loaded quick = cook_and_load(scene_of(source, 3), options);
+  options.mesh_codec = MeshCodec::draco_smallest;
+  const Loaded smallest = cook_and_load(scene_of(source, 3), options);
+  EXPECT_LE(smallest.cooked_bytes, quick.cooked_bytes);
+  expect_surface(source, smallest, options);
+  EXPECT_EQ(smallest.file.mesh(0).geometry.vertex_count, quick.file.mesh(0).geometry.vertex_count);
 }
 
 // Damage behind a checksum that fits: refused, or harmless all the way to the vertices.

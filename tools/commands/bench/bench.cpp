@@ -30,7 +30,7 @@ struct Result {
 RowGroup all_rows(const Models& models) {
   RowGroup all;
   for (const RowGroup& group : {sampling_rows(), pose_rows(models), reaching_rows(), chain_rows(), body_rows(),
-                                limit_rows(), following_rows(), skinning_rows(), morphing_rows()}) {
+                                limit_rows(), following_rows(), skinning_rows(), morphing_rows(), unpacking_rows()}) {
     all.names += group.names;
     all.rows.insert(all.rows.end(), group.rows.begin(), group.rows.end());
   }
@@ -52,7 +52,7 @@ void drop_missing(const Models& models, std::vector<Row>& rows) {
   const auto note = [&](const char* file, std::size_t count, const char* effect) {
     if (count > 0) fmt::print(stderr, "marrow: note: no {} in {}: {}: {}\n", file, models.folder(), effect, count);
   };
-  for (const ModelSource* model : {&kPab, &kCesiumMan, &kRuby}) {
+  for (const ModelSource* model : {&kPab, &kCesiumMan, &kRuby, &kMannequiny}) {
     if (models.has(*model)) continue;
     note(model->file, std::erase_if(rows, [&](const Row& row) { return row.model == model; }), "rows left out");
   }

@@ -79,9 +79,10 @@ OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Bindi
 void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& options, BuiltGeometry& out) {
   optimise_order(streams);
   if (is_packed(options)) {
-    const bool draco = options.mesh_codec == MeshCodec::draco && streams.streams.size() <= kMostDracoStreams &&
+    const bool draco = options.mesh_codec != MeshCodec::meshopt && streams.streams.size() <= kMostDracoStreams &&
                        !streams.has_collapsed;  // Draco drops triangles that name a vertex twice
-    const auto encode = [&](OwnedStreams& s) { return draco ? encode_draco(s) : encode_meshopt(s); };
+    const DracoAim aim = options.mesh_codec == MeshCodec::draco_smallest ? DracoAim::smallest : DracoAim::quick;
+    const auto encode = [&](OwnedStreams& s) { return draco ? encode_draco(s, aim) : encode_meshopt(s); };
     std::optional<PackedApart> apart = pack_apart(streams, grid.residual_source, encode);
     const std::vector<std::byte> encoded = apart ? std::move(apart->encoded) : encode(streams);
     OwnedStreams& stored = apart ? apart->streams : streams;

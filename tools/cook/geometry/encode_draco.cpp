@@ -18,9 +18,18 @@ namespace {
 struct Settings {
   bool edgebreaker = true;  // else triangles one by one, which keeps any
   int speed = 0;
-  std::vector<int> prediction;  // a stream; kOwnChoice: Draco decides
+  struct OfStream {
+    int prediction;  // kOwnChoice: Draco decides
+    bool as_normal;  // of directions: Draco knows that they are unit vectors
+  };
+  std::vector<OfStream> streams;
 };
 constexpr int kOwnChoice = -100;
+// At this speed each number is predicted by one triangle. Below, by several or along better ways, which takes twice as
+// long to decode.
+constexpr int kOneParallelogram = 2;
+// What a slower prediction must save, of all bytes.
+constexpr double kWorthwhile = 0.04;
 
 draco::GeometryAttribute::Type attribute_type(StreamKind kind) {
   switch (kind) {
@@ -42,15 +51,16 @@ bool is_direction(StreamKind kind) {
   return kind == StreamKind::normal || kind == StreamKind::tangent;
 }
 
-// Directions go in as unit vectors, since Draco predicts those on the sphere; rounding them again gives the same
-// points.
-void add_attribute(const Stream& s, const std::vector<std::int32_t>& values, draco::Mesh& mesh) {
+// Directions may go in as unit vectors, which Draco predicts on the sphere; rounding them again gives the same points.
+// Else they are two numbers like others.
+void add_attribute(const Stream& s, const std::vector<std::int32_t>& values, bool as_normal, draco::Mesh& mesh) {
   const std::uint32_t count = mesh.num_points();
   draco::GeometryAttribute description;
-  const bool floats = is_direction(s.kind);
+  const bool floats = is_direction(s.kind) && as_normal;
   const std::uint32_t components = floats ? 3 : s.components;
-  description.Init(attribute_type(s.kind), nullptr, static_cast<std::uint8_t>(components),
-                   floats ? draco::DT_FLOAT32 : draco::DT_INT32, false, 4 * std::int64_t{components}, 0);
+  description.Init(is_direction(s.kind) && !as_normal ? draco::GeometryAttribute::GENERIC : attribute_type(s.kind),
+                   nullptr, static_cast<std::uint8_t>(components), floats ? draco::DT_FLOAT32 : draco::DT_INT32, false,
+                   4 * std::int64_t{components}, 0);
   draco::PointAttribute& attribute = *mesh.attribute(mesh.AddAttribute(description, true, count));
   for (std::uint32_t v = 0; v < count; ++v) {
     const std::int32_t* const from = &values[std::size_t{v} * s.components];
@@ -61,14 +71,15 @@ void add_attribute(const Stream& s, const std::vector<std::int32_t>& values, dra
   }
 }
 
-void fill_mesh(const OwnedStreams& s, bool merge_positions, draco::Mesh& mesh) {
+void fill_mesh(const OwnedStreams& s, const Settings& settings, bool merge_positions, draco::Mesh& mesh) {
   mesh.set_num_points(s.mesh.vertex_count);
   mesh.SetNumFaces(s.indices.size() / 3);
   for (std::uint32_t f = 0; f < s.indices.size() / 3; ++f) {
     const std::uint32_t* const t = &s.indices[std::size_t{f} * 3];
     mesh.SetFace(draco::FaceIndex(f), {draco::PointIndex(t[0]), draco::PointIndex(t[1]), draco::PointIndex(t[2])});
   }
-  for (std::size_t i = 0; i < s.streams.size(); ++i) add_attribute(s.streams[i], s.values[i], mesh);
+  for (std::size_t i = 0; i < s.streams.size(); ++i)
+    add_attribute(s.streams[i], s.values[i], settings.streams[i].as_normal, mesh);
   for (int i = 0; i < mesh.num_attributes(); ++i)
     if (merge_positions || i > 0) mesh.attribute(i)->DeduplicateValues(*mesh.attribute(i));
 }
@@ -80,16 +91,18 @@ struct Encoded {
   std::uint32_t faces = 0;
 };
 
-Encoded encode(const OwnedStreams& s, const draco::Mesh& mesh, const Settings& settings) {
+Encoded encode(const OwnedStreams& s, bool merge_positions, const Settings& settings) {
+  draco::Mesh mesh;
+  fill_mesh(s, settings, merge_positions, mesh);
   draco::ExpertEncoder encoder(mesh);
   encoder.SetEncodingMethod(settings.edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING : draco::MESH_SEQUENTIAL_ENCODING);
   encoder.SetSpeedOptions(settings.speed, settings.speed);
   encoder.SetTrackEncodedProperties(true);
   for (std::size_t i = 0; i < s.streams.size(); ++i) {
     const int id = static_cast<int>(i);
-    if (is_direction(s.streams[i].kind)) encoder.SetAttributeQuantization(id, s.streams[i].bits);
-    if (settings.prediction[i] != kOwnChoice)
-      static_cast<void>(encoder.SetAttributePredictionScheme(id, settings.prediction[i]));
+    const auto [prediction, as_normal] = settings.streams[i];
+    if (is_direction(s.streams[i].kind) && as_normal) encoder.SetAttributeQuantization(id, s.streams[i].bits);
+    if (prediction != kOwnChoice) static_cast<void>(encoder.SetAttributePredictionScheme(id, prediction));
   }
   draco::EncoderBuffer buffer;
   if (!encoder.EncodeToBuffer(&buffer).ok()) return {};
@@ -99,63 +112,92 @@ Encoded encode(const OwnedStreams& s, const draco::Mesh& mesh, const Settings& s
           static_cast<std::uint32_t>(encoder.num_encoded_faces())};
 }
 
-// Ways to predict a stream that may beat Draco's choice.
-std::vector<int> alternatives(StreamKind kind) {
+// Another way to code a stream.
+struct Alternative {
+  Settings::OfStream settings;
+  bool is_slow = false;  // to decode
+};
+
+// Ways that may beat others.
+std::vector<Alternative> alternatives(StreamKind kind) {
+  constexpr Settings::OfStream kDifference = {draco::PREDICTION_DIFFERENCE, false},
+                               kParallelogram = {draco::MESH_PREDICTION_PARALLELOGRAM, false},
+                               kOnSphere = {draco::PREDICTION_DIFFERENCE, true};
   switch (kind) {
     case StreamKind::normal:
-      return {draco::PREDICTION_DIFFERENCE};
+      return {{kDifference}, {kOnSphere}, {{draco::MESH_PREDICTION_GEOMETRIC_NORMAL, true}, true}};
+    case StreamKind::tangent:
+      return {{kDifference}, {kOnSphere}};
     case StreamKind::uv:
-      return {draco::MESH_PREDICTION_TEX_COORDS_PORTABLE};
+      return {{kParallelogram}, {{draco::MESH_PREDICTION_TEX_COORDS_PORTABLE, false}, true}};
     case StreamKind::joints:
     case StreamKind::weights:
-      return {draco::PREDICTION_DIFFERENCE, draco::MESH_PREDICTION_PARALLELOGRAM};
     case StreamKind::colour:
     case StreamKind::tangent_sign:
-      return {draco::PREDICTION_DIFFERENCE};
+      return {{kDifference}, {kParallelogram}};
     case StreamKind::residual:
-      return {draco::PREDICTION_DIFFERENCE, draco::MESH_PREDICTION_PARALLELOGRAM, draco::PREDICTION_NONE};
+      return {{kDifference}, {kParallelogram}, {{draco::PREDICTION_NONE, false}}};
     default:
       return {};
   }
 }
 
+// What is tried first: quick to decode, or what Draco takes for the smallest.
+Settings first_settings(const OwnedStreams& s, DracoAim aim) {
+  Settings out;
+  out.speed = aim == DracoAim::smallest ? 0 : kOneParallelogram;
+  for (const Stream& stream : s.streams) {
+    const bool differs = stream.kind == StreamKind::tangent || (aim == DracoAim::quick && is_direction(stream.kind));
+    const bool parallelogram = aim == DracoAim::quick && stream.kind == StreamKind::uv;
+    out.streams.push_back({differs         ? draco::PREDICTION_DIFFERENCE
+                           : parallelogram ? draco::MESH_PREDICTION_PARALLELOGRAM
+                                           : kOwnChoice,
+                           aim == DracoAim::smallest});
+  }
+  return out;
+}
+
 // Streams are coded apart, so the best way for each can be looked for one at a time.
-Encoded smallest(const OwnedStreams& s, bool merge_positions) {
-  draco::Mesh mesh;
-  fill_mesh(s, merge_positions, mesh);
-  Settings best;
-  best.prediction.assign(s.streams.size(), kOwnChoice);
-  for (std::size_t i = 0; i < s.streams.size(); ++i)
-    if (s.streams[i].kind == StreamKind::tangent) best.prediction[i] = draco::PREDICTION_DIFFERENCE;
-  Encoded encoded = encode(s, mesh, best);
-  const auto attempt = [&](const Settings& settings) {
-    Encoded other = encode(s, mesh, settings);
-    if (other.bytes.empty() || (!encoded.bytes.empty() && other.bytes.size() >= encoded.bytes.size())) return;
+Encoded best(const OwnedStreams& s, DracoAim aim, bool merge_positions) {
+  Settings best = first_settings(s, aim);
+  Encoded encoded = encode(s, merge_positions, best);
+  const auto attempt = [&](const Settings& settings, double saves) {
+    Encoded other = encode(s, merge_positions, settings);
+    const double most = (1 - saves) * static_cast<double>(encoded.bytes.size());
+    if (other.bytes.empty() || (!encoded.bytes.empty() && static_cast<double>(other.bytes.size()) >= most)) return;
     encoded = std::move(other);
     best = settings;
   };
-  for (const int speed : {1, 2}) {
-    Settings settings = best;
-    settings.speed = speed;
-    attempt(settings);
-  }
-  for (std::size_t i = 0; i < s.streams.size(); ++i) {
-    for (const int prediction : alternatives(s.streams[i].kind)) {
+  if (aim == DracoAim::smallest)
+    for (const int speed : {1, kOneParallelogram}) {
       Settings settings = best;
-      settings.prediction[i] = prediction;
-      attempt(settings);
+      settings.speed = speed;
+      attempt(settings, 0);
+    }
+  for (std::size_t i = 0; i < s.streams.size(); ++i) {
+    for (const Alternative& alternative : alternatives(s.streams[i].kind)) {
+      Settings settings = best;
+      settings.streams[i] = alternative.settings;
+      attempt(settings, aim == DracoAim::quick && alternative.is_slow ? kWorthwhile : 0);
     }
   }
   return encoded;
 }
 
+// The search for the smallest begins elsewhere and may end in a larger one than the other.
+Encoded edgebreaker(const OwnedStreams& s, DracoAim aim, bool merge_positions) {
+  Encoded out = best(s, DracoAim::quick, merge_positions);
+  if (aim == DracoAim::quick) return out;
+  Encoded other = best(s, aim, merge_positions);
+  const bool is_smaller = out.bytes.empty() || other.bytes.size() < out.bytes.size();
+  return !other.bytes.empty() && is_smaller ? other : out;
+}
+
 Encoded one_by_one(const OwnedStreams& s) {
-  draco::Mesh mesh;
-  fill_mesh(s, false, mesh);
-  Settings settings;
+  Settings settings = first_settings(s, DracoAim::smallest);
   settings.edgebreaker = false;
-  settings.prediction.assign(s.streams.size(), kOwnChoice);
-  return encode(s, mesh, settings);
+  for (Settings::OfStream& stream : settings.streams) stream.prediction = kOwnChoice;
+  return encode(s, false, settings);
 }
 
 // A triangle by what its corners hold, beginning at the least: a hash of all of a vertex's numbers each.
@@ -205,11 +247,11 @@ void follow(const OwnedStreams& s, OwnedStreams& decoded) {
 
 }  // namespace
 
-std::vector<std::byte> encode_draco(OwnedStreams& streams) {
+std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim) {
   // Triangles between vertices at one place that move apart are lost where places are merged, and those that never have
   // an area in either case.
   for (int attempt = 0; attempt < 3; ++attempt) {
-    const Encoded encoded = attempt < 2 ? smallest(streams, attempt == 0) : one_by_one(streams);
+    const Encoded encoded = attempt < 2 ? edgebreaker(streams, aim, attempt == 0) : one_by_one(streams);
     OwnedStreams decoded;
     if (encoded.bytes.empty() || !decodes_to_the_same(encoded, streams, decoded)) continue;
     follow(streams, decoded);

@@ -98,7 +98,7 @@ struct MeshPrecision {
 // How long the cooker looks for fewer bytes.
 enum class Effort { fast, normal, best };
 
-enum class MeshCodec { draco, meshopt, none };
+enum class MeshCodec { draco, draco_smallest, meshopt, none };
 // What becomes of the source's images.
 enum class Images { reference, embed, none };
 
