@@ -72,7 +72,9 @@ std::vector<std::byte> section_of(std::mt19937& random, std::uint32_t frames, st
     std::vector<std::array<std::vector<std::int32_t>, 3>> tracks(kMaskedTracks);
     std::vector<int> steps;
     for (auto& track : tracks) {
-      steps.push_back(wildness > 1 ? below(256) : 90 + below(8));
+      // Most tracks have the same step in all segments.
+      const auto usual = 90 + static_cast<std::int32_t>(steps.size());
+      steps.push_back(wildness > 1 ? below(256) : below(8) > 0 ? usual : 90 + below(8));
       for (auto& column : track) {
         std::int32_t x = wildness > 1 ? below(2000000000) - 1000000000 : below(2000) - 1000, speed = 0;
         const std::int32_t start = x, kind = below(4);
@@ -95,8 +97,12 @@ std::vector<std::byte> section_of(std::mt19937& random, std::uint32_t frames, st
   for (const std::uint32_t offset : offsets) add(offset);
   add(GroupMasks{0x0013, 0x0008});
   add(GroupMasks{0x0101, 0x0200});
-  add(format::Constant{{1, 2, 3, 4}});
-  add(format::Constant{{5, 6, 7, 100}});
+  for (int constant = 0; constant < 2; ++constant) {  // as in the clip before, or near that, or anything
+    format::Constant c{{1, 2, 3, 4}};
+    const auto range = std::array{0u, 4000u, 65536u}[random() % 3];
+    for (std::int16_t& v : c.v) v = static_cast<std::int16_t>(v + (range > 0 ? below(range) - 2000 : 0));
+    add(c);
+  }
   out.insert(out.end(), payload.begin(), payload.end());
   return out;
 }

@@ -7,8 +7,10 @@
 
 #include "cook/clip/compress/compress_clip.h"
 #include "cook/clip/compress/pack_tracks.h"
+#include "cook/clip/compress/strays.h"
 #include "marrow/sample.h"
 #include "support/double_math.h"
+#include "support/rig.h"
 
 namespace marrow::cook {
 namespace {
@@ -213,6 +215,122 @@ TEST(CompressClip, SaysWhyKeysStayAsTheyWere) {
   compress_clip(two, skeleton, Rig(skeleton), promise_for(1), {}, Effort::normal);
   EXPECT_EQ(two.coded.header.frame_count, 0u);
   EXPECT_NE(two.raw_because.find("in segments its curves would be "), std::string::npos) << two.raw_because;
+}
+
+// Moments of a frame and one more, of a tree whose joints are turned, moved and stretched a little beside the source.
+struct Strayed {
+  std::vector<std::vector<Transform>> source, decoded;  // a joint and moment
+};
+Strayed stray(std::size_t joints, test::Random& random) {
+  const auto three = [&](double most) {
+    return glm::dvec3(random.between(-most, most), random.between(-most, most), random.between(-most, most));
+  };
+  Strayed out{std::vector<std::vector<Transform>>(joints), std::vector<std::vector<Transform>>(joints)};
+  for (std::size_t j = 0; j < joints; ++j)
+    for (std::size_t e = 0; e < kMoments + 1; ++e) {
+      const Quat q = random.rotation();
+      Transform t{three(1), glm::dquat(q[3], q[0], q[1], q[2]), glm::dvec3(1) + three(0.5)};
+      out.source[j].push_back(t);
+      t.translation += three(1e-4);
+      t.rotation = glm::normalize(t.rotation * glm::dquat(1, three(1e-4)));
+      t.scale += three(1e-4);
+      out.decoded[j].push_back(t);
+    }
+  return out;
+}
+
+test::Map world_of(const BuiltSkeleton& skeleton, const std::vector<std::vector<Transform>>& local, std::size_t joint,
+                   std::size_t moment) {
+  const Transform& t = local[joint][moment];
+  const test::Map own =
+      test::from_trs({t.translation.x, t.translation.y, t.translation.z},
+                     {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w}, {t.scale.x, t.scale.y, t.scale.z});
+  return skeleton.parents[joint] == kNoParent ? own : world_of(skeleton, local, skeleton.parents[joint], moment) * own;
+}
+
+// Squared, of the six points of the shell and of one that hangs on the joint.
+double squared_share(const test::Map& source, const test::Map& other, const Promise& promise, std::size_t joint) {
+  double worst = 0;
+  const auto look = [&](const Vec3& at, double weight) {
+    const double far = weight * test::length(test::minus(test::point(other, at), test::point(source, at)));
+    worst = std::max(worst, far / promise.error[joint]);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double sign : {-1.0, 1.0}) {
+      Vec3 unit{}, at{};
+      unit[axis] = 1;
+      at[axis] = sign * promise.shell / test::length(test::direction(source, unit));
+      look(at, 1);
+    }
+  for (const glm::dvec4& p : promise.points[joint]) look({p.x / p.w, p.y / p.w, p.z / p.w}, p.w);
+  return worst * worst;
+}
+
+TEST(Strays, AreThoseOfPosesInDoublePrecision) {
+  constexpr std::size_t kJoints = 13;
+  test::Random random(5);
+  const BuiltSkeleton skeleton = tree(kJoints);
+  const Rig rig(skeleton);
+  Promise promise = promise_for(kJoints);
+  for (std::size_t j = 0; j < kJoints; ++j) {
+    promise.error[j] = 0.02 * static_cast<double>(1 + j % 3);
+    promise.points[j].push_back({0.1, 0.3, -0.2, 0.5});
+  }
+  Strayed poses = stray(kJoints, random);
+  Strays strays(rig, promise, poses.source);
+  ASSERT_TRUE(strays.place(poses.decoded));
+  const auto share_of = [&](std::size_t j, std::size_t e) {
+    return squared_share(world_of(skeleton, poses.source, j, e), world_of(skeleton, poses.decoded, j, e), promise, j);
+  };
+  for (const std::size_t joint : {std::size_t{0}, std::size_t{2}, std::size_t{12}}) {
+    double before = 0, after = 0, worst = 0, change = 0;
+    for (const std::size_t j : rig.subtrees[joint])
+      for (std::size_t e = 0; e < kMoments; ++e) before += std::pow(share_of(j, e), 4);
+    poses.decoded[joint] = stray(1, random).decoded[0];
+    for (std::size_t e = 0; e <= kMoments; ++e) {  // near the source again, but elsewhere
+      poses.decoded[joint][e] = poses.source[joint][e];
+      poses.decoded[joint][e].translation.x += 1e-3 * static_cast<double>(e + 1);
+    }
+    for (const std::size_t j : rig.subtrees[joint])
+      for (std::size_t e = 0; e < kMoments; ++e) {
+        after += std::pow(share_of(j, e), 4);
+        worst = std::max(worst, share_of(j, e));
+      }
+    EXPECT_NEAR(strays.worst(joint, 0, &poses.decoded[joint][0], false, 1e9f), worst, 1e-4 * worst) << joint;
+    ASSERT_TRUE(strays.attempt(joint, 0, &poses.decoded[joint][0], change));
+    EXPECT_NEAR(change, after - before, 1e-4 * (after + before)) << joint;
+    ASSERT_TRUE(strays.attempt(joint, 1, &poses.decoded[joint][kMoments], change));
+    strays.commit(joint);
+    const test::Map want = world_of(skeleton, poses.decoded, kJoints - 1, 1);
+    const World got = strays.decoded(kJoints - 1, 1);
+    for (int r = 0; r < 3; ++r)
+      EXPECT_NEAR(got.origin[r], test::point(want, {0, 0, 0})[static_cast<std::size_t>(r)], 1e-6) << joint;
+  }
+}
+
+// More effort is never more bytes here, and every effort keeps the promise.
+TEST(Clips, EffortsKeepThePromise) {
+  constexpr std::size_t kJoints = 9;
+  const BuiltSkeleton skeleton = tree(kJoints);
+  std::vector<float> times_s;
+  for (int i = 0; i <= 60; ++i) times_s.push_back(static_cast<float>(i) / 30);
+  std::size_t last = SIZE_MAX;
+  for (const Effort effort : {Effort::fast, Effort::normal, Effort::best}) {
+    BuiltClip clip;
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      std::vector<Quat> keys;
+      for (const float t : times_s)
+        keys.push_back(test::axis_angle({0.6, 0, 0.8},
+                                        0.7 * std::sin(static_cast<double>(t) * (2 + 0.3 * static_cast<double>(j)))));
+      add_rotation(clip, j, times_s, keys);
+      clip.tracks.back().first_value = static_cast<std::uint32_t>(clip.values.size() - 4 * keys.size());
+    }
+    compress_clip(clip, skeleton, Rig(skeleton), promise_for(kJoints), {}, effort);
+    ASSERT_GT(clip.coded.payload.size(), 0u);
+    EXPECT_LE(clip.error.share, 1);
+    EXPECT_LE(clip.coded.payload.size(), last);
+    last = clip.coded.payload.size();
+  }
 }
 
 }  // namespace
