@@ -103,7 +103,7 @@ INTRO = """# Sizes
 
 Made by `tools/sizes/sizes.py`. Bytes as they are / after zstd -19; textures are left out everywhere.
 
-**Marrow**: `marrow cook --clip-error 0.05% --clip-shell 3cm`, so that clips keep within 0.05 % of the skeleton's diagonal on a shell of 3 cm
+**Marrow**: `marrow cook --clip-error 0.05% --clip-shell 3cm --mesh-codec draco-smallest`, so that clips keep within 0.05 % of the skeleton's diagonal on a shell of 3 cm
 round every joint. Geometry is the GEOM records, weights and joints of vertices included; structure is everything that is neither
 geometry nor clips: skeletons, inverse bind matrices, materials, names, header. The errors are the cooker's own figures: positions as a share of the model's
 diagonal, clips of the skeleton's.
