@@ -19,7 +19,9 @@ struct TrackId {
 // Works on poses in scene space through the whole hierarchy, and on the very integers that are stored. First every
 // track gets a step by how far its joint reaches, all shrunk together until the promise holds; then one track at a time
 // is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸. Then every track aims
-// again, so that it makes good what the joints above it miss, and the rest of the slack is spent.
+// again, so that it makes good what the joints above it miss, and the rest of the slack is spent. Last, tracks are
+// pushed on: a quarter octave coarser than the promise allows, with neighbours of the nearest integers in those frames
+// in which it would be broken.
 class StepSearch {
  public:
   // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint. exact: tracks that are stored

@@ -203,6 +203,7 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
   return worst;
 }
 
+// Stretch by stretch; then in the segments that take least.
 std::optional<BuiltCoded> Compressor::code(const Promise& promise) const {
   std::vector<std::vector<CodedTrack>> stretches;
   for (std::size_t first = 0; first < intervals_; first += kStretch) {
@@ -218,6 +219,7 @@ std::optional<BuiltCoded> Compressor::code(const Promise& promise) const {
   }
   std::optional<BuiltCoded> best;
   for (const std::size_t length : kSegmentIntervals) {
+    if (best && length >= intervals_) continue;  // one segment, as before
     BuiltCoded coded = in_segments(stretches, length);
     if (!best || coded.payload.size() < best->payload.size()) best = std::move(coded);
   }
