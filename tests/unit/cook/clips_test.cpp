@@ -277,7 +277,7 @@ TEST(Strays, AreThoseOfPosesInDoublePrecision) {
     promise.points[j].push_back({0.1, 0.3, -0.2, 0.5});
   }
   Strayed poses = stray(kJoints, random);
-  Strays strays(rig, promise, poses.source);
+  Strays strays(rig, promise, {poses.source.begin(), poses.source.end()});
   ASSERT_TRUE(strays.place(poses.decoded));
   const auto share_of = [&](std::size_t j, std::size_t e) {
     return squared_share(world_of(skeleton, poses.source, j, e), world_of(skeleton, poses.decoded, j, e), promise, j);

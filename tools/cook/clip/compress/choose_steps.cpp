@@ -41,7 +41,7 @@ double largest_axis(const World& w) {
 
 StepSearch::StepSearch(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded,
                        const std::vector<TrackId>& exact, const std::vector<Transform>& still,
-                       std::vector<std::vector<Transform>> source)
+                       std::vector<std::span<const Transform>> source)
     : rig_(rig),
       promise_(promise),
       ids_(coded),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cook/clip/compress/coded_track.h"
@@ -24,11 +25,11 @@ struct TrackId {
 // in which it would be broken.
 class StepSearch {
  public:
-  // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint. exact: tracks that are stored
-  // without loss. still: a joint; what is neither coded nor exact.
+  // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint; must outlive it. exact:
+  // tracks that are stored without loss. still: a joint; what is neither coded nor exact.
   StepSearch(const Rig& rig, const Promise& promise, const std::vector<TrackId>& coded,
              const std::vector<TrackId>& exact, const std::vector<Transform>& still,
-             std::vector<std::vector<Transform>> source);
+             std::vector<std::span<const Transform>> source);
 
   // False if no steps keep the promise.
   bool search(Effort effort);
@@ -61,7 +62,7 @@ class StepSearch {
   const Rig& rig_;
   Promise promise_;
   const std::vector<TrackId>& ids_;
-  std::vector<std::vector<Transform>> source_;
+  std::vector<std::span<const Transform>> source_;
   std::vector<std::vector<glm::dvec3>> targets_;  // a track and frame: what is rounded
   std::vector<double> reach_;                     // a joint: metres to the farthest of what it carries
   std::vector<double> scale_above_;               // a joint: scene units a unit of its translation

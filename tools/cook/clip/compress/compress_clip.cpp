@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -71,7 +72,7 @@ class Compressor {
         grid_(grid),
         intervals_(grid.intervals) {
     for (std::size_t j = 0; j < rig.size(); ++j) {
-      source_.emplace_back();
+      source_.emplace_back().reserve(intervals_ * kMoments + 1);
       for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) source_[j].push_back(curves_.at(j, time_of(e)));
     }
     sort_tracks(promise);
@@ -208,11 +209,9 @@ std::optional<BuiltCoded> Compressor::code(const Promise& promise) const {
   std::vector<std::vector<CodedTrack>> stretches;
   for (std::size_t first = 0; first < intervals_; first += kStretch) {
     const std::size_t count = std::min(kStretch, intervals_ - first);
-    std::vector<std::vector<Transform>> source;
-    for (const std::vector<Transform>& joint : source_) {
-      const auto begin = joint.begin() + static_cast<std::ptrdiff_t>(first * kMoments);
-      source.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count * kMoments + 1));
-    }
+    std::vector<std::span<const Transform>> source;
+    for (const std::vector<Transform>& joint : source_)
+      source.push_back(std::span(joint).subspan(first * kMoments, count * kMoments + 1));
     StepSearch search(rig_, promise, moving_, exact_, still_, std::move(source));
     if (!search.search(effort_)) return std::nullopt;
     stretches.push_back(search.tracks());

@@ -19,7 +19,7 @@ struct Lanes {
 
 }  // namespace
 
-Strays::Strays(const Rig& rig, const Promise& promise, const std::vector<std::vector<Transform>>& source)
+Strays::Strays(const Rig& rig, const Promise& promise, const std::vector<std::span<const Transform>>& source)
     : rig_(rig), source_(rig.size()), points_(rig.size()) {
   const std::size_t moments = source.empty() ? 0 : source[0].size();
   frame_count_ = (moments + kMoments - 1) / kMoments;
@@ -27,6 +27,7 @@ Strays::Strays(const Rig& rig, const Promise& promise, const std::vector<std::ve
   unit_ = promise.error.empty() ? 1 : *std::min_element(promise.error.begin(), promise.error.end());
   for (std::size_t j = 0; j < rig.size(); ++j) {
     const int up = rig.parents[j];
+    source_[j].reserve(moments);
     for (std::size_t e = 0; e < moments; ++e)
       source_[j].push_back(
           rig.place(j, up == kNone ? nullptr : &source_[static_cast<std::size_t>(up)][e], source[j][e]));

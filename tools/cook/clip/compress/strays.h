@@ -1,6 +1,7 @@
 // How far decoded joints stand from where the source has them: four moments at once, in single precision.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cook/clip/compress/rig.h"
@@ -18,7 +19,7 @@ inline constexpr std::size_t kMoments = 4;
 class Strays {
  public:
   // source: a joint and moment (kMoments a frame but one at the last), parent_from_joint.
-  Strays(const Rig& rig, const Promise& promise, const std::vector<std::vector<Transform>>& source);
+  Strays(const Rig& rig, const Promise& promise, const std::vector<std::span<const Transform>>& source);
 
   std::size_t frame_count() const { return frame_count_; }
   // scene_from_joint.
