@@ -6,7 +6,7 @@ namespace {
 constexpr Named<Images> kImages[] = {
     {"reference", Images::reference}, {"embed", Images::embed}, {"none", Images::none}};
 
-constexpr Named<Effort> kEfforts[] = {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}};
+constexpr Named<Effort> kEfforts[] = {{"default", Effort::normal}, {"fast", Effort::fast}, {"best", Effort::best}};
 
 constexpr Option kSceneOptions[] = {
     {"effort", OptionKind::text, "TEXT",
