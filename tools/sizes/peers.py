@@ -38,18 +38,31 @@ def install(folder):
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
+def make(model, setting, folder, out):
+    """Lets a peer make `out` of a model."""
+    names = {"in": str(model), "out": str(out)}
+    words = [word.format(**names) if word in ("{in}", "{out}") else word for word in SETTINGS[setting][0].split()]
+    words[0] = str(folder / "node_modules/.bin" / words[0])
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
+
+
+def posed_error(model, made, folder):
+    """How far joints and vertices of a glTF file stray while clips play, as posed_error.cjs has it; None: not comparable."""
+    run = subprocess.run(["node", str(HERE / "posed_error.cjs"), str(folder), str(model), str(made)], check=True,
+                         capture_output=True, timeout=600)
+    return json.loads(run.stdout)
+
+
 def measure(model, setting, folder):
     """Sizes and errors of one setting, as measure.cjs has them, and each part after zstd; None where the peer fails."""
     with tempfile.TemporaryDirectory() as work:
         work = pathlib.Path(work)
-        names = {"in": str(model), "out": str(work / "out.glb")}
-        words = [word.format(**names) if word in ("{in}", "{out}") else word for word in SETTINGS[setting][0].split()]
-        words[0] = str(folder / "node_modules/.bin" / words[0])
+        made = work / "out.glb"
         parts = [work / part for part in ("geometry", "animation", "rest")]
         try:
-            subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
+            make(model, setting, folder, made)
             run = subprocess.run(
-                ["node", str(HERE / "measure.cjs"), str(folder), str(model), names["out"], *map(str, parts)], check=True,
+                ["node", str(HERE / "measure.cjs"), str(folder), str(model), str(made), *map(str, parts)], check=True,
                 capture_output=True, timeout=600)
         except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
             return None

@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+import equal_error
 import peers
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -24,15 +25,16 @@ ANIMATION = "gltfpack -cz"  # and what is compared as a whole file
 # The table that other cookers' figures are known for; all other models with meshes come in a second one.
 MAIN = ["RiggedFigure", "CesiumMan", "Fox", "raylib_robot", "greenman", "KayKit_Knight", "mannequiny",
         "mannequiny_subdiv_u16w", "godot_robot", "m2m_dragon", "m2m_shark", "m2m_sintel"]
-CLIP_ERROR = "0.05%"
 
 
-def ours(marrow, model):
+def ours(marrow, model, promise=("--clip-error", "0.05%", "--clip-shell", "3cm"), exported=None):
+    """Sizes and the cooker's own errors. exported: where the file goes as glTF, too."""
     with tempfile.TemporaryDirectory() as work:
         out = os.path.join(work, "out.mrw")
-        run = subprocess.run([marrow, "cook", str(model), "-o", out, "--json", "--clip-error", CLIP_ERROR, "--clip-shell", "3cm",
-                              "--mesh-codec", "draco-smallest"],
+        run = subprocess.run([marrow, "cook", str(model), "-o", out, "--json", *promise, "--mesh-codec", "draco-smallest"],
                              check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        if exported:
+            subprocess.run([marrow, "export", out, "-o", str(exported)], check=True, stderr=subprocess.DEVNULL)
         report, data = json.loads(run.stdout), pathlib.Path(out).read_bytes()
         info = json.loads(subprocess.run([marrow, "info", out, "--json"], check=True, stdout=subprocess.PIPE).stdout)
     parts = {"geometry": b"", "animation": b"", "structure": b""}
@@ -162,6 +164,8 @@ def measure_peers(found, known):
         for setting in peers.SETTINGS:
             if setting not in of_model:
                 of_model[setting] = peers.measure(path, setting, folder)
+        if of_model[ANIMATION] and "posed" not in of_model[ANIMATION]:
+            of_model[ANIMATION]["posed"] = equal_error.of_peer(path, ANIMATION, folder)
         print(f"sizes: {name}", file=sys.stderr)
         FIGURES.write_text(json.dumps(known, indent=1) + "\n")
     return known
@@ -184,6 +188,7 @@ def main():
     page = INTRO + "".join(f"| {name} | {bits} |\n" for name, (_, bits) in peers.SETTINGS.items()) + NOTES + "\n"
     page += "\n".join(tables("The main table", [n for n in found if n in MAIN], we, them) +
                       tables("All other models", [n for n in found if n not in MAIN], we, them))
+    page += "\n".join(equal_error.table(found, them, ANIMATION, lambda model, promise, out: ours(a.marrow, model, promise, out)))
     codecs = sorted({codec for name in we for codec in we[name]["codecs"]})
     page += "\nMarrow's geometry codecs in this table: " + ", ".join(codecs) + ".\n"
     pathlib.Path(a.output).write_text(page)
