@@ -1,4 +1,5 @@
-// Decodes streams that Draco compressed: stream i is the attribute with unique id i, of 32-bit numbers.
+// Decodes what encode_draco() has made: a varint, how many bytes of a skin apart follow; then Draco's, whose attribute
+// with unique id i is the i-th stream, of 32-bit numbers, of all or of those that are no skin.
 #include "marrow/draco.h"
 
 #include <cstring>
@@ -8,7 +9,9 @@
 #include <draco/mesh/mesh.h>
 #include <meshoptimizer.h>
 
+#include "core/byte_reader.h"
 #include "draco/counts.h"
+#include "draco/skin.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -47,7 +50,11 @@ bool copy_stream(const ::draco::PointAttribute& attribute, const Stream& s, std:
   return true;
 }
 
-bool decode_mesh(Span<const std::byte> bytes, const MeshStreams& out) {
+bool is_skin(StreamKind kind) {
+  return kind == StreamKind::joints || kind == StreamKind::weights;
+}
+
+bool decode_mesh(Span<const std::byte> skin, Span<const std::byte> bytes, const MeshStreams& out) {
   ::draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data), bytes.size);
   ::draco::Decoder decoder;
@@ -57,27 +64,33 @@ bool decode_mesh(Span<const std::byte> bytes, const MeshStreams& out) {
   // Draco walks over the surface in an order of its own; this one is for the GPU's vertex cache.
   const std::size_t index_count = std::size_t{out.triangle_count} * 3;
   meshopt_optimizeVertexCacheFifo(out.indices, out.indices, index_count, out.vertex_count, kCacheEntries);
+  std::uint32_t id = 0;
   for (std::uint32_t i = 0; i < out.stream_count; ++i) {
-    const ::draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(i);
+    if (!skin.empty() && is_skin(out.streams[i].kind)) continue;
+    const ::draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(id++);
     if (attribute == nullptr || !copy_stream(*attribute, out.streams[i], out.vertex_count)) return false;
   }
-  return true;
+  return skin.empty() || decode_skin(skin, out);
 }
 
-Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
+Status decode(Span<const std::byte> record, const MeshStreams& out) {
+  ByteReader reader(record.data, record.size);
+  const Span<const std::byte> skin = reader.take_bytes(reader.take_varint());
+  if (reader.failed()) return Status::bad_data;
+  const Span<const std::byte> bytes(reader.at(), reader.left());
   DracoCounts claimed;
   if (const Status status = draco_counts(bytes, claimed); status != Status::ok) return status;
   if (claimed.points > out.vertex_count || claimed.faces > out.triangle_count) return Status::bad_data;
 #if defined(__cpp_exceptions)
   try {
-    return decode_mesh(bytes, out) ? Status::ok : Status::bad_data;
+    return decode_mesh(skin, bytes, out) ? Status::ok : Status::bad_data;
   } catch (const std::bad_alloc&) {
     return Status::out_of_memory;
   } catch (...) {  // Draco's containers, asked for more than they can hold
     return Status::bad_data;
   }
 #else
-  return decode_mesh(bytes, out) ? Status::ok : Status::bad_data;
+  return decode_mesh(skin, bytes, out) ? Status::ok : Status::bad_data;
 #endif
 }
 

@@ -2,28 +2,12 @@
 // which writes them, and for unpacking.
 #pragma once
 
+#include "unpack/entry_set.h"
 #include "unpack/neighbours.h"
 #include "unpack/smoothed.h"
 #include "unpack/symbol_coder.h"
 
 namespace marrow {
-
-// What a vertex follows, ascending.
-struct EntrySet {
-  std::int32_t joints[kMaxInfluences] = {};
-  std::uint32_t count = 0;
-
-  bool has(std::int32_t joint) const {
-    for (std::uint32_t i = 0; i < count; ++i)
-      if (joints[i] == joint) return true;
-    return false;
-  }
-  void add(std::int32_t joint) {
-    std::uint32_t at = count++;
-    for (; at > 0 && joints[at - 1] > joint; --at) joints[at] = joints[at - 1];
-    joints[at] = joint;
-  }
-};
 
 // The numbers of a vertex: x, y, z, w of each joint of its set.
 using ResidualRows = std::int32_t[kMaxInfluences][4];
@@ -48,15 +32,10 @@ struct ResidualTable {
   std::int32_t* rows[kMaxInfluences] = {};  // an influence: four a vertex
 
   EntrySet set_of(std::uint32_t vertex) const {
-    const std::int32_t* const from = joints + std::size_t{vertex} * influences;
-    EntrySet out;
-    do out.joints[out.count] = from[out.count];
-    while (++out.count < influences && from[out.count] != from[out.count - 1]);
-    return out;
+    return read_set(joints + std::size_t{vertex} * influences, influences);
   }
   void write_set(std::uint32_t vertex, const EntrySet& set) const {
-    for (std::uint32_t j = 0; j < influences; ++j)
-      joints[std::size_t{vertex} * influences + j] = set.joints[j < set.count ? j : set.count - 1];
+    marrow::write_set(set, influences, joints + std::size_t{vertex} * influences);
   }
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <unordered_map>
 
 #include <draco/compression/config/compression_shared.h>
@@ -8,6 +9,8 @@
 
 #include "common/failure.h"
 #include "cook/geometry/encode_streams.h"
+#include "cook/geometry/record.h"
+#include "cook/geometry/skin_apart.h"
 #include "marrow/draco.h"
 #include "unpack/octahedron.h"
 
@@ -130,7 +133,7 @@ std::vector<Alternative> alternatives(StreamKind kind) {
       return {{kDifference}, {kOnSphere}};
     case StreamKind::uv:
       return {{kParallelogram}, {{draco::MESH_PREDICTION_TEX_COORDS_PORTABLE, false}, true}};
-    case StreamKind::joints:
+    case StreamKind::joints:  // unless they are apart
     case StreamKind::weights:
     case StreamKind::colour:
     case StreamKind::tangent_sign:
@@ -233,8 +236,10 @@ bool decodes_to_the_same(const Encoded& encoded, const OwnedStreams& s, OwnedStr
   decoded.mesh.vertex_count = encoded.points;
   for (std::size_t i = 0; i < s.streams.size(); ++i)
     decoded.values[i].resize(std::size_t{encoded.points} * s.streams[i].components);
-  const Span<const std::byte> bytes(encoded.bytes.data(), encoded.bytes.size());
-  return draco_decoder().decode(bytes, decoded.view()) == Status::ok && surface(decoded) == surface(s);
+  std::vector<std::byte> bytes = {std::byte{0}};  // of a skin apart
+  bytes.insert(bytes.end(), encoded.bytes.begin(), encoded.bytes.end());
+  return draco_decoder().decode({bytes.data(), bytes.size()}, decoded.view()) == Status::ok &&
+         surface(decoded) == surface(s);
 }
 
 // For each vertex of `s` one of `decoded` that holds the same.
@@ -245,9 +250,7 @@ void follow(const OwnedStreams& s, OwnedStreams& decoded) {
     if (vertex != kNoSlot) vertex = place.at(corner(s, vertex));
 }
 
-}  // namespace
-
-std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim) {
+std::vector<std::byte> encode_surface(OwnedStreams& streams, DracoAim aim) {
   // Triangles between vertices at one place that move apart are lost where places are merged, and those that never have
   // an area in either case.
   for (int attempt = 0; attempt < 3; ++attempt) {
@@ -260,6 +263,19 @@ std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim) {
   }
   throw tools::Failure(tools::Exit::internal, "", "", "draco-mesh-differs",
                        "the encoded mesh does not decode to the same surface; use --mesh-codec meshopt");
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim) {
+  const std::optional<SkinApart> skin = SkinApart::take(streams);
+  const std::vector<std::byte> surface = encode_surface(streams, aim);
+  const std::vector<std::byte> bits = skin ? skin->give_back(streams) : std::vector<std::byte>();
+  std::vector<std::byte> out;
+  add_varint(static_cast<std::uint32_t>(bits.size()), out);
+  out.insert(out.end(), bits.begin(), bits.end());
+  out.insert(out.end(), surface.begin(), surface.end());
+  return out;
 }
 
 }  // namespace marrow::cook

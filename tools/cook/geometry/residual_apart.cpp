@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
-#include <string_view>
-#include <unordered_map>
 
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
+#include "cook/geometry/rows.h"
 #include "cook/geometry/symbol_encoder.h"
 #include "unpack/residual.h"
 
@@ -58,38 +56,6 @@ OwnedStreams linear_blend(const OwnedStreams& s) {
     if (stream.kind != StreamKind::residual) continue;
     out.streams.erase(out.streams.begin() + static_cast<std::ptrdiff_t>(i));
     out.values.erase(out.values.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-  return out;
-}
-
-// All numbers of each vertex, one behind the other.
-class Rows {
- public:
-  explicit Rows(const OwnedStreams& s) {
-    for (const Stream& stream : s.streams) bytes_ += stream.components * sizeof(std::int32_t);
-    all_.resize(bytes_ * s.mesh.vertex_count);
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < s.streams.size(); ++i) {
-      const std::size_t width = s.streams[i].components * sizeof(std::int32_t);
-      for (std::size_t v = 0; v < s.mesh.vertex_count; ++v)
-        std::memcpy(&all_[v * bytes_ + at], &s.values[i][v * s.streams[i].components], width);
-      at += width;
-    }
-  }
-  std::string_view of(std::size_t vertex) const { return {&all_[vertex * bytes_], bytes_}; }
-
- private:
-  std::size_t bytes_ = 0;
-  std::vector<char> all_;
-};
-
-// The first vertex of each row. Empty if some are alike but not in `whole`.
-using Places = std::unordered_map<std::string_view, std::uint32_t>;
-Places places_of(const Rows& rows, const Rows& whole, std::uint32_t count) {
-  Places out;
-  for (std::uint32_t v = 0; v < count; ++v) {
-    const auto [at, is_new] = out.try_emplace(rows.of(v), v);
-    if (!is_new && whole.of(v) != whole.of(at->second)) return {};
   }
   return out;
 }
