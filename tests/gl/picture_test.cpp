@@ -161,6 +161,12 @@ TEST_F(Picture, ShowsAJointBroughtToAPoint) {
   ASSERT_EQ(render(goal + "--ik hand.R=-0.3,0.7,0.35 --ik-solver dls --ik-joints 4", "both.png"), 0);
   EXPECT_GT(difference(pixels("plain.png"), pixels("reach.png")), 0.005);
   EXPECT_GT(difference(pixels("reach.png"), pixels("both.png")), 0.005);
+  const std::string genetic = goal + "--ik-solver genetic --ik-joints 4 ";
+  ASSERT_EQ(render(genetic + "--ik-seed 7", "seven.png"), 0);
+  ASSERT_EQ(render(genetic + "--ik-seed 7", "seven_again.png"), 0);
+  ASSERT_EQ(render(genetic + "--ik-seed 8", "eight.png"), 0);
+  EXPECT_TRUE(bytes("seven.png") == bytes("seven_again.png"));
+  EXPECT_GT(difference(pixels("seven.png"), pixels("eight.png")), 0.0) << "another seed, another elbow";
   EXPECT_EQ(render("--ik tentacle=1,2,3 2>/dev/null", "none.png"), 1);
   EXPECT_EQ(render("--path crowd 2>/dev/null " + goal, "none.png"), 1);
   EXPECT_EQ(render("--ik-solver dls 2>/dev/null", "none.png"), 1) << "without a goal";

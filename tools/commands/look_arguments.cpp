@@ -41,9 +41,14 @@ void add_reach(CLI::App* command, ReachArguments& a) {
           ->type_name("JOINT=X,Y,Z")
           ->expected(1)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_one_of(command, "--ik-solver", kIkSolvers, a.solver,
-             "two_bone: the two joints above, in closed form; others: by iteration, within the limits that the file "
-             "has")
+  add_one_of(
+      command, "--ik-solver", kIkSolvers, a.solver,
+      "two_bone: the two joints above, in closed form; genetic: by evolution, slowly, out of corners that limits "
+      "make; others: by iteration; all but two_bone within the limits that the file has")
+      ->needs(goal);
+  command->add_option("--ik-seed", a.seed, "what chance begins with, of --ik-solver genetic")
+      ->type_name("N")
+      ->capture_default_str()
       ->needs(goal);
   command
       ->add_option("--ik-joints", a.joints,

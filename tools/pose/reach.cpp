@@ -44,7 +44,10 @@ void check_solved(Status status, const Skeleton& skeleton) {
 }  // namespace
 
 Reach::Reach(const File& file, const ReachArguments& arguments)
-    : file_(file), solver_(arguments.solver), joints_(arguments.solver ? arguments.joints : 2) {
+    : file_(file),
+      solver_(arguments.solver),
+      seed_(arguments.seed),
+      joints_(arguments.solver.method ? arguments.joints : 2) {
   for (const std::string& text : arguments.goals) {
     const std::size_t equals = text.rfind('=');
     Goal goal;
@@ -66,7 +69,7 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
         goal.skeleton = s;
         goal.joint = j;
         found = true;
-        const std::size_t least = solver_ ? 1 : 2;
+        const std::size_t least = solver_.method ? 1 : 2;
         if (above(file_, skeleton, j, joints_).size() < least) refuse(text, "too few joints above it");
       }
     }
@@ -77,7 +80,7 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
 
 void Reach::apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const {
   if (std::ranges::find(goals_, skeleton, &Goal::skeleton) == goals_.end()) return;
-  if (!solver_) return solve_limbs(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
+  if (!solver_.method) return solve_limbs(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
   solve_chains(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
 }
 
@@ -134,10 +137,14 @@ void Reach::solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<Soa
   problem.joints = joints;
   problem.limits = skeleton.limits;
   IkOptions options;
-  options.method = *solver_;
+  options.method = *solver_.method;
   options.max_iterations = kIterations;
-  std::vector<std::byte> scratch(ik_scratch_bytes(skeleton, problem, options));
-  check_solved(solve_ik(skeleton, local, scene, problem, options, scratch), skeleton);
+  options.seed = seed_;
+  std::vector<std::byte> scratch(solver_.is_genetic ? ik_genetic_scratch_bytes(skeleton, problem)
+                                                    : ik_scratch_bytes(skeleton, problem, options));
+  check_solved(solver_.is_genetic ? solve_ik_genetic(skeleton, local, scene, problem, options, scratch)
+                                  : solve_ik(skeleton, local, scene, problem, options, scratch),
+               skeleton);
 }
 
 }  // namespace marrow::tools

@@ -12,17 +12,26 @@
 
 namespace marrow::tools {
 
+struct ReachSolver {
+  std::optional<IkMethod> method;  // none: two bones, in closed form
+  bool is_genetic = false;         // by evolution, whatever the method
+
+  bool operator==(const ReachSolver&) const = default;
+};
+
 struct ReachArguments {
   std::vector<std::string> goals;  // "JOINT=X,Y,Z"
-  std::optional<IkMethod> solver;  // none: two bones, in closed form
+  ReachSolver solver;
+  std::uint32_t seed = 0;    // of the genetic one
   std::uint32_t joints = 3;  // above each goal's joint that turn, but for those that twist; of two_bone always two
 };
 
-inline constexpr Named<std::optional<IkMethod>> kIkSolvers[] = {{"two_bone", std::nullopt},
-                                                                {"fabrik", IkMethod::fabrik},
-                                                                {"ccd", IkMethod::ccd},
-                                                                {"dls", IkMethod::damped_least_squares},
-                                                                {"gauss_newton", IkMethod::gauss_newton}};
+inline constexpr Named<ReachSolver> kIkSolvers[] = {{"two_bone", {}},
+                                                    {"fabrik", {IkMethod::fabrik}},
+                                                    {"ccd", {IkMethod::ccd}},
+                                                    {"dls", {IkMethod::damped_least_squares}},
+                                                    {"gauss_newton", {IkMethod::gauss_newton}},
+                                                    {"genetic", {IkMethod::ccd, true}}};
 
 class Reach {
  public:
@@ -52,8 +61,8 @@ class Reach {
 
   File file_;
   std::vector<Goal> goals_;
-  std::optional<IkMethod> solver_;
-  std::uint32_t joints_;
+  ReachSolver solver_;
+  std::uint32_t seed_, joints_;
 };
 
 }  // namespace marrow::tools

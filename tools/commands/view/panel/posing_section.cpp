@@ -12,10 +12,10 @@ namespace {
 void goals(const Actor& actor, float scale, Settings& s) {
   label("solver", scale);
   const auto name = [](std::size_t i) { return std::string(kIkSolvers[i].name); };
-  auto chosen = static_cast<std::size_t>(
-      std::ranges::find(kIkSolvers, s.reach.solver, &Named<std::optional<IkMethod>>::value) - kIkSolvers);
+  auto chosen =
+      static_cast<std::size_t>(std::ranges::find(kIkSolvers, s.reach.solver, &Named<ReachSolver>::value) - kIkSolvers);
   if (combo("##solver", std::size(kIkSolvers), name, chosen)) s.reach.solver = kIkSolvers[chosen].value;
-  ImGui::BeginDisabled(!s.reach.solver);
+  ImGui::BeginDisabled(!s.reach.solver.method);
   label("joints", scale);
   auto joints = static_cast<int>(s.reach.joints);
   if (ImGui::SliderInt("##joints", &joints, 1, 16, "%d above turn", ImGuiSliderFlags_AlwaysClamp))
