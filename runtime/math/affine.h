@@ -72,9 +72,9 @@ struct FourRows {
   f32x4 origin;
 };
 inline FourRows load_rows(const float* a, const float* b, const float* c, const float* d) {
-  f32x4 x = load_aligned(a), y = load_aligned(b), z = load_aligned(c), w = load_aligned(d);
-  transpose(x, y, z, w);
-  return {{x, y, z}, w};
+  FourRows out;
+  load_transposed(a, b, c, d, out.linear.x, out.linear.y, out.linear.z, out.origin);
+  return out;
 }
 // The same in all lanes.
 inline FourRows splat_row(f32x4 row) {

@@ -2,7 +2,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "math/linear.h"
-#include "skin/as_surface.h"
+#include "skin/as_stand_ins.h"
 
 namespace marrow {
 namespace {
@@ -57,10 +57,9 @@ using Tangents = float[2][kMaxInfluences][4];
 
 class Derivation {
  public:
-  Derivation(const AsSurface& surface, std::uint32_t slot) : surface_(surface), slot_(slot) {
+  Derivation(const AsSurface& surface, std::uint32_t slot)
+      : surface_(surface), slot_(slot), stand_ins_(surface, slot, vertex_) {
     surface_.read(slot, vertex_);
-    for (std::uint32_t j = 1; j < vertex_.influences; ++j)
-      if (vertex_.q[j][3] > vertex_.q[heaviest_][3]) heaviest_ = j;
   }
 
   // Derivatives along the frame's axes on the bind pose's surface, triangles weighed by their areas. What they lack of
@@ -100,26 +99,12 @@ class Derivation {
     return {p[0], p[4], p[8]};
   }
 
-  // A neighbour's difference from the vertex, times a factor a tangent. What it has of joints that the vertex lacks
-  // goes to that of the vertex's joints which the neighbour follows most.
-  void add(std::uint32_t neighbour, const float (&factors)[2], Tangents& out) const {
-    AsVertex n;
-    surface_.read(neighbour, n);
+  // A neighbour's difference from the vertex, as the vertex's entries have it, times a factor a tangent.
+  void add(std::uint32_t neighbour, const float (&factors)[2], Tangents& out) {
     float q[kMaxInfluences][4];
     for (std::uint32_t j = 0; j < vertex_.influences; ++j)
       for (int c = 0; c < 4; ++c) q[j][c] = -vertex_.q[j][c];
-    float left[4] = {0, 0, 0, 0}, most = 0;
-    std::uint32_t heir = heaviest_;
-    for (std::uint32_t i = 0; i < n.influences; ++i) {
-      std::uint32_t j = 0;
-      while (j < vertex_.influences && !surface_.same_entry(slot_, vertex_.set[j], neighbour, n.set[i])) ++j;
-      float(&to)[4] = j < vertex_.influences ? q[j] : left;
-      for (int c = 0; c < 4; ++c) to[c] += n.q[i][c];
-      if (j == vertex_.influences || !(n.q[i][3] > most)) continue;
-      most = n.q[i][3];
-      heir = j;
-    }
-    for (int c = 0; c < 4; ++c) q[heir][c] += left[c];
+    stand_ins_.add(neighbour, q);
     for (std::uint32_t j = 0; j < vertex_.influences; ++j)
       for (int c = 0; c < 4; ++c) {
         out[0][j][c] += factors[0] * q[j][c];
@@ -137,8 +122,9 @@ class Derivation {
   }
 
   const AsSurface& surface_;
-  std::uint32_t slot_, heaviest_ = 0;
+  std::uint32_t slot_;
   AsVertex vertex_;
+  StandIns stand_ins_;
 };
 
 // Of a block: Σ_j of both tangents, x[4] y[4] z[4] each, then x[4] y[4] z[4] w[4] of both for each influence but the

@@ -117,20 +117,31 @@ Vectors place_before(const FourAffines& bind, const Vectors& places) {
   return transposed_times(cofactor, places - origin(bind)) * (splat(1.0f) / dot(m.x, cofactor.x));
 }
 
-[[gnu::always_inline]] inline FourAffines load_four(const Affine* from, std::size_t a, std::size_t b, std::size_t c,
-                                                    std::size_t d) {
-  return load_affines(from[a], from[b], from[c], from[d]);
+[[gnu::always_inline]] inline FourAffines load_four(const Affine* from, const std::size_t (&at)[4]) {
+  return load_affines(from[at[0]], from[at[1]], from[at[2]], from[at[3]]);
 }
 Vectors load_centres(const float* c) {
   if (c == nullptr) return splat(0.0f, 0.0f, 0.0f);
-  return {lanes(c[0], c[3], c[6], c[9]), lanes(c[1], c[4], c[7], c[10]), lanes(c[2], c[5], c[8], c[11])};
+  Vectors out;
+  load_xyz(c, out.x, out.y, out.z);
+  return out;
 }
 
-// Four helpers; gives those that are good. The turn between two entries is the product of one and the other's inverse,
-// unless their stretches differ; then all four are taken apart.
-mask4 blend_four(const Helper* h, const float* centres, const Affine* bind, const Affine* palette, FourAffines& out) {
-  const FourAffines a = load_four(palette, h[0].first, h[1].first, h[2].first, h[3].first);
-  const FourAffines b = load_four(palette, h[0].second, h[1].second, h[2].second, h[3].second);
+[[gnu::always_inline]] inline void store_one_row(FourRows rows, int row, std::size_t count, Affine* out) {
+  transpose(rows.linear.x, rows.linear.y, rows.linear.z, rows.origin);
+  store(out[0].rows[row], rows.linear.x);
+  if (count > 1) store(out[1].rows[row], rows.linear.y);
+  if (count > 2) store(out[2].rows[row], rows.linear.z);
+  if (count > 3) store(out[3].rows[row], rows.origin);
+}
+
+// Four helpers, of which `count` are stored; gives those that are good. The turn between two entries is the product of
+// one and the other's inverse, unless their stretches differ; then all four are taken apart.
+[[gnu::noinline]] mask4 blend_four(const Helper* h, const float* centres, const Affine* bind, const Affine* palette,
+                                   std::size_t count, Affine* out) {
+  const std::size_t first[4] = {h[0].first, h[1].first, h[2].first, h[3].first};
+  const std::size_t second[4] = {h[0].second, h[1].second, h[2].second, h[3].second};
+  const FourAffines a = load_four(palette, first), b = load_four(palette, second);
   const f32x4 one = splat(1.0f), share = lanes(h[0].share, h[1].share, h[2].share, h[3].share), rest = one - share;
   Way way = {product_with_inverse(columns_of(b), columns_of(a)), columns_of(a), one};
   const bool stretched = !all_turns(way.turn), about_centres = centres != nullptr;
@@ -142,19 +153,22 @@ mask4 blend_four(const Helper* h, const float* centres, const Affine* bind, cons
 
   Vectors from = origin(a), step = origin(b) - from, place;
   if (about_centres || stretched) {
-    place = place_before(load_four(bind, h[0].second, h[1].second, h[2].second, h[3].second), load_centres(centres));
+    place = place_before(load_four(bind, second), load_centres(centres));
     from = transform(a, place);
     step = transform(b, place) - from;
   }
   Vectors at;
   if (about_centres) {
-    at = from + step * share;
+    at = from + step * share - m * place;
   } else {  // the dual part
     const Vectors sum = step * (turn.w * rest + turn.length * share) + cross(step, turn.v) * rest;
     at = from + sum * (share * turn.length / dot(q, q));
+    if (stretched) [[unlikely]]
+      at = at - m * place;
   }
-  if (about_centres || stretched) at = at - m * place;
-  out = {{{m.x.x, m.y.x, m.z.x}, at.x}, {{m.x.y, m.y.y, m.z.y}, at.y}, {{m.x.z, m.y.z, m.z.z}, at.z}};
+  store_one_row({{m.x.x, m.y.x, m.z.x}, at.x}, 0, count, out);
+  store_one_row({{m.x.y, m.y.y, m.z.y}, at.y}, 1, count, out);
+  store_one_row({{m.x.z, m.y.z, m.z.z}, at.z}, 2, count, out);
   return splat(0.0f) < only_where(dot(at, at) < splat(kMostSquare), way.good);
 }
 
@@ -164,21 +178,9 @@ void blend_straight(const Affine& a, const Affine& b, float share, Affine& out) 
     store(out.rows[r], load_aligned(a.rows[r]) * splat(1.0f - share) + load_aligned(b.rows[r]) * splat(share));
 }
 
-[[gnu::always_inline]] inline void store_one_row(FourRows rows, int row, std::size_t count, Affine* out) {
-  transpose(rows.linear.x, rows.linear.y, rows.linear.z, rows.origin);
-  store(out[0].rows[row], rows.linear.x);
-  if (count > 1) store(out[1].rows[row], rows.linear.y);
-  if (count > 2) store(out[2].rows[row], rows.linear.z);
-  if (count > 3) store(out[3].rows[row], rows.origin);
-}
-
 [[gnu::noinline]] void add_four(const Helper* helpers, const float* centres, const Affine* bind, const Affine* palette,
                                 std::size_t count, Affine* out) {
-  FourAffines made;
-  const mask4 good = blend_four(helpers, centres, bind, palette, made);
-  store_one_row(made.a, 0, count, out);
-  store_one_row(made.b, 1, count, out);
-  store_one_row(made.c, 2, count, out);
+  const mask4 good = blend_four(helpers, centres, bind, palette, count, out);
   if (all(good)) [[likely]]
     return;
   float ok[4];

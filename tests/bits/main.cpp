@@ -47,6 +47,7 @@ constexpr StageHash kStored[] = {
     {"skin_psd", 0x1A75385F8B210DF4},
     {"as_tangents", 0x4C48EC061FD99C0B},
     {"skin_as, normals by tangents", 0xEAA4E4084A861FF4},
+    {"as_tangents of helpers", 0x88DE759EC2604C6A},
     {"two_bone", 0xAF9B9BC9B4E8A3CF},
     {"aim, look_at", 0x20EBA0642C10B6D0},
     {"FABRIK", 0x59BF1DB2BBFC7AF8},

@@ -265,6 +265,21 @@ void hash_surface_normals(StageHashes& out) {
   out.push_back({"skin_as, normals by tangents", h});
 }
 
+// The same sheet, its last three entries helpers: what a vertex lacks is a sum of its own.
+void hash_tangents_of_helpers(StageHashes& out) {
+  const Helper helpers[] = {{0, 1, 0.25f}, {0, 1, 0.75f}, {2, 5, 0.5f}};
+  const Sheet sheet = make_sheet(60, 12, 9, 8, true);
+  const TestSurface surface(sheet.vertices, sheet.triangles, std::vector<Map>(6), true);
+  Mesh mesh = surface.view();
+  mesh.helpers = helpers;
+  std::vector<float> coordinates(as_coordinate_count(mesh.geometry)), tau(as_tangent_count(mesh.geometry));
+  must(as_coordinates(mesh.geometry, coordinates));
+  const AsPart part{&mesh, coordinates, tau};
+  std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&part, 1}) / 4);
+  must(as_tangents({&part, 1}, {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4}));
+  out.push_back({"as_tangents of helpers", hash_of(tau)});
+}
+
 // Helpers between joints that only turn, far and near, and between such as have scales, mirrors and no size.
 void hash_helpers(StageHashes& out) {
   constexpr double kScales[][3] = {{1, 1, 1}, {1, 1, 1}, {0.5, 2, 1.25}, {-1, 1, 1}, {0, 0, 0}, {1, 0, 1}};
@@ -322,6 +337,7 @@ void hash_poses(StageHashes& out) {
   hash_morphs(out);
   hash_family(out);
   hash_surface_normals(out);
+  hash_tangents_of_helpers(out);
 }
 
 }  // namespace marrow::test

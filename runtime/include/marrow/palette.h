@@ -24,8 +24,8 @@ namespace marrow {
 // not finite, the two are blended as numbers.
 //
 // The same palette serves SSD and animation space (docs/architecture.md, "One palette").
-// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 206 on x86-64, about a
-// centre 259. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 390.
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 198 on x86-64, about a
+// centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 MARROW_API Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind,
                                 Span<const Affine> scene_from_joint, Span<Affine> out, Span<const Helper> helpers = {},

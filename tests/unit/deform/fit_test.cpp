@@ -126,7 +126,7 @@ TEST(Fit, FollowsTheJointsThatMatter) {
   };
   FitOptions options;
   const std::vector<Helper> helpers;
-  const Likeness likeness(kept, {});
+  const Likeness likeness(kept, {}, {});
   const ClosedForm weights(kept, helpers, likeness);
   options.weights = &weights;
   options.is_lift = false;

@@ -116,7 +116,7 @@ TEST(Helpers, GiveTheirWeightsToTheirJoints) {
 TEST(ClosedForm, GoesToTheNearestHelper) {
   SkinnedMesh mesh = strip(4);
   const std::vector<Helper> helpers = {{0, 1, 0.5, {}, true}};
-  const Likeness likeness(mesh, no_poses());
+  const Likeness likeness(mesh, no_poses(), {});
   const ClosedForm form(mesh, helpers, likeness);
   const std::vector<std::vector<Influence>> want = {
       {{0, 0.75}, {3, 0.25}}, {{0, 0.25}, {3, 0.75}}, {{1, 0.25}, {3, 0.75}}, {{1, 0.75}, {3, 0.25}}};
@@ -166,8 +166,8 @@ TEST(ClosedForm, IsTheArtistsWeightsAndTheCheapest) {
   std::mt19937 random(3);
   for (int round = 0; round < 20; ++round) {
     const SkinnedMesh mesh = random_mesh(8, 40, random);
-    const Likeness likeness(mesh, random_poses(8, 10, random));
-    const std::vector<Helper> helpers = choose_helpers(mesh, likeness, places(mesh), 20, false);
+    const Likeness likeness(mesh, random_poses(8, 10, random), {});
+    const std::vector<Helper> helpers = choose_helpers(mesh, likeness, places(mesh), 20, false, 4);
     const ClosedForm form(mesh, helpers, likeness);
     const auto cost = [&](const std::vector<Influence>& weights) {
       double out = 0;
@@ -210,8 +210,8 @@ TEST(ClosedForm, KeepsACylinderRound) {
   const Deformer truth = dual_quaternions(mesh), plain = ssd(mesh);
   double before = 1;
   for (const std::size_t most : {std::size_t{1}, std::size_t{3}}) {
-    const Likeness likeness(mesh, no_poses());
-    const std::vector<Helper> helpers = choose_helpers(mesh, likeness, places(mesh), most, false);
+    const Likeness likeness(mesh, no_poses(), {});
+    const std::vector<Helper> helpers = choose_helpers(mesh, likeness, places(mesh), most, false, 4);
     ASSERT_EQ(helpers.size(), most);
     const ClosedForm form(mesh, helpers, likeness);
     Coordinates coordinates;
@@ -247,26 +247,40 @@ TEST(ChooseHelpers, WhereMostVerticesShareMost) {
     mesh.positions.emplace_back(20 + v, 1, 0);
     mesh.influences.push_back({{1, 0.5}, {2, 0.5}});
   }
-  const std::vector<Helper> two = choose_helpers(mesh, Likeness(mesh, no_poses()), places(mesh), 2, false);
+  const std::vector<Helper> two = choose_helpers(mesh, Likeness(mesh, no_poses(), {}), places(mesh), 2, false, 4);
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(two[0].second, 1u);
   EXPECT_EQ(two[1].second, 2u);
   EXPECT_EQ(two[1].share, 0.5);
-  EXPECT_EQ(choose_helpers(mesh, Likeness(mesh, no_poses()), places(mesh), 1, false).at(0).first, 1u)
+  EXPECT_EQ(choose_helpers(mesh, Likeness(mesh, no_poses(), {}), places(mesh), 1, false, 4).at(0).first, 1u)
       << "5 / 16 against 0.27";
   const Pose stiff = {matrix(turn(0, {1, 0, 0}), {0, 0, 0}), matrix(turn(90, {1, 0, 0}), {0, 0, 0}),
                       matrix(turn(90, {1, 0, 0}), {0, 0, 0})};
-  const std::vector<Helper> where = choose_helpers(mesh, Likeness(mesh, {stiff}), places(mesh), 3, false);
+  const std::vector<Helper> where = choose_helpers(mesh, Likeness(mesh, {stiff}, {}), places(mesh), 3, false, 4);
   ASSERT_EQ(where.size(), 3u);
   for (const Helper& h : where) EXPECT_EQ(h.first, 0u);
   EXPECT_EQ(where[0].share, 0.25);
   EXPECT_EQ(where[2].share, 0.75);
-  EXPECT_TRUE(choose_helpers(mesh, Likeness(mesh, no_poses()), places(mesh), 0, false).empty());
+  EXPECT_TRUE(choose_helpers(mesh, Likeness(mesh, no_poses(), {}), places(mesh), 0, false, 4).empty());
+}
+
+TEST(ChooseHelpers, DividesAPairIntoAsManyPartsAsItMay) {
+  const SkinnedMesh mesh = strip(64);
+  const Likeness likeness(mesh, no_poses(), {});
+  const auto count = [&](std::size_t most, int parts) {
+    return choose_helpers(mesh, likeness, places(mesh), most, false, parts).size();
+  };
+  EXPECT_EQ(count(9, 2), 1u);
+  EXPECT_EQ(count(9, 4), 3u);
+  EXPECT_EQ(count(6, 8), 3u) << "eighths are seven";
+  const std::vector<Helper> eighths = choose_helpers(mesh, likeness, places(mesh), 9, false, 8);
+  ASSERT_EQ(eighths.size(), 7u);
+  for (std::size_t h = 0; h < 7; ++h) EXPECT_EQ(eighths[h].share, static_cast<double>(h + 1) / 8);
 }
 
 TEST(ChooseHelpers, AboutTheMeanOfCentresOfRotation) {
   const SkinnedMesh mesh = cylinder();
-  const std::vector<Helper> helpers = choose_helpers(mesh, Likeness(mesh, no_poses()), places(mesh), 1, true);
+  const std::vector<Helper> helpers = choose_helpers(mesh, Likeness(mesh, no_poses(), {}), places(mesh), 1, true, 4);
   ASSERT_EQ(helpers.size(), 1u);
   ASSERT_FALSE(helpers[0].by_dual_quaternions);
   EXPECT_LT(glm::length(helpers[0].centre), 0.1) << "on the axis, where the joint is";
@@ -275,11 +289,11 @@ TEST(ChooseHelpers, AboutTheMeanOfCentresOfRotation) {
 TEST(ChooseHelpers, AsksNothingOfAMeshWithoutPairs) {
   SkinnedMesh mesh = strip(10);
   for (auto& influences : mesh.influences) influences = {{2, 1.0}};
-  const Likeness likeness(mesh, no_poses());
-  EXPECT_TRUE(choose_helpers(mesh, likeness, places(mesh), 9, true).empty());
+  const Likeness likeness(mesh, no_poses(), {});
+  EXPECT_TRUE(choose_helpers(mesh, likeness, places(mesh), 9, true, 4).empty());
   const std::vector<Helper> none;
   EXPECT_EQ(ClosedForm(mesh, none, likeness).weights_of(3).at(0).joint, 2u);
-  EXPECT_TRUE(choose_helpers({}, Likeness({}, no_poses()), {}, 9, true).empty());
+  EXPECT_TRUE(choose_helpers({}, Likeness({}, no_poses(), {}), {}, 9, true, 4).empty());
 }
 
 // 300 joints and as many pairs of one vertex each, all in one place.
@@ -290,7 +304,7 @@ TEST(ChooseHelpers, TakesManyPairsOfOneVertex) {
     mesh.positions.emplace_back(1, 2, 3);
     mesh.influences.push_back({{std::min(j, (j + 1) % 300), 0.5}, {std::max(j, (j + 1) % 300), 0.5}});
   }
-  const std::vector<Helper> helpers = choose_helpers(mesh, Likeness(mesh, no_poses()), places(mesh), 41, true);
+  const std::vector<Helper> helpers = choose_helpers(mesh, Likeness(mesh, no_poses(), {}), places(mesh), 41, true, 4);
   EXPECT_EQ(helpers.size(), 41u);
   for (const Helper& h : helpers) EXPECT_TRUE(std::isfinite(glm::length(h.centre)));
 }
@@ -302,10 +316,23 @@ TEST(Likeness, IsTheMeanOverPosesThatAreFinite) {
   Pose broken = turned;
   broken[2][3][0] = std::numeric_limits<double>::infinity();
   const Pose same(3, Matrix(1.0));
-  const Likeness likeness(mesh, {turned, same, broken});
-  EXPECT_NEAR(likeness.of(1, 0), (0.5 + 1) / 2 - 0.034, 1e-12) << "cos 60° and cos 0°, less 1 - cos 15°";
+  const Likeness likeness(mesh, {turned, same, broken}, {});
+  EXPECT_NEAR(likeness.of(1, 0), (0.5 + 1) / 2 * 0.966, 1e-12) << "cos 60° and cos 0°, times cos 15°";
   EXPECT_EQ(likeness.of(2, 2), 1);
-  EXPECT_EQ(Likeness(mesh, {broken}).of(0, 1), 0.5);
+  EXPECT_EQ(Likeness(mesh, {broken}, {}).of(0, 1), 0.5);
+}
+
+// A chain of joints 0, 1 and 2, joint 3 on joint 0 too, and joint 4 on none.
+TEST(Likeness, IsLessForEachStepThroughTheSkeleton) {
+  SkinnedMesh mesh;
+  mesh.joint_count = 5;
+  mesh.positions = {{0, 0, 0}};
+  mesh.influences = {{{0, 0.2}, {1, 0.2}, {2, 0.2}, {3, 0.2}, {4, 0.2}}};
+  const Likeness likeness(mesh, {Pose(5, Matrix(1.0))}, {-1, 0, 1, 0, -1});
+  const std::pair<std::uint32_t, std::uint32_t> at[] = {{0, 1}, {0, 2}, {1, 3}, {2, 3}, {1, 4}};
+  const int steps[] = {1, 2, 2, 3, 1};
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(likeness.of(at[i].first, at[i].second), std::pow(0.966, steps[i]), 1e-12) << i;
 }
 
 }  // namespace

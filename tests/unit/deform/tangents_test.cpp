@@ -1,4 +1,4 @@
-#include "deform/tangents.h"
+#include "deform/helpers/tangents.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TEST(Tangents, NormalsOfABentCylinderAreItsOwn) {
   const SkinnedMesh mesh = cylinder();
   const Coordinates coordinates = lift(mesh);
   const TangentCoordinates tangents =
-      tangent_coordinates(coordinates, mesh, vertex_normals(mesh.positions, mesh.indices));
+      tangent_coordinates(coordinates, mesh, vertex_normals(mesh.positions, mesh.indices), {});
   Positions posed;
   double sum = 0, worst = 0;
   std::size_t count = 0;
@@ -40,7 +40,7 @@ TEST(Tangents, NormalsOfABentCylinderAreItsOwn) {
 TEST(Tangents, FollowALinearMap) {
   const SkinnedMesh mesh = cylinder();
   const std::vector<glm::dvec3> normals = vertex_normals(mesh.positions, mesh.indices);
-  const TangentCoordinates tangents = tangent_coordinates(lift(mesh), mesh, normals);
+  const TangentCoordinates tangents = tangent_coordinates(lift(mesh), mesh, normals, {});
   for (const double mirror : {1.0, -1.0}) {
     const glm::dmat3 m(mirror, 2 * mirror, 0, -1, 3, 1, 0.5, 0, 2);
     const Pose pose(2, Matrix(m[0], m[1], m[2], glm::dvec3(1, 2, 3)));
@@ -58,7 +58,7 @@ TEST(Tangents, OnALineGoThroughTheBlend) {
   mesh.influences.assign(3, {{0, 0.5}, {1, 0.5}});
   mesh.joint_count = 2;
   const glm::dvec3 slanted = glm::normalize(glm::dvec3(3, 0, 1));
-  const TangentCoordinates tangents = tangent_coordinates(lift(mesh), mesh, {slanted, slanted, slanted});
+  const TangentCoordinates tangents = tangent_coordinates(lift(mesh), mesh, {slanted, slanted, slanted}, {});
   Pose pose(2, Matrix(1.0));
   pose[1][0].x = 2;
   for (const glm::dvec3& n : surface_normals(tangents, pose))

@@ -247,6 +247,26 @@ TEST(F32x4, SmallIntegersBecomeFloats) {
   }
 }
 
+TEST(F32x4, LoadXyzTakesTwelveFloatsApart) {
+  float in[13];
+  for (int i = 0; i < 13; ++i) in[i] = static_cast<float>(i);
+  f32x4 x = splat(0.0f), y = x, z = x;
+  load_xyz(in + 1, x, y, z);
+  expect_lanes(x, {1, 4, 7, 10}, "x");
+  expect_lanes(y, {2, 5, 8, 11}, "y");
+  expect_lanes(z, {3, 6, 9, 12}, "z");
+}
+
+TEST(F32x4, LoadTransposedTakesColumns) {
+  alignas(16) const float in[4][4] = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}};
+  f32x4 x = splat(0.0f), y = x, z = x, w = x;
+  load_transposed(in[2], in[0], in[3], in[1], x, y, z, w);
+  expect_lanes(x, {9, 1, 13, 5}, "x");
+  expect_lanes(y, {10, 2, 14, 6}, "y");
+  expect_lanes(z, {11, 3, 15, 7}, "z");
+  expect_lanes(w, {12, 4, 16, 8}, "w");
+}
+
 TEST(F32x4, StoreXyzInterleavesAndWritesNoMore) {
   const float x[4] = {1, 2, 3, 4}, y[4] = {5, 6, 7, 8}, z[4] = {9, 10, 11, 12};
   float out[14];

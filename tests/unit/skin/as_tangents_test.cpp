@@ -294,6 +294,68 @@ SurfaceVertex on_two(const Vec3& position, const Vec3& normal, double second) {
   return v;
 }
 
+// Helpers at 1/4, 1/2 and 3/4 between two joints are entries along a line; a vertex follows two that lie side by side.
+// Whatever its neighbour follows is a point of that line, and so a sum of the vertex's two, one of them below 0
+// perhaps.
+TEST(AsTangents, HelpersThatAVertexLacks) {
+  constexpr double kShares[5] = {0, 1, 0.25, 0.5, 0.75};  // of joint 1, entry by entry
+  constexpr std::uint16_t kSets[4][2] = {{0, 2}, {2, 3}, {3, 4}, {1, 4}};
+  const Helper helpers[] = {{0, 1, 0.25f}, {0, 1, 0.5f}, {0, 1, 0.75f}};
+  test::Random random(11);
+  test::Sheet sheet = test::make_sheet(11, 8, 1, 1, false);
+  for (SurfaceVertex& v : sheet.vertices) {
+    const auto& set = kSets[random.below(4)];
+    v.set = {set[0], set[1]};
+    const double w = random.between(0.125, 0.875);
+    v.vertex.weights = {w, 1 - w};
+  }
+  for (const auto& [a, b] : sheet.seam) sheet.vertices[b] = sheet.vertices[a];
+  const TestSurface surface(sheet.vertices, sheet.triangles, std::vector<Map>(2));
+  Mesh mesh = surface.view();
+  mesh.helpers = helpers;
+  const Reference reference = reference_of(sheet);
+  const std::vector<Map> palette = bent_palette(5);
+  const Skinned got = skin(mesh, palette);
+  std::size_t beyond = 0;
+  for (std::uint32_t v = 0; v < sheet.vertices.size(); ++v) {
+    const Vec3 want = reference.normal(v, palette, [&](std::uint32_t at, std::uint32_t k) {
+      const SurfaceVertex &own = sheet.vertices[at], &other = sheet.vertices[k];
+      const double place =
+          other.vertex.weights[0] * kShares[other.set[0]] + other.vertex.weights[1] * kShares[other.set[1]];
+      const double from = kShares[own.set[0]], to = kShares[own.set[1]], along = (place - from) / (to - from);
+      beyond += along < 0 || along > 1;
+      std::vector<double> out(5, 0.0);
+      out[own.set[0]] = 1 - along;
+      out[own.set[1]] = along;
+      return out;
+    });
+    EXPECT_LT(test::angle_deg(three(got.normals, surface.slot(v)), want), 0.05) << "vertex " << v;
+  }
+  EXPECT_GT(beyond, 100u);
+}
+
+// A triangle whose corners follow joint 0 and a helper between 0 and 1, joint 2 and a helper between 1 and 2, and joint
+// 2 alone. Of the first one's joints the second corner follows joint 1 most, so joint 2 counts as that, and joint 1 as
+// twice the helper less joint 0; the third corner follows none of them and counts as the heaviest, joint 0.
+TEST(AsTangents, JointsThatNoHelperOfAVertexBlends) {
+  const Helper helpers[] = {{0, 1, 0.5f}, {1, 2, 0.5f}};
+  std::vector<SurfaceVertex> vertices = {on_two({0, 0, 0}, {0, 0, 1}, 0.375), on_two({1, 0, 0}, {0, 0, 1}, 0.75),
+                                         on_two({0, 1, 0}, {0, 0, 1}, 0)};
+  vertices[0].set = {0, 3};
+  vertices[1].set = {2, 4};
+  vertices[2].set = {2};
+  vertices[2].vertex.weights = {1};
+  const TestSurface surface(vertices, {{0, 1, 2}}, std::vector<Map>(3));
+  Mesh mesh = surface.view();
+  mesh.helpers = helpers;
+  const Reference reference{vertices, {{0, 1, 2}}, {0, 1, 2}};
+  const std::vector<Map> palette = bent_palette(5);
+  const Skinned got = skin(mesh, palette);
+  const std::vector<std::vector<double>> seen = {{0.625, 0, 0, 0.375, 0}, {-1, 0, 0, 2, 0}, {1, 0, 0, 0, 0}};
+  const Vec3 want = reference.normal(0, palette, [&](std::uint32_t, std::uint32_t k) { return seen[k]; });
+  EXPECT_LT(test::angle_deg(three(got.normals, surface.slot(0)), want), 0.01);
+}
+
 // Two squares meet on the y axis at a right angle; joint 1 opens the hinge. Each side's slots keep to their own square.
 TEST(AsTangents, ACreaseStaysOne) {
   const Vec3 up{0, 0, 1}, right{1, 0, 0};

@@ -54,8 +54,8 @@ Trained by_coordinates(const SkinnedMesh& mesh, cook::Learnt learnt) {
     std::vector<deform::Influence>& blend = out.blend.emplace_back();
     for (const deform::Coordinate& c : vertex) blend.push_back({c.joint, c.q.w});
   }
-  out.tangents =
-      deform::tangent_coordinates(kept->coordinates, mesh, deform::vertex_normals(mesh.positions, mesh.indices));
+  out.tangents = deform::tangent_coordinates(kept->coordinates, mesh,
+                                             deform::vertex_normals(mesh.positions, mesh.indices), kept->helpers);
   return out;
 }
 

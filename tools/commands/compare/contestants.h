@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "commands/compare/study.h"
-#include "deform/tangents.h"
+#include "deform/helpers/tangents.h"
 
 namespace marrow::tools {
 

@@ -21,6 +21,8 @@ constexpr std::size_t kSmoothed = 8;          // joints of smoothed weights
 constexpr std::size_t kMostCandidates = 24;   // joints and helpers that a vertex chooses from
 constexpr std::size_t kMostEntries = 341;     // what fits into a uniform block
 constexpr std::size_t kVerticesAHelper = 16;  // so that posing helpers costs less than the vertices
+// What helpers divide a pair of joints into: of `auto` no more than is worth its bytes.
+constexpr int kQuarters = 4, kEighths = 8;
 
 std::size_t most_joints(const LearnOptions& options) {
   return static_cast<std::size_t>(options.influences > 0 ? options.influences : options.helpers != 0 ? 5 : 4);
@@ -217,9 +219,10 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   deform::Coordinates candidates = fits ? guess(mesh, options) : out.coordinates;
   const deform::SkinnedMesh reach = following(mesh, candidates);
   const std::vector<deform::Pose> clips = only_poses(poses);
-  const deform::Likeness likeness(reach, clips);
+  const deform::Likeness likeness(reach, clips, source.parents);
   out.helpers = deform::choose_helpers(reach, likeness, source.centres, most_helpers(mesh, options),
-                                       options.truth == Truth::centres_of_rotation);
+                                       options.truth == Truth::centres_of_rotation,
+                                       options.helpers == kAutoHelpers ? kQuarters : kEighths);
   const deform::ClosedForm form(mesh, out.helpers, likeness);
   for (std::size_t v = 0; v < candidates.size(); ++v) {
     out.weights[v] = form.weights_of(v);

@@ -9,8 +9,8 @@
 namespace marrow::deform {
 namespace {
 
-constexpr int kLevels = 3;  // without helpers, at a half, at quarters
-constexpr int kHelpers[kLevels] = {0, 1, 3};
+constexpr int kLevels = 4;  // without helpers, at a half, at quarters, at eighths
+constexpr int kHelpers[kLevels] = {0, 1, 3, 7};
 constexpr double kLeastGain = 1e-5;
 
 struct Pair {
@@ -60,7 +60,8 @@ std::vector<Pair> make_pairs(const SkinnedMesh& mesh, const Likeness& likeness, 
 }  // namespace
 
 std::vector<Helper> choose_helpers(const SkinnedMesh& mesh, const Likeness& likeness,
-                                   const std::vector<glm::dvec3>& places, std::size_t most, bool about_centres) {
+                                   const std::vector<glm::dvec3>& places, std::size_t most, bool about_centres,
+                                   int parts) {
   const std::vector<Pair> pairs = make_pairs(mesh, likeness, about_centres ? rotation_centres(mesh) : Positions());
   std::vector<int> level(pairs.size(), 0);
   // What a pair's next step takes off, a helper; the pair, the first one of equal ones.
@@ -68,7 +69,7 @@ std::vector<Helper> choose_helpers(const SkinnedMesh& mesh, const Likeness& like
   std::priority_queue<Step> steps;
   const auto offer = [&](std::size_t p) {
     const int at = level[p];
-    if (at + 1 == kLevels) return;
+    if (at + 1 == kLevels || kHelpers[at + 1] >= parts) return;
     steps.emplace((pairs[p].missed[at] - pairs[p].missed[at + 1]) / (kHelpers[at + 1] - kHelpers[at]),
                   -static_cast<std::ptrdiff_t>(p));
   };

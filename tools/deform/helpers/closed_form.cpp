@@ -8,8 +8,8 @@
 namespace marrow::deform {
 namespace {
 
-constexpr double kUnknown = 0.5;   // how alike joints turn of which nothing is known
-constexpr double kUnseen = 0.034;  // 1 - cos 15°: what a turn of 30° takes off
+constexpr double kUnknown = 0.5;  // how alike joints turn of which nothing is known
+constexpr double kAStep = 0.966;  // cos 15°: how alike joints are that turn 30° apart
 constexpr double kNoWeight = 1e-9;
 constexpr double kForbidden = 1e3;  // what an entry costs that must not be used
 
@@ -19,6 +19,34 @@ bool is_finite(const Pose& pose) {
     for (int c = 0; c < 4; ++c) sum += glm::dot(m[c], m[c]);
   return std::isfinite(sum);
 }
+
+// A tree of joints.
+class Tree {
+ public:
+  explicit Tree(const std::vector<int>& parents) : parents_(parents) {
+    for (std::size_t j = 0; j < parents.size(); ++j) {
+      std::size_t depth = 0;
+      for (int up = parents[j]; up >= 0 && depth < parents.size(); up = parents[static_cast<std::size_t>(up)]) ++depth;
+      depth_.push_back(depth);
+    }
+  }
+
+  // From one joint to the other; 1 where no way leads there.
+  std::size_t steps(std::uint32_t a, std::uint32_t b) const {
+    if (std::max(a, b) >= parents_.size()) return 1;
+    std::size_t out = 0;
+    for (; a != b; ++out) {
+      std::uint32_t& deeper = depth_[a] < depth_[b] ? b : a;
+      if (parents_[deeper] < 0) return 1;
+      deeper = static_cast<std::uint32_t>(parents_[deeper]);
+    }
+    return out;
+  }
+
+ private:
+  const std::vector<int>& parents_;
+  std::vector<std::size_t> depth_;
+};
 
 // A column of the program: joint or helper as shares of the vertex's joints, by their places.
 struct Column {
@@ -83,7 +111,7 @@ std::vector<Influence> solve(const std::vector<Column>& columns, const std::vect
 
 }  // namespace
 
-Likeness::Likeness(const SkinnedMesh& mesh, const std::vector<Pose>& poses) {
+Likeness::Likeness(const SkinnedMesh& mesh, const std::vector<Pose>& poses, const std::vector<int>& parents) {
   for (const std::vector<Influence>& vertex : mesh.influences)
     for (std::size_t i = 0; i < vertex.size(); ++i)
       for (std::size_t j = i + 1; j < vertex.size(); ++j) pairs_.try_emplace({vertex[i].joint, vertex[j].joint}, 0.0);
@@ -97,7 +125,11 @@ Likeness::Likeness(const SkinnedMesh& mesh, const std::vector<Pose>& poses) {
     for (auto& [pair, sum] : pairs_)
       sum += std::min(1.0, std::abs(glm::dot(rotations[pair.first], rotations[pair.second])));
   }
-  for (auto& [pair, sum] : pairs_) sum = count > 0 ? sum / static_cast<double>(count) - kUnseen : kUnknown;
+  const Tree tree(parents);
+  for (auto& [pair, sum] : pairs_) {
+    sum = count > 0 ? sum / static_cast<double>(count) : kUnknown;
+    for (std::size_t s = count > 0 ? tree.steps(pair.first, pair.second) : 0; s > 0; --s) sum *= kAStep;
+  }
 }
 
 double Likeness::of(std::uint32_t i, std::uint32_t j) const {

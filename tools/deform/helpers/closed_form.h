@@ -13,13 +13,15 @@
 
 namespace marrow::deform {
 
-// How alike two joints turn: the mean over poses of |q_i · q_j|, their rotations as quaternions, less 0.034: joints
-// count as turning by 30° more than poses show, since some will that have not. Without poses 1/2.
+// How alike two joints turn: the mean over poses of |q_i · q_j|, their rotations as quaternions, times cos 15° for each
+// step from one joint to the other along the skeleton: every joint counts as turning by 30° more than poses show, since
+// some will that have not, and what is far apart in the skeleton turns apart by all between. Without poses 1/2.
 class Likeness {
  public:
   // Of pairs of joints that some vertex follows both of. Poses that are not finite are left out; without any other the
-  // likeness of all pairs is 1/2.
-  Likeness(const SkinnedMesh& mesh, const std::vector<Pose>& poses);
+  // likeness of all pairs is 1/2. parents: of each joint its parent, or below 0; joints with none in common count as
+  // one step apart. Empty: all do.
+  Likeness(const SkinnedMesh& mesh, const std::vector<Pose>& poses, const std::vector<int>& parents);
 
   double of(std::uint32_t i, std::uint32_t j) const;
   // The pairs, ascending.
