@@ -1,5 +1,6 @@
 #include "unpack/records.h"
 
+#include "unpack/clip/bounds.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 
@@ -29,6 +30,9 @@ const char* add_needs(const Record& record, RecordNeeds& needs) {
       if (const char* const rule = measure_clip_record(record.bytes, clip)) return rule;
       scratch_bytes = clip.scratch_bytes;
       section_bytes += clip.most_section_bytes;
+    } else if (record.kind == format::kBounds) {
+      section_bytes = measure_bounds_record(record.bytes);
+      if (section_bytes == 0) return "a count out of range";
     }
   } else if (record.codec >= packed::kFirstCodec && record.kind == format::kGeometries) {
     GeometryNeeds geometry;

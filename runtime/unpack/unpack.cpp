@@ -5,6 +5,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "core/off_boundary.h"
+#include "unpack/clip/bounds.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
@@ -181,6 +182,8 @@ class Unpacker {
       rule = unpack_mesh(record_.bytes, skeletons, scratch(), out, bytes);
     } else if (record_.kind == format::kNames) {
       rule = unpack_names(record_.bytes, out, bytes);
+    } else if (record_.kind == format::kBounds) {
+      rule = unpack_bounds(record_.bytes, out, bytes);
     } else {
       rule = "a codec that is none of this kind of record";
     }

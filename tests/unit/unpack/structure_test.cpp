@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/aligned.h"
+#include "unpack/clip/bounds.h"
 #include "unpack/clip/clip.h"
 #include "unpack/rest.h"
 #include "unpack/structure.h"
@@ -96,6 +97,24 @@ Bytes clip_record() {
   // Joint 0 turns; joint 1 has a translation of its own. By a program apart, from docs/format.md.
   for (const unsigned symbols : {0x2Eu, 0x0Du, 0xB3u, 0u,    0x7Eu, 0x40u, 0xC4u, 0xC8u, 0xD9u, 0x0Cu,
                                  0x5Au, 0x5Au, 0x0Cu, 0x45u, 3u,    0u,    0x67u, 5u,    0x44u, 0x53u})
+    b.u8(symbols);
+  return b;
+}
+
+// Of two meshes in three clips, the last of which is like the first.
+constexpr format::BoundsCodes kBounds[3][2] = {
+    {{-5, {-10, 0, -12}, {10, 90, 12}, 60}, {-6, {-8, 100, -9}, {8, 127, -3}, 40}},
+    {{-4, {-100, -1, -7}, {-60, 45, 6}, 30}, {-6, {-8, 100, -9}, {8, 127, -3}, 41}},
+    {{-5, {-10, 0, -12}, {10, 90, 12}, 60}, {-6, {-8, 101, -9}, {8, 126, -3}, 200}}};
+
+// The symbols are by a program apart, from docs/format.md.
+Bytes bounds_record() {
+  Bytes b;
+  b.u8(1).u8(3).u8(2);
+  for (const unsigned symbols :
+       {0xA7u, 0x00u, 0x00u, 0x00u, 0x8Au, 0x52u, 0x0Au, 0x61u, 0x24u, 0x09u, 0xCCu, 0xA2u, 0xBEu, 0xE0u,
+        0x6Cu, 0x72u, 0x9Du, 0xEAu, 0x53u, 0x13u, 0xDDu, 0x24u, 0x5Bu, 0xE6u, 0x3Eu, 0x95u, 0x03u, 0xD4u,
+        0xA1u, 0x80u, 0x96u, 0x81u, 0x73u, 0x83u, 0xECu, 0xC3u, 0x56u, 0xC8u, 0x1Eu, 0x0Du})
     b.u8(symbols);
   return b;
 }
@@ -270,6 +289,45 @@ TEST_F(Structure, ClipOfNothing) {
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   EXPECT_EQ(bytes_, 32u);
   EXPECT_EQ(codec_, format::kCodecRaw);
+}
+
+TEST(Bounds, ByHand) {
+  test::AlignedBlock out(12 + sizeof kBounds);
+  std::uint32_t bytes = 0;
+  ASSERT_STREQ(unpack_bounds(bounds_record().span(), {out.data(), out.size()}, bytes), nullptr);
+  EXPECT_EQ(bytes, out.size());
+  EXPECT_EQ(measure_bounds_record(bounds_record().span()), out.size());
+  const std::uint32_t header[] = {1, 3, 2};
+  EXPECT_EQ(std::memcmp(out.data(), header, sizeof header), 0);
+  EXPECT_EQ(std::memcmp(out.data() + sizeof header, kBounds, sizeof kBounds), 0);
+  EXPECT_STREQ(unpack_bounds(bounds_record().span(), {out.data(), out.size() - 1}, bytes), "file_bytes too small");
+}
+
+// Cut short anywhere, or longer by a byte: refused. Any byte changed to anything: nothing but what belongs to it is
+// touched, which the sanitizers watch.
+TEST(Bounds, Damaged) {
+  const std::vector<std::byte> whole = bounds_record().all;
+  const auto run = [&](const std::vector<std::byte>& record) {
+    test::AlignedBlock out(12 + sizeof kBounds);
+    std::uint32_t bytes = 0;
+    return unpack_bounds(span(record), {out.data(), out.size()}, bytes);
+  };
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_NE(run({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}), nullptr) << size;
+  std::vector<std::byte> changed = whole;
+  changed.push_back(std::byte{0});
+  EXPECT_NE(run(changed), nullptr);
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    for (unsigned v = 0; v < 256; ++v) {
+      changed = whole;
+      changed[i] = static_cast<std::byte>(v);
+      refused += run(changed) != nullptr;
+    }
+  EXPECT_GT(refused, 200 * whole.size());
+  changed = Bytes().varint(0).varint(0xFFFFFFFF).varint(0x80000000).all;
+  EXPECT_EQ(measure_bounds_record(span(changed)), 0u) << "more than a file holds";
+  EXPECT_NE(run(changed), nullptr);
 }
 
 TEST(Names, ByHand) {
