@@ -153,8 +153,7 @@ class Unpacker {
     if (record_.kind == format::kSkeletons && record_.codec == packed::kCompact && skeletons_ == index_) ++skeletons_;
     if (record_.kind == format::kReferences && record_.codec == format::kCodecRaw && references_ == index_)
       ++references_;
-    has_models_ = record_.kind == format::kClips && record_.codec == packed::kCompact &&
-                  (has_models_ || section.codec == format::kCodecSegments);
+    has_models_ = has_models_ && record_.kind == format::kClips && record_.codec == packed::kCompact;
     std::memcpy(memory_.data + sizeof(format::Header) + index_ * sizeof section, &section, sizeof section);
     end_ = offset + section.bytes;
     ++index_;

@@ -42,9 +42,26 @@ class ClipScale {
   std::int32_t mean_ = 0;
 };
 
+// Seconds that are a whole number of a rate's parts, or nearly.
+inline float time_of(std::int32_t parts, std::uint32_t rate) {
+  return static_cast<float>(static_cast<double>(parts) / static_cast<double>(rate));
+}
+// Of frames that end with the clip.
+inline float mean_rate(std::uint32_t frame_count, float start_s, float end_s) {
+  return static_cast<float>((static_cast<double>(frame_count) - 1) /
+                            (static_cast<double>(end_s) - static_cast<double>(start_s)));
+}
+// Of what is not below 0. An encoder's.
+inline std::int32_t nearest_part(float time_s, std::uint32_t rate) {
+  constexpr double kMostParts = 1 << 28;
+  const double parts = static_cast<double>(time_s) * static_cast<double>(rate) + 0.5;
+  return static_cast<std::int32_t>(parts < kMostParts ? parts : kMostParts);
+}
+
 struct ClipModels {
   // By how far predictions are off; by the last difference, none, small or large; by where the last prediction lay.
   SymbolModel numbers[ClipScale::kCount][3][3];
+  SymbolModel gaps, strays;  // of times
   // Of the first segment and of others.
   SymbolModel steps[2], firsts[2];
   SymbolModel scales[2], predictors;  // scales: by whether the component before moves
@@ -135,6 +152,16 @@ class ClipCodec {
                     : static_cast<std::int16_t>(coder_.raw_bits(16, static_cast<std::uint16_t>(to)));
     }
     return last;
+  }
+
+  // A moment close to a whole number of the rate's parts of a second, which goes on by what it went on by before.
+  float code_time(std::uint32_t rate, float wanted) {
+    gap_ =
+        wrapped_sum(gap_, code_number(models_.gaps, Coder::kEncodes ? nearest_part(wanted, rate) - part_ - gap_ : 0));
+    part_ = wrapped_sum(part_, gap_);
+    const auto guess = std::bit_cast<std::int32_t>(time_of(part_, rate));
+    const std::int32_t stray = Coder::kEncodes ? std::bit_cast<std::int32_t>(wanted) - guess : 0;
+    return std::bit_cast<float>(wrapped_sum(guess, code_number(models_.strays, stray)));
   }
 
   // What stands in front of the numbers: step, first frame, and which components move. `end` is what the segment before
@@ -270,6 +297,7 @@ class ClipCodec {
   Coder& coder_;
   std::int32_t step_ = 100, scale_ = 10;  // of the track and of the moving component before
   std::uint32_t mask_same_ = 0, constant_same_ = 0;
+  std::int32_t part_ = 0, gap_ = 0;  // the time before, and how far it was from the one before that
 };
 
 }  // namespace marrow

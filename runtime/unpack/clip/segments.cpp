@@ -98,6 +98,8 @@ void ClipModels::begin() {
   for (std::uint32_t scale = 0; scale < ClipScale::kCount; ++scale)
     for (auto& size : numbers[scale])
       for (SymbolModel& model : size) model.begin(kGuess[scale < kDistinct ? scale : kDistinct + scale % 2], true);
+  begin_evenly(&gaps, 1);
+  begin_evenly(&strays, 1);
   begin_evenly(steps, 2);
   begin_evenly(firsts, 2);
   begin_evenly(scales, 2);

@@ -87,16 +87,17 @@ Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
 // come to, and that clip_packer_test writes them.
 Bytes clip_record() {
   Bytes b;
-  b.u8(packed::kClipIsCoded | packed::kClipHasLists | packed::kClipStartsLater | packed::kClipIsUneven);
-  b.u8(6).u8(0).add(2.0f);
+  b.u8(packed::kClipIsCoded | packed::kClipHasLists | packed::kClipStartsLater | packed::kClipIsUneven |
+       packed::kClipGivesMean);
+  b.u8(6).u8(0).u8(20).u8(40);            // 2 s, in twentieths
   b.u8(0).u8(1).u8(1).u8(1).u8(0).u8(0);  // one channel, time and value
-  b.add(Channel{12, 0.5f, 1, 0, 0, Interpolation::linear, {}}).add(0.25f).add(0.75f);
+  b.add(Channel{12, 0.5f, 1, 0, 0, Interpolation::linear, {}}).add(0.75f);
   b.u8(3).u8(1).add(1.25f).add(0.25f);
   b.u8(1).u8(1).u8(1);  // one track; a byte a frame in each segment
-  b.add(0.25f).add(0.5f).add(1.85f);
-  // Joint 0 turns; joint 1 has a translation of its own. By a program apart, from docs/format.md.
-  for (const unsigned symbols : {0x2Eu, 0x0Du, 0xB3u, 0u,    0x7Eu, 0x40u, 0xC4u, 0xC8u, 0xD9u, 0x0Cu,
-                                 0x5Au, 0x5Au, 0x0Cu, 0x45u, 3u,    0u,    0x67u, 5u,    0x44u, 0x53u})
+  // The channel's key is at 0.25, frames at 0.25, 0.5 and 1.85. Joint 0 turns; joint 1 has a translation of its own. By
+  // a program apart, from docs/format.md.
+  for (const unsigned symbols : {0x98u, 0x99u, 0x95u, 0x12u, 0xD1u, 0xD0u, 0x81u, 0x08u, 0x4Bu, 0x95u, 0xBAu, 0xF9u,
+                                 0xD9u, 0x0Cu, 0x5Au, 0x5Au, 0x0Cu, 0x45u, 0x03u, 0x00u, 0x67u, 0x05u, 0x44u, 0x53u})
     b.u8(symbols);
   return b;
 }
@@ -137,13 +138,14 @@ class Structure : public ::testing::Test {
                        bytes_);
   }
   const char* clip(Span<const std::byte> record, std::size_t room = 512) {
-    return unpack_clip(record, {file_.data(), 1, 0}, false, {clip_scratch_.data(), clip_scratch_.size()},
+    bool has_models = false;
+    return unpack_clip(record, {file_.data(), 1, 0}, has_models, {clip_scratch_.data(), clip_scratch_.size()},
                        {file_.data() + kMesh, room}, bytes_, codec_);
   }
   const float* floats(std::size_t offset) const { return reinterpret_cast<const float*>(file_.data() + offset); }
 
   // Of a clip: models, one track, and two frames and one more.
-  test::AlignedBlock file_{1024}, scratch_{3 * sizeof(Affine)}, clip_scratch_{20176 + 112 + 3 * 12};
+  test::AlignedBlock file_{1024}, scratch_{3 * sizeof(Affine)}, clip_scratch_{20256 + 112 + 3 * 12};
   std::uint32_t bytes_ = 0, codec_ = 99;
 };
 
@@ -281,10 +283,14 @@ TEST_F(Structure, ClipByHand) {
   EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.payload, payload, sizeof payload), 0);
 }
 
-// No lists and nothing coded: a header.
+// No lists and nothing coded: a header. Its duration as it is, or in thirds.
 TEST_F(Structure, ClipOfNothing) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  ASSERT_STREQ(clip(Bytes().u8(packed::kClipIsAdditive).u8(6).u8(0).add(1.5f).span()), nullptr);
+  ASSERT_STREQ(clip(Bytes().u8(0).u8(6).u8(0).u8(3).u8(4).span()), nullptr);
+  EXPECT_EQ(floats(kMesh + 8)[0], 1.3333334f);
+  ASSERT_STREQ(
+      clip(Bytes().u8(packed::kClipIsAdditive | packed::kClipGivesDuration).u8(6).u8(0).u8(3).add(1.5f).span()),
+      nullptr);
   const format::ClipHeader h{6, 0, 1.5f, 0, 0, 0, 0, 1, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   EXPECT_EQ(bytes_, 32u);
@@ -384,16 +390,16 @@ TEST_F(Structure, Refused) {
     record.all[c.byte] = static_cast<std::byte>(c.now);
     EXPECT_NE(mesh(record.span()), nullptr) << c.what;
   }
-  // At byte 45 the frames begin.
-  const Case clips[] = {{"unknown flags", 0, 32},
+  // At byte 39 the frames begin.
+  const Case clips[] = {{"unknown flags", 0, 128},
                         {"no such skeleton", 2, 1},
-                        {"one frame", 45, 1},
-                        {"no intervals", 46, 0},
-                        {"more tracks than in the masks", 55, 2},
-                        {"more bytes a frame than tracks have bits for", 57, 2},
-                        {"fewer", 57, 0},
-                        {"more symbols than tracks", 70, 0},
-                        {"more channels than bytes", 8, 100}};
+                        {"one frame", 39, 1},
+                        {"no intervals", 40, 0},
+                        {"more tracks than in the masks", 49, 2},
+                        {"more bytes a frame than tracks have bits for", 51, 2},
+                        {"fewer", 51, 0},
+                        {"more symbols than tracks", 52, 0},
+                        {"more channels than bytes", 6, 100}};
   ASSERT_STREQ(clip(clip_record().span()), nullptr);
   for (const Case& c : clips) {
     Bytes record = clip_record();
@@ -402,9 +408,10 @@ TEST_F(Structure, Refused) {
   }
   EXPECT_STREQ(clip(clip_record().span(), 165), "file_bytes too small");
   EXPECT_STREQ(clip(clip_record().span(), 63), "file_bytes too small");
+  bool has_models = false;
   EXPECT_STREQ(
-      unpack_clip(clip_record().span(), {file_.data(), 1, 0}, false, {clip_scratch_.data(), clip_scratch_.size() - 1},
-                  {file_.data() + kMesh, 512}, bytes_, codec_),
+      unpack_clip(clip_record().span(), {file_.data(), 1, 0}, has_models,
+                  {clip_scratch_.data(), clip_scratch_.size() - 1}, {file_.data() + kMesh, 512}, bytes_, codec_),
       "memory_bytes too small");
   EXPECT_STREQ(mesh(mesh_record().span(), 147), "file_bytes too small");
   EXPECT_STREQ(unpack_mesh(mesh_record().span(), {file_.data(), 1, 0}, {scratch_.data(), 2 * sizeof(Affine)},

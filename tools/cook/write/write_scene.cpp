@@ -215,12 +215,15 @@ Section write_springs(const BuiltSprings& s, std::uint32_t skeleton) {
   return out;
 }
 
+constexpr std::size_t kLeastSaved = 8;
+
 Section write_bounds(const MeasuredBounds& b) {
   Section out;
   out.add(b.header);
   out.add_all(b.codes);
   out.compact = pack_bounds(b);
-  if (out.compact.size() >= out.bytes().size()) out.compact.clear();
+  // What is hardly smaller takes more than itself where files are compressed once more.
+  if (out.compact.size() + kLeastSaved > out.bytes().size()) out.compact.clear();
   return out;
 }
 
