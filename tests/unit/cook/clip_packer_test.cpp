@@ -12,6 +12,7 @@
 #include "cook/write/clip_packer.h"
 #include "support/aligned.h"
 #include "unpack/clip/clip.h"
+#include "unpack/records.h"
 
 namespace marrow::cook {
 namespace {
@@ -185,6 +186,33 @@ TEST(ClipPacker, WritesTheSymbolsThatTheRuntimesTestsRead) {
                                    0xD9, 0x0C, 0x5A, 0x5A, 0x0C, 0x45, 0x03, 0x00, 0x67, 0x05, 0x44, 0x53};
   ASSERT_EQ(record.size(), 52 + sizeof symbols);
   EXPECT_EQ(std::memcmp(record.data() + 52, symbols, sizeof symbols), 0);
+}
+
+// Constants that are as they were take next to nothing, but no less in the file that is unpacked.
+TEST(ClipPacker, ManyConstantsThatAreAsTheyWere) {
+  constexpr std::uint32_t kJoints = 3000;
+  std::vector<std::byte> section;
+  const auto add = [&](const auto& value) {
+    const auto* const first = reinterpret_cast<const std::byte*>(&value);
+    section.insert(section.end(), first, first + sizeof value);
+  };
+  add(format::ClipHeader{1, 0, 1.0f, 0, 0, 0, 0, 0, 0});
+  add(format::CodedHeader{2, 1, 0, 1, 0, 3 * kJoints, 4 + 8, 0});
+  add(0u);
+  for (std::uint32_t i = 0; i < kJoints; i += 4) add(GroupMasks{0, 0xFFF});
+  for (std::uint32_t i = 0; i < 3 * kJoints; ++i) add(format::Constant{});
+  for (int i = 0; i < 3; ++i) add(0u);
+  ClipPacker packer;
+  packer.pack(section, format::kCodecSegments, kJoints);
+  const std::vector<std::byte> clip = packer.pack(section, format::kCodecSegments, kJoints);
+  EXPECT_LT(clip.size(), 100u);
+  RecordNeeds needs;
+  std::vector<std::byte> skeleton = {std::byte{1}, std::byte{(kJoints & 127) | 128}, std::byte{kJoints >> 7},
+                                     std::byte{1}};
+  ASSERT_STREQ(add_needs({format::kSkeletons, packed::kCompact, {skeleton.data(), skeleton.size()}}, needs), nullptr);
+  const std::uint64_t before = needs.most_file_bytes;
+  ASSERT_STREQ(add_needs({format::kClips, packed::kCompact, {clip.data(), clip.size()}}, needs), nullptr);
+  EXPECT_GE(needs.most_file_bytes - before, section.size());
 }
 
 // A clip of nothing but times of keys, which must come back to the bit. Returns how large its record is.
