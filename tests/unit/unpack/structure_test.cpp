@@ -71,9 +71,11 @@ Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
   if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1);
   if ((flags & packed::kMeshHasLods) != 0) b.u8(2);
   if ((flags & packed::kMeshHasColour) != 0) b.add(0.25f).add(0.5f).add(0.75f).add(1.0f);
-  if ((flags & packed::kMeshHasPlace) != 0) b.add(Affine{{{2, 0, 0, 5}, {0, 2, 0, 0}, {0, 0, 2, 0}}});
+  // 3, 0, 0, 3; 0, 3, 0, 0; 0, 0, 3, 0, two bits each: 2, 0, 0, 5; 0, 2, 0, 0; 0, 0, 2, 0.
+  if ((flags & packed::kMeshHasPlace) != 0) b.u8(0xC3).u8(0x0C).u8(0x30).add(2.0f).add(5.0f).add(2.0f).add(2.0f);
   b.u8(2).u8(3);  // one on from 0; two back from 2
-  if ((flags & packed::kMeshGivesBinds) != 0) b.u8(2).add(Affine{{{1, 0, 0, 7}, {0, 1, 0, 8}, {0, 0, 1, 9}}});
+  // 1, 0, 0, 3; 0, 1, 0, 3; 0, 0, 2, 3: 1, 0, 0, 7; 0, 1, 0, 8; 0, 0, -1, 9.
+  if ((flags & packed::kMeshGivesBinds) != 0) b.u8(2).u8(0xC1).u8(0xC4).u8(0xE0).add(7.0f).add(8.0f).add(9.0f);
   if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1).u8(0);
   if ((flags & packed::kMeshSharesAreBytes) != 0) b.u8(192);
   if ((flags & packed::kMeshHasHelpers) != 0 && (flags & packed::kMeshSharesAreBytes) == 0) b.add(0.5f);
@@ -251,7 +253,7 @@ TEST_F(Structure, MeshThatStandsElsewhere) {
   const format::MeshHeader h{6, 12, 0, 0, 2, 0, 0, 0, {0.25f, 0.5f, 0.75f, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   // Twice as large and 5 along x, which the quarter turn back makes -y; the second is given.
-  const float want[24] = {0, 2, 0, -2.5f, -2, 0, 0, -5, 0, 0, 2, 0.125f, 1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9};
+  const float want[24] = {0, 2, 0, -2.5f, -2, 0, 0, -5, 0, 0, 2, 0.125f, 1, 0, 0, 7, 0, 1, 0, 8, 0, 0, -1, 9};
   for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(floats(kMesh + layout(h).inverse_bind)[i], want[i], 2e-6) << i;
 }
 
