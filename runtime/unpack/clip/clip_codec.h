@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "asset/format.h"
+#include "core/builtins.h"
 #include "unpack/clip/signed_code.h"
 
 namespace marrow {
@@ -159,9 +160,9 @@ class ClipCodec {
     gap_ =
         wrapped_sum(gap_, code_number(models_.gaps, Coder::kEncodes ? nearest_part(wanted, rate) - part_ - gap_ : 0));
     part_ = wrapped_sum(part_, gap_);
-    const auto guess = std::bit_cast<std::int32_t>(time_of(part_, rate));
-    const std::int32_t stray = Coder::kEncodes ? std::bit_cast<std::int32_t>(wanted) - guess : 0;
-    return std::bit_cast<float>(wrapped_sum(guess, code_number(models_.strays, stray)));
+    const auto guess = bit_cast<std::int32_t>(time_of(part_, rate));
+    const std::int32_t stray = Coder::kEncodes ? bit_cast<std::int32_t>(wanted) - guess : 0;
+    return bit_cast<float>(wrapped_sum(guess, code_number(models_.strays, stray)));
   }
 
   // What stands in front of the numbers: step, first frame, and which components move. `end` is what the segment before
