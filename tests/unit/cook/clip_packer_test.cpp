@@ -220,7 +220,7 @@ std::size_t bytes_of_times(const std::vector<float>& times_s, float duration_s) 
   const format::ClipHeader h{1, 0, duration_s, 0, static_cast<std::uint32_t>(times_s.size()), 0, 0, 0, 0};
   std::vector<std::byte> section(sizeof h + 4 * times_s.size());
   std::memcpy(section.data(), &h, sizeof h);
-  std::memcpy(section.data() + sizeof h, times_s.data(), 4 * times_s.size());
+  if (!times_s.empty()) std::memcpy(section.data() + sizeof h, times_s.data(), 4 * times_s.size());
   ClipPacker packer;
   const std::vector<std::byte> record = packer.pack(section, format::kCodecRaw, kPackedJoints);
   AlignedBlock scratch(packer.scratch_bytes()), out(section.size());
