@@ -1,6 +1,6 @@
 #include "unpack/records.h"
 
-#include "unpack/clip/bounds.h"
+#include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 

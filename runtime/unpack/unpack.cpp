@@ -5,7 +5,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "core/off_boundary.h"
-#include "unpack/clip/bounds.h"
+#include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"

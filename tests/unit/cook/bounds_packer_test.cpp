@@ -7,7 +7,7 @@
 
 #include "cook/write/bounds_packer.h"
 #include "support/aligned.h"
-#include "unpack/clip/bounds.h"
+#include "unpack/clip/bounds_record.h"
 
 namespace marrow::cook {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/aligned.h"
-#include "unpack/clip/bounds.h"
+#include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
 #include "unpack/rest.h"
 #include "unpack/structure.h"

@@ -1,4 +1,4 @@
-// Bounds as packed files hold them; runtime/unpack/clip/bounds.h reads them.
+// Bounds as packed files hold them; runtime/unpack/clip/bounds_record.h reads them.
 #pragma once
 
 #include <cstddef>

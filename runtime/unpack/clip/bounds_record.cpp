@@ -1,4 +1,4 @@
-#include "unpack/clip/bounds.h"
+#include "unpack/clip/bounds_record.h"
 
 #include "asset/format.h"
 #include "unpack/clip/bounds_codec.h"
