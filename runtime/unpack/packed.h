@@ -58,7 +58,9 @@ enum PackedClipFlags : std::uint32_t {
   kClipHasLists = 4,     // of tracks, channels, times, values, or a reference
   kClipStartsLater = 8,  // start_s is not 0
   kClipIsUneven = 16,
-  kAllClipFlags = 31,
+  kClipGivesDuration = 32,  // it is not a whole number of the rate's parts of a second
+  kClipGivesMean = 64,      // frames_per_s does not follow from the duration
+  kAllClipFlags = 127,
 };
 
 // Of a compressed GEOM, beside GEOM's own: its residual is not among the codec's streams.

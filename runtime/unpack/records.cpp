@@ -1,13 +1,18 @@
 #include "unpack/records.h"
 
+#include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 
 namespace marrow {
 namespace {
 
-// Of a compact record's section, but for a clip's payload. Nothing grows more than a skeleton, by 46 bytes for a
-// joint's one and 48 for a root's; a name by 64 for two.
+constexpr std::uint64_t kLeastJointBytes = 10;  // of a section that stands as it is
+// Of a joint: masks and constants, which may be as in the clip before and take hardly a bit.
+constexpr std::uint64_t kStillBytes = sizeof(GroupMasks) + 3 * sizeof(format::Constant);
+
+// Of a compact record's section, but for a clip's payload, times and constants. Nothing grows more than a skeleton, by
+// 46 bytes for a joint's one and 48 for a root's; a name by 64 for two.
 std::uint64_t most_compact_bytes(std::uint64_t record_bytes) {
   return 256 + 96 * record_bytes;
 }
@@ -15,20 +20,25 @@ std::uint64_t most_compact_bytes(std::uint64_t record_bytes) {
 }  // namespace
 
 const char* add_needs(const Record& record, RecordNeeds& needs) {
-  std::uint64_t scratch_bytes = 0, section_bytes = record.bytes.size;
+  std::uint64_t scratch_bytes = 0, section_bytes = record.bytes.size, joints = 0;
+  if (record.kind == format::kSkeletons || record.kind == format::kReferences)
+    joints = section_bytes / kLeastJointBytes;
   if (record.codec == packed::kCompact) {
     section_bytes = most_compact_bytes(section_bytes);
     if (record.kind == format::kSkeletons) {  // for the meshes on it, the rest pose
       ByteReader reader(record.bytes.data, record.bytes.size);
       reader.take_varint();
-      const std::uint64_t joint_count = reader.take_varint();
-      if (joint_count > kMaxJoints) return "a count out of range";
-      scratch_bytes = joint_count * sizeof(Affine);
+      joints = reader.take_varint();
+      if (joints > kMaxJoints) return "a count out of range";
+      scratch_bytes = joints * sizeof(Affine);
     } else if (record.kind == format::kClips) {
       ClipNeeds clip;
       if (const char* const rule = measure_clip_record(record.bytes, clip)) return rule;
       scratch_bytes = clip.scratch_bytes;
-      section_bytes += clip.most_section_bytes;
+      section_bytes += clip.most_section_bytes + needs.most_joints * kStillBytes;
+    } else if (record.kind == format::kBounds) {
+      section_bytes = measure_bounds_record(record.bytes);
+      if (section_bytes == 0) return "a count out of range";
     }
   } else if (record.codec >= packed::kFirstCodec && record.kind == format::kGeometries) {
     GeometryNeeds geometry;
@@ -37,6 +47,7 @@ const char* add_needs(const Record& record, RecordNeeds& needs) {
     section_bytes = geometry.most_section_bytes;
   }
   if (scratch_bytes > needs.scratch_bytes) needs.scratch_bytes = scratch_bytes;
+  if (joints > needs.most_joints) needs.most_joints = joints;
   needs.most_file_bytes = format::align16(needs.most_file_bytes) + section_bytes;
   return nullptr;
 }

@@ -32,6 +32,20 @@ std::int32_t take_signed(ByteReader& reader) {
   return static_cast<std::int32_t>(code >> 1 ^ (0 - (code & 1)));
 }
 
+// Two bits a number say which is 0, 1 or -1; others follow.
+Affine take_map(ByteReader& reader) {
+  constexpr float kKnown[] = {0, 1, -1};
+  std::uint32_t codes = reader.take<std::uint16_t>();
+  codes |= std::uint32_t{reader.take<std::uint8_t>()} << 16;
+  Affine out;
+  for (auto& row : out.rows)
+    for (float& x : row) {
+      x = (codes & 3) < 3 ? kKnown[codes & 3] : reader.take<float>();
+      codes >>= 2;
+    }
+  return out;
+}
+
 // What is not said is the identity's.
 void take_joint(ByteReader& reader, std::uint32_t flags, std::int32_t exponent, std::size_t lane, SoaTransform& four) {
   for (std::uint32_t axis = 0; axis < 3; ++axis)
@@ -148,7 +162,7 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
   if (l.bytes > out.size) return "file_bytes too small";
   std::memcpy(out.data, &h, sizeof h);
   for (std::uint32_t r = 0; r < h.root_count; ++r)
-    at<Affine>(out, l.roots)[r] = reader.take<std::uint8_t>() != 0 ? reader.take<Affine>() : kIdentity;
+    at<Affine>(out, l.roots)[r] = reader.take<std::uint8_t>() != 0 ? take_map(reader) : kIdentity;
 
   const std::int32_t exponent = reader.take<std::int8_t>();
   auto* const rest = at<SoaTransform>(out, l.rest);
@@ -203,7 +217,7 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   const std::uint32_t lod_count = (flags & packed::kMeshHasLods) != 0 ? reader.take_varint() : 0;
   h.lod_count = static_cast<std::uint8_t>(lod_count);
   for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
-  const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? reader.take<Affine>() : kIdentity;
+  const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? take_map(reader) : kIdentity;
   if ((flags & ~std::uint32_t{packed::kAllPackedMeshFlags}) != 0) return "unknown mesh flags";
   const Skeleton skeleton = skeleton_at(skeletons, h.skeleton);
   if (skeleton.joint_count == 0) return "no such skeleton among the compact ones";
@@ -228,7 +242,7 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   auto* const inverse_bind = at<Affine>(out, l.inverse_bind);
   for (std::uint32_t i = 0; i < h.joint_count; ++i)
     inverse_bind[i] = given.size > 0 && (static_cast<std::uint32_t>(given[i / 8]) >> i % 8 & 1) != 0
-                          ? reader.take<Affine>()
+                          ? take_map(reader)
                           : derived_inverse_bind(model[joints[i]], scene_from_mesh);
   for (std::uint32_t t = 0; t < h.target_count; ++t) {
     MeshTarget target{};

@@ -51,6 +51,11 @@ void SymbolModel::begin(const std::uint8_t (&weights)[kCount], bool is_guess) {
   seen_ = is_guess ? kGuessSeen : 0;
 }
 
+void begin_evenly(SymbolModel* models, std::size_t count) {
+  constexpr std::uint8_t kEven[SymbolModel::kCount] = {16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16};
+  for (std::size_t i = 0; i < count; ++i) models[i].begin(kEven, false);
+}
+
 // Written so that compilers see 16-bit vectors in it.
 std::uint32_t SymbolModel::find(std::uint32_t place) const {
   const auto wanted = static_cast<std::int16_t>(place);

@@ -57,6 +57,8 @@ class SymbolModel {
   std::int16_t starts_[kCount + 1];  // the first is 0, the last 2^kBits
   std::int16_t seen_;
 };
+// All symbols alike.
+void begin_evenly(SymbolModel* models, std::size_t count);
 
 // Past the end everything reads as zero. Where a function takes what an encoder would write, it is not looked at.
 class SymbolDecoder {

@@ -5,6 +5,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "core/off_boundary.h"
+#include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
@@ -152,8 +153,7 @@ class Unpacker {
     if (record_.kind == format::kSkeletons && record_.codec == packed::kCompact && skeletons_ == index_) ++skeletons_;
     if (record_.kind == format::kReferences && record_.codec == format::kCodecRaw && references_ == index_)
       ++references_;
-    has_models_ = record_.kind == format::kClips && record_.codec == packed::kCompact &&
-                  (has_models_ || section.codec == format::kCodecSegments);
+    has_models_ = has_models_ && record_.kind == format::kClips && record_.codec == packed::kCompact;
     std::memcpy(memory_.data + sizeof(format::Header) + index_ * sizeof section, &section, sizeof section);
     end_ = offset + section.bytes;
     ++index_;
@@ -181,6 +181,8 @@ class Unpacker {
       rule = unpack_mesh(record_.bytes, skeletons, scratch(), out, bytes);
     } else if (record_.kind == format::kNames) {
       rule = unpack_names(record_.bytes, out, bytes);
+    } else if (record_.kind == format::kBounds) {
+      rule = unpack_bounds(record_.bytes, out, bytes);
     } else {
       rule = "a codec that is none of this kind of record";
     }

@@ -109,7 +109,6 @@ class PackedClips : public PackedModel {
         if (r.record.kind != format::kClips) continue;
         std::uint32_t size = 0, codec = 0;
         check_rule(unpack_clip(r.record.bytes, skeletons(), has_models, scratch(), r.section, size, codec));
-        has_models = has_models || codec == format::kCodecSegments;
       }
     }
   }

@@ -35,55 +35,64 @@ void take_constants(ClipCodec<SymbolDecoder>& codec, std::uint32_t groups, const
 }
 
 // What stands in front of a clip's lists.
-format::ClipHeader take_header(ByteReader& reader, std::uint32_t& flags) {
-  flags = reader.take<std::uint8_t>();
-  format::ClipHeader h{};
+struct Head {
+  std::uint32_t flags = 0, rate = 0;
+  format::ClipHeader header{};
+  bool is_coded() const { return (flags & packed::kClipIsCoded) != 0; }
+  bool has_symbols() const { return is_coded() || header.time_count > 0; }
+};
+
+Head take_head(ByteReader& reader) {
+  Head out;
+  out.flags = reader.take<std::uint8_t>();
+  format::ClipHeader& h = out.header;
   h.name = reader.take_varint();
   h.skeleton = reader.take_varint();
-  h.duration_s = reader.take<float>();
-  h.additive = (flags & packed::kClipIsAdditive) != 0 ? 1 : 0;
-  if ((flags & packed::kClipHasLists) != 0) {
+  out.rate = reader.take_varint();
+  h.duration_s = (out.flags & packed::kClipGivesDuration) != 0
+                     ? reader.take<float>()
+                     : time_of(static_cast<std::int32_t>(reader.take_varint()), out.rate);
+  h.additive = (out.flags & packed::kClipIsAdditive) != 0 ? 1 : 0;
+  if ((out.flags & packed::kClipHasLists) != 0) {
     h.track_count = reader.take_varint();
     h.channel_count = reader.take_varint();
     h.time_count = reader.take_varint();
     h.value_count = reader.take_varint();
     h.reference_groups = reader.take<std::uint16_t>();
   }
-  return h;
+  return out;
 }
 
 // What stands behind them. Returns null, or the rule that is broken.
-const char* take_sizes(ByteReader& reader, std::uint32_t flags, SegmentSizes& out) {
+const char* take_sizes(ByteReader& reader, const Head& head, SegmentSizes& out) {
   format::CodedHeader& h = out.header;
   h.frame_count = reader.take_varint();
   h.segment_intervals = reader.take_varint();
-  h.frames_per_s = reader.take<float>();
-  h.start_s = (flags & packed::kClipStartsLater) != 0 ? reader.take<float>() : 0.0f;
+  if ((head.flags & packed::kClipGivesMean) != 0) h.frames_per_s = reader.take<float>();
+  if ((head.flags & packed::kClipStartsLater) != 0) h.start_s = reader.take<float>();
+  if ((head.flags & packed::kClipGivesMean) == 0)
+    h.frames_per_s = mean_rate(h.frame_count, h.start_s, head.header.duration_s);
   h.track_count = reader.take_varint();
   if (h.frame_count < 2 || h.frame_count > format::kMaxFrames || h.segment_intervals < 1)
     return "frames or intervals out of range";
-  h.time_count = (flags & packed::kClipIsUneven) != 0 ? h.frame_count : 0;
+  h.time_count = (head.flags & packed::kClipIsUneven) != 0 ? h.frame_count : 0;
   return read_segment_sizes(reader, out) ? nullptr : "a clip that is too short, or larger than a file";
 }
 
-// From `start` on; what the reader has left.
-const char* unpack_coded(ByteReader& reader, std::uint32_t flags, std::uint32_t joint_count, bool has_models,
-                         Span<std::byte> scratch, std::uint64_t start, Span<std::byte> out, std::uint32_t& bytes) {
-  SegmentSizes sizes;
-  if (const char* const rule = take_sizes(reader, flags, sizes)) return rule;
+void take_times(ClipCodec<SymbolDecoder>& codec, std::uint32_t rate, std::uint32_t count, std::byte* out) {
+  for (std::uint32_t i = 0; i < count; ++i) reinterpret_cast<float*>(out)[i] = codec.code_time(rate, 0);
+}
+
+// From `start` on.
+const char* unpack_coded(ClipCodec<SymbolDecoder>& codec, const Head& head, SegmentSizes& sizes,
+                         std::uint32_t joint_count, const SegmentScratch& work, std::uint64_t start,
+                         Span<std::byte> out, std::uint32_t& bytes) {
   format::CodedHeader& h = sizes.header;
   const format::CodedLayout fixed = layout(h, start, joint_count);  // up to the constants
   if (fixed.constants > out.size) return "file_bytes too small";
-  copy_to(reader.take_bytes(std::size_t{h.time_count} * 4), out, fixed.times);
   const std::uint64_t payload_bytes = sizes.payload_bytes + format::kPayloadPadding;
-  if (reader.failed() || payload_bytes > UINT32_MAX) return "a clip that is too short, or larger than a file";
-  Memory memory{scratch.data, 0, scratch.size};
-  const SegmentScratch work = take_segment_scratch(memory, h.track_count, sizes.most_frames);
-  if (memory.failed) return "memory_bytes too small";
-  if (!has_models) work.models->begin();
-  SymbolDecoder decoder(reader.take_bytes(reader.left()));
-  ClipCodec<SymbolDecoder> codec(*work.models, decoder);
-
+  if (payload_bytes > UINT32_MAX) return "a clip larger than a file";
+  take_times(codec, head.rate, h.time_count, out.data + fixed.times);
   auto* const masks = reinterpret_cast<GroupMasks*>(out.data + fixed.masks);
   const auto groups = static_cast<std::uint32_t>(soa_count(joint_count));
   if (!take_masks(codec, groups, masks, h)) return "masks that are not the tracks'";
@@ -94,10 +103,10 @@ const char* unpack_coded(ByteReader& reader, std::uint32_t flags, std::uint32_t 
   take_constants(codec, groups, masks, reinterpret_cast<format::Constant*>(out.data + l.constants));
   std::memset(out.data + l.bytes - format::kPayloadPadding, 0, format::kPayloadPadding);
   bytes = static_cast<std::uint32_t>(l.bytes);
-  if (!unpack_segments(codec, sizes, work, out.data + l.payload,
-                       reinterpret_cast<std::uint32_t*>(out.data + l.offsets)))
-    return "a segment that is none";
-  return decoder.at_end() ? nullptr : "a clip that is too short or too long";
+  return unpack_segments(codec, sizes, work, out.data + l.payload,
+                         reinterpret_cast<std::uint32_t*>(out.data + l.offsets))
+             ? nullptr
+             : "a segment that is none";
 }
 
 }  // namespace
@@ -110,36 +119,54 @@ std::uint64_t clip_scratch_bytes(std::uint32_t track_count, std::uint32_t most_f
 
 const char* measure_clip_record(Span<const std::byte> record, ClipNeeds& out) {
   ByteReader reader(record.data, record.size);
-  std::uint32_t flags = 0;
-  const format::ClipHeader h = take_header(reader, flags);
-  if ((flags & packed::kClipIsCoded) == 0) return nullptr;
-  const std::uint64_t lists = layout(h).bytes - sizeof h;
+  const Head head = take_head(reader);
+  if (!head.has_symbols()) return nullptr;
+  const std::uint64_t times = std::uint64_t{head.header.time_count} * 4;
+  const std::uint64_t lists = layout(head.header).bytes - sizeof head.header - times;
   if (lists > reader.left()) return "a clip that is too short or too long";
   reader.take_bytes(static_cast<std::size_t>(lists));
   SegmentSizes sizes;
-  if (const char* const rule = take_sizes(reader, flags, sizes)) return rule;
+  if (head.is_coded())
+    if (const char* const rule = take_sizes(reader, head, sizes)) return rule;
   out.scratch_bytes = clip_scratch_bytes(sizes.header.track_count, sizes.most_frames);
-  out.most_section_bytes = sizes.payload_bytes;
+  out.most_section_bytes = times + std::uint64_t{sizes.header.time_count} * 4 + sizes.payload_bytes;
   return nullptr;
 }
 
-const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, bool has_models,
+const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, bool& has_models,
                         Span<std::byte> scratch, Span<std::byte> out, std::uint32_t& bytes, std::uint32_t& codec) {
   ByteReader reader(record.data, record.size);
-  std::uint32_t flags = 0;
-  const format::ClipHeader h = take_header(reader, flags);
-  if ((flags & ~std::uint32_t{packed::kAllClipFlags}) != 0) return "unknown clip flags";
+  const Head head = take_head(reader);
+  const format::ClipHeader& h = head.header;
+  if ((head.flags & ~std::uint32_t{packed::kAllClipFlags}) != 0) return "unknown clip flags";
   const std::uint32_t joint_count = joint_count_at(skeletons, h.skeleton);
   if (joint_count == 0) return "no such skeleton among the first records";
   const format::ClipLayout l = layout(h);
   if (l.bytes > out.size) return "file_bytes too small";
   std::memcpy(out.data, &h, sizeof h);
-  copy_to(reader.take_bytes(static_cast<std::size_t>(l.bytes - sizeof h)), out, sizeof h);
+  copy_to(reader.take_bytes(static_cast<std::size_t>(l.times - sizeof h)), out, sizeof h);
+  copy_to(reader.take_bytes(static_cast<std::size_t>(l.bytes - l.values)), out, l.values);
   bytes = static_cast<std::uint32_t>(l.bytes);
-  codec = (flags & packed::kClipIsCoded) != 0 ? format::kCodecSegments : format::kCodecRaw;
-  if (codec == format::kCodecSegments)
-    return unpack_coded(reader, flags, joint_count, has_models, scratch, l.bytes, out, bytes);
-  return reader.failed() || reader.left() != 0 ? "a clip that is too short or too long" : nullptr;
+  codec = head.is_coded() ? format::kCodecSegments : format::kCodecRaw;
+  const char* const wrong_size = "a clip that is too short or too long";
+  if (!head.has_symbols()) return reader.failed() || reader.left() != 0 ? wrong_size : nullptr;
+
+  SegmentSizes sizes;
+  if (head.is_coded())
+    if (const char* const rule = take_sizes(reader, head, sizes)) return rule;
+  if (reader.failed()) return wrong_size;
+  Memory memory{scratch.data, 0, scratch.size};
+  const SegmentScratch work = take_segment_scratch(memory, sizes.header.track_count, sizes.most_frames);
+  if (memory.failed) return "memory_bytes too small";
+  if (!has_models) work.models->begin();
+  has_models = true;
+  SymbolDecoder decoder(reader.take_bytes(reader.left()));
+  ClipCodec<SymbolDecoder> symbols(*work.models, decoder);
+  take_times(symbols, head.rate, h.time_count, out.data + l.times);
+  if (head.is_coded())
+    if (const char* const rule = unpack_coded(symbols, head, sizes, joint_count, work, l.bytes, out, bytes))
+      return rule;
+  return decoder.at_end() ? nullptr : wrong_size;
 }
 
 }  // namespace marrow

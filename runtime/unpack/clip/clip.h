@@ -16,13 +16,13 @@ struct ClipNeeds {
 // Returns null, or the rule that is broken.
 const char* measure_clip_record(Span<const std::byte> record, ClipNeeds& out);
 
-// What a coded clip takes beside its section: models, which stay for the next clip, ends of tracks, and the frames of
-// one track of the longest segment of which a frame has bits; 0 if none has.
+// What a clip with symbols takes beside its section: models, which stay for the next clip, ends of tracks, and the
+// frames of one track of the longest segment of which a frame has bits; 0 if none has.
 std::uint64_t clip_scratch_bytes(std::uint32_t track_count, std::uint32_t most_frames);
 
 // Writes a section at `out`, 16-byte aligned, and says how long it is. Returns null, or the rule that is broken.
-// has_models: the front of the scratch memory is as the last coded clip left it.
-const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, bool has_models,
+// has_models: the front of the scratch memory is as the last clip with symbols left it; set if this is one.
+const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, bool& has_models,
                         Span<std::byte> scratch, Span<std::byte> out, std::uint32_t& bytes, std::uint32_t& codec);
 
 }  // namespace marrow

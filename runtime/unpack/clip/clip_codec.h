@@ -5,7 +5,8 @@
 #include <bit>
 
 #include "asset/format.h"
-#include "unpack/symbol_coder.h"
+#include "core/builtins.h"
+#include "unpack/clip/signed_code.h"
 
 namespace marrow {
 
@@ -20,7 +21,7 @@ inline constexpr ClipPredictor kClipPredictor[kClipPredictors] = {{0, 0},  {8, 0
 // A component is within so much of its first frame: more than its width allows.
 inline constexpr std::int32_t kClipReach = 1 << 19;
 // Of first frames.
-inline constexpr std::int32_t kClipFarthest = 1 << 30;
+inline constexpr std::int32_t kClipFarthest = kMostRescaled;
 
 // How far predictions are off, in half octaves of sixteenths.
 class ClipScale {
@@ -42,9 +43,26 @@ class ClipScale {
   std::int32_t mean_ = 0;
 };
 
+// Seconds that are a whole number of a rate's parts, or nearly.
+inline float time_of(std::int32_t parts, std::uint32_t rate) {
+  return static_cast<float>(static_cast<double>(parts) / static_cast<double>(rate));
+}
+// Of frames that end with the clip.
+inline float mean_rate(std::uint32_t frame_count, float start_s, float end_s) {
+  return static_cast<float>((static_cast<double>(frame_count) - 1) /
+                            (static_cast<double>(end_s) - static_cast<double>(start_s)));
+}
+// Of what is not below 0. An encoder's.
+inline std::int32_t nearest_part(float time_s, std::uint32_t rate) {
+  constexpr double kMostParts = 1 << 28;
+  const double parts = static_cast<double>(time_s) * static_cast<double>(rate) + 0.5;
+  return static_cast<std::int32_t>(parts < kMostParts ? parts : kMostParts);
+}
+
 struct ClipModels {
   // By how far predictions are off; by the last difference, none, small or large; by where the last prediction lay.
   SymbolModel numbers[ClipScale::kCount][3][3];
+  SymbolModel gaps, strays;  // of times
   // Of the first segment and of others.
   SymbolModel steps[2], firsts[2];
   SymbolModel scales[2], predictors;  // scales: by whether the component before moves
@@ -131,10 +149,20 @@ class ClipCodec {
     for (std::uint32_t i = 0; i < 4; ++i) {
       std::int16_t& number = last.v[i];
       const std::int32_t to = Coder::kEncodes ? wanted.v[i] : 0;
-      number = near ? static_cast<std::int16_t>(sum(number, code_number(models_.constant_changes, to - number)))
+      number = near ? static_cast<std::int16_t>(wrapped_sum(number, code_number(models_.constant_changes, to - number)))
                     : static_cast<std::int16_t>(coder_.raw_bits(16, static_cast<std::uint16_t>(to)));
     }
     return last;
+  }
+
+  // A moment close to a whole number of the rate's parts of a second, which goes on by what it went on by before.
+  float code_time(std::uint32_t rate, float wanted) {
+    gap_ =
+        wrapped_sum(gap_, code_number(models_.gaps, Coder::kEncodes ? nearest_part(wanted, rate) - part_ - gap_ : 0));
+    part_ = wrapped_sum(part_, gap_);
+    const auto guess = bit_cast<std::int32_t>(time_of(part_, rate));
+    const std::int32_t stray = Coder::kEncodes ? bit_cast<std::int32_t>(wanted) - guess : 0;
+    return bit_cast<float>(wrapped_sum(guess, code_number(models_.strays, stray)));
   }
 
   // What stands in front of the numbers: step, first frame, and which components move. `end` is what the segment before
@@ -143,7 +171,7 @@ class ClipCodec {
   bool code_head(ClipTrack& track, ClipTrackEnd& end, bool is_first) {
     const std::uint32_t which = is_first ? 0 : 1;
     const std::int32_t step = is_first ? step_ : end.step;
-    track.step = sum(step, code_number(models_.steps[which], Coder::kEncodes ? track.step - step : 0));
+    track.step = wrapped_sum(step, code_number(models_.steps[which], Coder::kEncodes ? track.step - step : 0));
     bool fits = track.step >= 0 && track.step <= 255, moves = false;
     if (!fits) return false;
     step_ = track.step;
@@ -151,7 +179,7 @@ class ClipCodec {
     for (std::uint32_t c = 0; c < 3; ++c) {
       const std::int32_t guess = is_first ? 0 : rescaled(end.numbers[c], end.step, track.step);
       std::int32_t& first = track.numbers[0][c];
-      first = sum(guess, code_number(models_.firsts[which], Coder::kEncodes ? first - guess : 0));
+      first = wrapped_sum(guess, code_number(models_.firsts[which], Coder::kEncodes ? first - guess : 0));
       fits = fits && first >= -kClipFarthest && first <= kClipFarthest;
       ClipWalk& walk = end.walks[c];
       if (goes_on) {
@@ -195,20 +223,6 @@ class ClipCodec {
   static constexpr std::uint32_t kEnd = 256;
   static constexpr std::int32_t kNear = 2047;  // of constants
 
-  // 0, 1, -1, 2, -2 … as 0, 1, 2, 3, 4 …
-  static std::uint32_t folded(std::int32_t x) {
-    const auto bits = static_cast<std::uint32_t>(x);
-    return x > 0 ? 2 * bits - 1 : 0 - 2 * bits;
-  }
-  static std::int32_t unfolded(std::uint32_t x) {
-    const std::uint32_t half = (x >> 1) + (x & 1);
-    return static_cast<std::int32_t>((x & 1) != 0 ? half : 0 - half);
-  }
-  // Of what may be anything.
-  static std::int32_t sum(std::int32_t a, std::int32_t b) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
-  }
-
   // The nearest whole number to the prediction first, then the next nearest, on either side of it.
   std::int32_t code_next(ClipWalk& w, std::int32_t wanted) {
     const std::int32_t exact = 16 * w.x + w.predictor.a * w.d1 + w.predictor.b * w.d2;
@@ -244,21 +258,7 @@ class ClipCodec {
     return least + coder_.raw_bits(kRawBits[symbol] + shift, wanted - least);
   }
 
-  // Its length, and the bits behind its first.
-  std::int32_t code_number(SymbolModel& model, std::int32_t wanted) {
-    constexpr std::uint32_t kLong = SymbolModel::kCount - 1, kMostLength = 32;
-    const std::uint32_t bits = folded(wanted), size = Coder::kEncodes ? bit_length(bits) : 0;
-    std::uint32_t length = coder_.symbol(model, size < kLong ? size : kLong);
-    length += length == kLong ? coder_.raw_bits(5, size - kLong) : coder_.raw_bits(0, 0);
-    if (length < 2) return unfolded(length);
-    std::uint32_t out = 1;
-    for (std::uint32_t left = (length < kMostLength ? length : kMostLength) - 1; left > 0;) {
-      const std::uint32_t some = left < SymbolDecoder::kMostRawBits ? left : SymbolDecoder::kMostRawBits - 1;
-      left -= some;
-      out = out << some | coder_.raw_bits(some, bits >> left & ((1u << some) - 1));
-    }
-    return unfolded(out);
-  }
+  std::int32_t code_number(SymbolModel& model, std::int32_t wanted) { return code_signed(coder_, model, wanted); }
 
   bool code_same(SymbolModel& model, std::uint32_t& was_same, bool wanted) {
     was_same = coder_.symbol(model, wanted ? 1 : 0) == 1 ? 1 : 0;
@@ -294,22 +294,11 @@ class ClipCodec {
     coder_.raw_bits(0, 0);
   }
 
-  // In steps of another code. 0 of what is too far off to be a guess.
-  static std::int32_t rescaled(std::int32_t number, std::int32_t from, std::int32_t to) {
-    constexpr std::int32_t kMostOctaves = 24;
-    const std::int32_t octaves = from / 4 - to / 4;
-    if (octaves > kMostOctaves || octaves < -kMostOctaves) return 0;
-    const std::int64_t up = std::int64_t{1} << (octaves > 0 ? octaves : 0);
-    const std::int64_t down = (std::int64_t{1} << (octaves < 0 ? -octaves : 0)) * (4 + to % 4);
-    const std::int64_t twice = std::int64_t{2} * number * (4 + from % 4) * up;
-    const std::int64_t out = (twice + (twice < 0 ? -down : down)) / (2 * down);
-    return out < -kClipFarthest || out > kClipFarthest ? 0 : static_cast<std::int32_t>(out);
-  }
-
   ClipModels& models_;
   Coder& coder_;
   std::int32_t step_ = 100, scale_ = 10;  // of the track and of the moving component before
   std::uint32_t mask_same_ = 0, constant_same_ = 0;
+  std::int32_t part_ = 0, gap_ = 0;  // the time before, and how far it was from the one before that
 };
 
 }  // namespace marrow

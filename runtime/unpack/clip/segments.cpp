@@ -21,12 +21,6 @@ constexpr std::uint8_t kGuess[12][SymbolModel::kCount] = {{209, 16, 18, 1, 1, 1,
                                                           {36, 17, 16, 12, 10, 10, 9, 9, 37, 31, 27, 18, 16, 3, 4, 1},
                                                           {32, 14, 13, 9, 9, 8, 8, 7, 26, 26, 40, 18, 28, 11, 5, 2},
                                                           {35, 13, 11, 8, 8, 7, 7, 7, 22, 19, 37, 25, 36, 15, 4, 2}};
-constexpr std::uint8_t kEven[SymbolModel::kCount] = {16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16};
-
-void begin_all(SymbolModel* models, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) models[i].begin(kEven, false);
-}
-
 // Where the next track's bits go in frame records.
 struct FrameCursor {
   std::byte* records;
@@ -104,15 +98,17 @@ void ClipModels::begin() {
   for (std::uint32_t scale = 0; scale < ClipScale::kCount; ++scale)
     for (auto& size : numbers[scale])
       for (SymbolModel& model : size) model.begin(kGuess[scale < kDistinct ? scale : kDistinct + scale % 2], true);
-  begin_all(steps, 2);
-  begin_all(firsts, 2);
-  begin_all(scales, 2);
-  begin_all(&predictors, 1);
-  begin_all(moves, 2);
-  begin_all(masks, 2);
-  begin_all(constants, 2);
-  begin_all(&mask_changes, 1);
-  begin_all(&constant_changes, 1);
+  begin_evenly(&gaps, 1);
+  begin_evenly(&strays, 1);
+  begin_evenly(steps, 2);
+  begin_evenly(firsts, 2);
+  begin_evenly(scales, 2);
+  begin_evenly(&predictors, 1);
+  begin_evenly(moves, 2);
+  begin_evenly(masks, 2);
+  begin_evenly(constants, 2);
+  begin_evenly(&mask_changes, 1);
+  begin_evenly(&constant_changes, 1);
   std::memset(last_masks, 0, sizeof last_masks);
   std::memset(last_constants, 0, sizeof last_constants);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -11,6 +12,7 @@
 #include "cook/write/clip_packer.h"
 #include "support/aligned.h"
 #include "unpack/clip/clip.h"
+#include "unpack/records.h"
 
 namespace marrow::cook {
 namespace {
@@ -125,7 +127,8 @@ struct Unpacked {
 Unpacked unpack(const std::vector<std::byte>& record, bool has_models, AlignedBlock& scratch, AlignedBlock& out) {
   static const std::vector<std::byte> file = skeleton_file();
   Unpacked u{};
-  u.rule = unpack_clip({record.data(), record.size()}, {file.data(), 1, 0}, has_models,
+  bool with_models = has_models;
+  u.rule = unpack_clip({record.data(), record.size()}, {file.data(), 1, 0}, with_models,
                        {scratch.data(), scratch.size()}, {out.data(), out.size()}, u.bytes, u.codec);
   return u;
 }
@@ -179,10 +182,82 @@ TEST(ClipPacker, WritesTheSymbolsThatTheRuntimesTestsRead) {
                                      1, 0, 0, 0, 0x10, 0x01, 101, 0, 0, 0, 0, 0, 0, 2, 1};
   add(payload);
   const std::vector<std::byte> record = ClipPacker().pack(section, format::kCodecSegments, 3);
-  const unsigned char symbols[] = {0x2E, 0x0D, 0xB3, 0,    0x7E, 0x40, 0xC4, 0xC8, 0xD9, 0x0C,
-                                   0x5A, 0x5A, 0x0C, 0x45, 3,    0,    0x67, 5,    0x44, 0x53};
-  ASSERT_EQ(record.size(), 70 + sizeof symbols);
-  EXPECT_EQ(std::memcmp(record.data() + 70, symbols, sizeof symbols), 0);
+  const unsigned char symbols[] = {0x98, 0x99, 0x95, 0x12, 0xD1, 0xD0, 0x81, 0x08, 0x4B, 0x95, 0xBA, 0xF9,
+                                   0xD9, 0x0C, 0x5A, 0x5A, 0x0C, 0x45, 0x03, 0x00, 0x67, 0x05, 0x44, 0x53};
+  ASSERT_EQ(record.size(), 52 + sizeof symbols);
+  EXPECT_EQ(std::memcmp(record.data() + 52, symbols, sizeof symbols), 0);
+}
+
+// Constants that are as they were take next to nothing, but no less in the file that is unpacked.
+TEST(ClipPacker, ManyConstantsThatAreAsTheyWere) {
+  constexpr std::uint32_t kJoints = 3000;
+  std::vector<std::byte> section;
+  const auto add = [&](const auto& value) {
+    const auto* const first = reinterpret_cast<const std::byte*>(&value);
+    section.insert(section.end(), first, first + sizeof value);
+  };
+  add(format::ClipHeader{1, 0, 1.0f, 0, 0, 0, 0, 0, 0});
+  add(format::CodedHeader{2, 1, 0, 1, 0, 3 * kJoints, 4 + 8, 0});
+  add(0u);
+  for (std::uint32_t i = 0; i < kJoints; i += 4) add(GroupMasks{0, 0xFFF});
+  for (std::uint32_t i = 0; i < 3 * kJoints; ++i) add(format::Constant{});
+  for (int i = 0; i < 3; ++i) add(0u);
+  ClipPacker packer;
+  packer.pack(section, format::kCodecSegments, kJoints);
+  const std::vector<std::byte> clip = packer.pack(section, format::kCodecSegments, kJoints);
+  EXPECT_LT(clip.size(), 100u);
+  RecordNeeds needs;
+  std::vector<std::byte> skeleton = {std::byte{1}, std::byte{(kJoints & 127) | 128}, std::byte{kJoints >> 7},
+                                     std::byte{1}};
+  ASSERT_STREQ(add_needs({format::kSkeletons, packed::kCompact, {skeleton.data(), skeleton.size()}}, needs), nullptr);
+  const std::uint64_t before = needs.most_file_bytes;
+  ASSERT_STREQ(add_needs({format::kClips, packed::kCompact, {clip.data(), clip.size()}}, needs), nullptr);
+  EXPECT_GE(needs.most_file_bytes - before, section.size());
+}
+
+// A clip of nothing but times of keys, which must come back to the bit. Returns how large its record is.
+std::size_t bytes_of_times(const std::vector<float>& times_s, float duration_s) {
+  const format::ClipHeader h{1, 0, duration_s, 0, static_cast<std::uint32_t>(times_s.size()), 0, 0, 0, 0};
+  std::vector<std::byte> section(sizeof h + 4 * times_s.size());
+  std::memcpy(section.data(), &h, sizeof h);
+  if (!times_s.empty()) std::memcpy(section.data() + sizeof h, times_s.data(), 4 * times_s.size());
+  ClipPacker packer;
+  const std::vector<std::byte> record = packer.pack(section, format::kCodecRaw, kPackedJoints);
+  AlignedBlock scratch(packer.scratch_bytes()), out(section.size());
+  ClipNeeds needs;
+  EXPECT_STREQ(measure_clip_record({record.data(), record.size()}, needs), nullptr);
+  EXPECT_EQ(needs.most_section_bytes, 4 * times_s.size());
+  EXPECT_EQ(format::align16(needs.scratch_bytes), format::align16(scratch.size()));
+  EXPECT_STREQ(unpack(record, false, scratch, out).rule, nullptr);
+  EXPECT_EQ(std::memcmp(out.data(), section.data(), section.size()), 0);
+  EXPECT_NE(unpack({record.begin(), record.end() - 1}, false, scratch, out).rule, nullptr);
+  return record.size();
+}
+
+TEST(ClipPacker, TimesOfKeys) {
+  std::mt19937 random(17);
+  constexpr std::size_t kTimes = 400;
+  std::vector<float> even, thirtieths, milliseconds, summed, chance;
+  double at_s = 0, ms = 0;
+  float sum = 0;
+  for (std::size_t i = 0; i < kTimes; ++i) {
+    const auto at = static_cast<double>(i % 200);  // two lists
+    even.push_back(static_cast<float>(at / 24));
+    at_s += i % 7 == 0 ? 2 : 1;
+    thirtieths.push_back(static_cast<float>(at_s / 30));
+    ms = std::floor(static_cast<double>(i) * 1000 / 30 + 0.5);
+    milliseconds.push_back(static_cast<float>(ms / 1000));
+    summed.push_back(sum);
+    sum += 1.0f / 30;
+    chance.push_back(static_cast<float>(random()) * 0x1p-20f);
+  }
+  EXPECT_LT(bytes_of_times(even, 9), 50u);
+  EXPECT_LT(bytes_of_times(thirtieths, thirtieths.back()), kTimes / 3);
+  EXPECT_LT(bytes_of_times(milliseconds, milliseconds.back()), kTimes / 2);
+  EXPECT_LT(bytes_of_times(summed, summed.back()), kTimes);
+  EXPECT_LT(bytes_of_times(chance, 4096), kTimes * 9 / 2);
+  for (const float far : {0.0f, 1e-40f, 1e12f, 16777217.5f}) bytes_of_times({0, far}, far);
+  bytes_of_times({}, -0.0f);
 }
 
 // Cut short anywhere or longer by a byte: refused. Any byte changed to anything: it ends, and touches only what belongs

@@ -127,6 +127,14 @@ TEST(CompressClip, APoseIsConstants) {
   EXPECT_TRUE(clip.tracks.empty());
   EXPECT_EQ(clip.coded.header.track_count, 0u);
   EXPECT_EQ(clip.coded.header.constant_count, 8u);
+  // Leaves may turn by 0.05 · kError / kShell = 1.7e-4. Numbers of which the largest is m turn by no more than 2 / m,
+  // as each of four is off by a half at most: with 12000 they are near enough, and no more bits than for that are
+  // taken.
+  for (std::size_t leaf = 2; leaf < 8; ++leaf)
+    for (int i = 0; i < 4; ++i) {
+      EXPECT_LE(std::abs(clip.coded.constants[leaf].v[i]), 16383) << leaf;
+      EXPECT_EQ(clip.coded.constants[leaf].v[i], clip.coded.constants[2].v[i]) << leaf;
+    }
   EXPECT_EQ(clip.duration_s, 0.5f);
   EXPECT_LE(clip.error.error_m, kError);
   for (const float time_s : {-1.0f, 0.0f, 0.5f, 3.0f}) {

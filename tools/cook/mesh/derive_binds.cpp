@@ -17,6 +17,17 @@ namespace {
 
 constexpr std::size_t kTries = 4;  // joints whose bind pose may say where the mesh stands
 
+// With 0, 1 and -1 for what is that but for the rounding of exporters: packed files have two bits for those.
+Affine tidied(const Affine& map) {
+  constexpr float kRounding = 1e-6f;
+  Affine out = map;
+  for (auto& row : out.rows)
+    for (float& x : row)
+      for (const float whole : {0.0f, 1.0f, -1.0f})
+        if (std::fabs(x - whole) < kRounding) x = whole;
+  return out;
+}
+
 // How far a corner of the box goes if one inverse bind takes the place of another, in the mesh's space. Infinite for
 // what cannot be inverted.
 double displacement(const Affine& given, const Affine& derived, const format::GeometryHeader& box) {
@@ -50,8 +61,11 @@ struct Derived {
 Derived derive(const std::vector<Affine>& model, double allowed_m, const format::GeometryHeader& box,
                const Binds& mesh) {
   std::vector<Affine> places = {kIdentityMap};
-  for (std::size_t i = 0; i < std::min(mesh.joints.size(), kTries); ++i)
-    places.push_back(to_affine(to_matrix(model[mesh.joints[i]]) * to_matrix(mesh.inverse_bind[i])));
+  for (std::size_t i = 0; i < std::min(mesh.joints.size(), kTries); ++i) {
+    const Affine place = to_affine(to_matrix(model[mesh.joints[i]]) * to_matrix(mesh.inverse_bind[i]));
+    places.push_back(tidied(place));
+    places.push_back(place);
+  }
   std::size_t fewest = mesh.joints.size() + 1;
   Derived best;
   for (const Affine& place : places) {
@@ -59,9 +73,17 @@ Derived derive(const std::vector<Affine>& model, double allowed_m, const format:
     out.place = place;
     for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
       out.inverse_bind.push_back(derived_inverse_bind(model[mesh.joints[i]], place));
-      const double moved = displacement(mesh.inverse_bind[i], out.inverse_bind.back(), box);
+      double moved = displacement(mesh.inverse_bind[i], out.inverse_bind.back(), box);
       out.is_given.push_back(moved > allowed_m);
-      if (out.is_given.back() == 0) out.moved_m = std::max(out.moved_m, moved);
+      if (out.is_given.back() != 0) {
+        out.inverse_bind.back() = tidied(mesh.inverse_bind[i]);
+        moved = displacement(mesh.inverse_bind[i], out.inverse_bind.back(), box);
+        if (moved > allowed_m) {
+          out.inverse_bind.back() = mesh.inverse_bind[i];
+          moved = 0;
+        }
+      }
+      out.moved_m = std::max(out.moved_m, moved);
     }
     const auto count = static_cast<std::size_t>(std::count(out.is_given.begin(), out.is_given.end(), 1));
     if (count >= fewest) continue;
@@ -96,7 +118,7 @@ void derive_parts(const std::vector<Affine>& model, std::span<BuiltMesh> parts,
     for (std::size_t i = 0; i < part.joints.size(); ++i) {
       const std::size_t joint = at.at(part.joints[i]);
       part.bind_is_given.push_back(derived.is_given[joint]);
-      if (derived.is_given[joint] == 0) part.inverse_bind[i] = derived.inverse_bind[joint];
+      part.inverse_bind[i] = derived.inverse_bind[joint];
     }
     moved_m[part.geometry] = std::max(moved_m[part.geometry], derived.moved_m);
   }

@@ -20,6 +20,12 @@ T value_at(std::span<const std::byte> bytes, std::uint64_t at) {
   return out;
 }
 
+std::vector<float> floats_at(std::span<const std::byte> bytes, std::uint64_t at, std::uint32_t count) {
+  std::vector<float> out(count);
+  if (count > 0) std::memcpy(out.data(), bytes.data() + at, count * sizeof(float));
+  return out;
+}
+
 // Frames and header of a track that a segment begins with or goes on with.
 struct Numbers {
   ClipFrames frames;
@@ -79,65 +85,16 @@ void code_still(std::span<const std::byte> coded, const format::CodedLayout& l, 
                           value_at<format::Constant>(coded, at));
 }
 
-}  // namespace
-
-std::vector<std::byte> ClipPacker::pack(std::span<const std::byte> section, std::uint32_t codec,
-                                        std::size_t joint_count) {
-  const auto h = value_at<format::ClipHeader>(section, 0);
-  const format::ClipLayout lists = layout(h);
-  const bool coded = codec == format::kCodecSegments;
-  format::CodedHeader c{};
-  if (coded) c = value_at<format::CodedHeader>(section, lists.bytes);
-  std::uint32_t flags = coded ? packed::kClipIsCoded : 0u;
-  if (h.additive != 0) flags |= packed::kClipIsAdditive;
-  if (lists.bytes > sizeof h) flags |= packed::kClipHasLists;
-  if (c.start_s != 0) flags |= packed::kClipStartsLater;
-  if (c.time_count != 0) flags |= packed::kClipIsUneven;
-
-  std::vector<std::byte> out = {static_cast<std::byte>(flags)};
-  add_varint(h.name, out);
-  add_varint(h.skeleton, out);
-  add_value(h.duration_s, out);
-  if ((flags & packed::kClipHasLists) != 0) {
-    for (const std::uint32_t count : {h.track_count, h.channel_count, h.time_count, h.value_count})
-      add_varint(count, out);
-    add_value(h.reference_groups, out);
-  }
-  out.insert(out.end(), section.begin() + sizeof h, section.begin() + static_cast<std::ptrdiff_t>(lists.bytes));
-  if (coded) add_coded(section.subspan(lists.bytes), joint_count, out);
-  return out;
-}
-
-void ClipPacker::add_coded(std::span<const std::byte> coded, std::size_t joint_count, std::vector<std::byte>& out) {
-  const auto c = value_at<format::CodedHeader>(coded, 0);
-  const format::CodedLayout l = layout(c, 0, static_cast<std::uint32_t>(joint_count));
-  const auto add_bytes = [&](std::uint64_t first, std::uint64_t end) {
-    const auto part = coded.subspan(first, end - first);
-    out.insert(out.end(), part.begin(), part.end());
-  };
-  SegmentSizes sizes;
-  sizes.header = c;
-  add_varint(c.frame_count, out);
-  add_varint(c.segment_intervals, out);
-  add_value(c.frames_per_s, out);
-  if (c.start_s != 0) add_value(c.start_s, out);
-  add_varint(c.track_count, out);
-  const std::size_t first_size = out.size();
-  for (std::uint64_t at = l.offsets; at < l.masks; at += 4)
-    add_varint(value_at<std::uint32_t>(coded, l.payload + value_at<std::uint32_t>(coded, at)), out);
-  ByteReader reader(out.data() + first_size, out.size() - first_size);
-  read_segment_sizes(reader, sizes);
-  scratch_bytes_ = std::max(scratch_bytes_, clip_scratch_bytes(c.track_count, sizes.most_frames));
-  add_bytes(l.times, l.offsets);
+void code_segments(std::span<const std::byte> coded, const SegmentSizes& sizes, std::uint32_t joint_count,
+                   ClipCodec<SymbolEncoder>& codec) {
+  const format::CodedHeader& c = sizes.header;
+  const format::CodedLayout l = layout(c, 0, joint_count);
   std::vector<std::vector<Numbers>> segments;
   for (std::uint32_t s = 0; s < format::segment_count(c); ++s) {
     const auto offset = value_at<std::uint32_t>(coded, l.offsets + std::uint64_t{s} * 4);
     segments.push_back(read_segment(coded.subspan(l.payload + offset), c.track_count, sizes.frames_of(s)));
   }
   std::vector<Curves> curves(c.track_count);
-  SymbolEncoder encoder;
-  ClipCodec<SymbolEncoder> codec(models_, encoder);
-  code_still(coded, l, codec);
   std::vector<ClipTrackEnd> ends(c.track_count);
   for (std::size_t s = 0; s < segments.size(); ++s)
     for (std::uint32_t t = 0; t < c.track_count; ++t) {
@@ -156,8 +113,125 @@ void ClipPacker::add_coded(std::span<const std::byte> coded, std::size_t joint_c
       ends[t].step = track.step;
       for (std::size_t i = 0; i < 3; ++i) ends[t].numbers[i] = numbers.frames.back()[i];
     }
-  const std::vector<std::byte> symbols = encoder.finish();
-  out.insert(out.end(), symbols.begin(), symbols.end());
+}
+
+// What stands in front of a coded clip's symbols.
+SegmentSizes add_sizes(std::span<const std::byte> coded, std::uint32_t flags, std::uint32_t joint_count,
+                       std::vector<std::byte>& out) {
+  SegmentSizes sizes;
+  sizes.header = value_at<format::CodedHeader>(coded, 0);
+  const format::CodedHeader& c = sizes.header;
+  const format::CodedLayout l = layout(c, 0, joint_count);
+  add_varint(c.frame_count, out);
+  add_varint(c.segment_intervals, out);
+  if ((flags & packed::kClipGivesMean) != 0) add_value(c.frames_per_s, out);
+  if ((flags & packed::kClipStartsLater) != 0) add_value(c.start_s, out);
+  add_varint(c.track_count, out);
+  const std::size_t first = out.size();
+  for (std::uint64_t at = l.offsets; at < l.masks; at += 4)
+    add_varint(value_at<std::uint32_t>(coded, l.payload + value_at<std::uint32_t>(coded, at)), out);
+  ByteReader reader(out.data() + first, out.size() - first);
+  read_segment_sizes(reader, sizes);
+  return sizes;
+}
+
+bool is_same(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+// How many bits times are coded in at a rate, about; more than `most` if it comes to that.
+std::uint64_t bits_at(std::uint32_t rate, const std::vector<float>& times_s, std::uint64_t most) {
+  std::uint64_t out = 0;
+  std::int32_t part = 0, gap = 0;
+  for (std::size_t i = 0; i < times_s.size() && out <= most; ++i) {
+    const std::int32_t to = nearest_part(times_s[i], rate), now = to - part;
+    const auto stray = std::bit_cast<std::int32_t>(times_s[i]) - std::bit_cast<std::int32_t>(time_of(to, rate));
+    out += 2 * (bit_length(folded(now - gap)) + bit_length(folded(stray)));
+    gap = now;
+    part = to;
+  }
+  return out;
+}
+
+// Of which times are whole numbers of parts, as far as there is one.
+std::uint32_t choose_rate(float duration_s, std::vector<float> times_s, const std::vector<float>& more_times_s) {
+  constexpr std::uint32_t kMostTried = 1000, kFine[] = {3000, 24000, 30000, 60000, 1000000};
+  times_s.insert(times_s.end(), more_times_s.begin(), more_times_s.end());
+  std::uint32_t best = 0;
+  std::uint64_t least = UINT64_MAX;
+  const auto try_rate = [&](std::uint32_t rate) {
+    const std::int32_t parts = nearest_part(duration_s, rate);
+    const std::uint64_t bits = (is_same(time_of(parts, rate), duration_s) ? bit_length(folded(parts)) : 32) +
+                               bit_length(rate) + bits_at(rate, times_s, least);
+    if (bits >= least) return;
+    least = bits;
+    best = rate;
+  };
+  for (std::uint32_t rate = 1; rate <= kMostTried; ++rate) try_rate(rate);
+  for (const std::uint32_t rate : kFine) try_rate(rate);
+  return best;
+}
+
+// c: all 0 where nothing is coded.
+std::uint32_t flags_of(const format::ClipHeader& h, const format::CodedHeader& c, std::uint32_t rate) {
+  const bool coded = c.frame_count > 0;
+  std::uint32_t flags = coded ? packed::kClipIsCoded : 0u;
+  if (h.additive != 0) flags |= packed::kClipIsAdditive;
+  if (layout(h).bytes > sizeof h) flags |= packed::kClipHasLists;
+  if (c.start_s != 0) flags |= packed::kClipStartsLater;
+  if (c.time_count != 0) flags |= packed::kClipIsUneven;
+  if (!is_same(time_of(nearest_part(h.duration_s, rate), rate), h.duration_s)) flags |= packed::kClipGivesDuration;
+  if (coded && !is_same(mean_rate(c.frame_count, c.start_s, h.duration_s), c.frames_per_s))
+    flags |= packed::kClipGivesMean;
+  return flags;
+}
+
+}  // namespace
+
+std::vector<std::byte> ClipPacker::pack(std::span<const std::byte> section, std::uint32_t codec,
+                                        std::size_t joint_count) {
+  const auto h = value_at<format::ClipHeader>(section, 0);
+  const format::ClipLayout lists = layout(h);
+  const std::span<const std::byte> coded = section.subspan(lists.bytes);
+  format::CodedHeader c{};
+  if (codec == format::kCodecSegments) c = value_at<format::CodedHeader>(coded, 0);
+  const std::vector<float> list_times = floats_at(section, lists.times, h.time_count);
+  const std::vector<float> frame_times = floats_at(coded, sizeof c, c.time_count);
+  const std::uint32_t rate = choose_rate(h.duration_s, list_times, frame_times);
+  const std::uint32_t flags = flags_of(h, c, rate);
+
+  std::vector<std::byte> out = {static_cast<std::byte>(flags)};
+  for (const std::uint32_t n : {h.name, h.skeleton, rate}) add_varint(n, out);
+  if ((flags & packed::kClipGivesDuration) != 0)
+    add_value(h.duration_s, out);
+  else
+    add_varint(static_cast<std::uint32_t>(nearest_part(h.duration_s, rate)), out);
+  if ((flags & packed::kClipHasLists) != 0) {
+    for (const std::uint32_t count : {h.track_count, h.channel_count, h.time_count, h.value_count})
+      add_varint(count, out);
+    add_value(h.reference_groups, out);
+  }
+  const auto add_part = [&](std::uint64_t first, std::uint64_t end) {
+    out.insert(out.end(), section.begin() + static_cast<std::ptrdiff_t>(first),
+               section.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  add_part(sizeof h, lists.times);
+  add_part(lists.values, lists.bytes);
+  if (c.frame_count == 0 && list_times.empty()) return out;
+  SymbolEncoder encoder;
+  ClipCodec<SymbolEncoder> symbols(models_, encoder);
+  for (const float time_s : list_times) symbols.code_time(rate, time_s);
+  SegmentSizes sizes;
+  if (c.frame_count > 0) {
+    sizes = add_sizes(coded, flags, static_cast<std::uint32_t>(joint_count), out);
+    for (const float time_s : frame_times) symbols.code_time(rate, time_s);
+    code_still(coded, layout(c, 0, static_cast<std::uint32_t>(joint_count)), symbols);
+    code_segments(coded, sizes, static_cast<std::uint32_t>(joint_count), symbols);
+  }
+  scratch_bytes_ = std::max(scratch_bytes_, clip_scratch_bytes(c.track_count, sizes.most_frames));
+  const std::vector<std::byte> bytes = encoder.finish();
+  out.insert(out.end(), bytes.begin(), bytes.end());
+  return out;
 }
 
 }  // namespace marrow::cook

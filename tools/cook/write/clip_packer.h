@@ -20,8 +20,6 @@ class ClipPacker {
   std::uint64_t scratch_bytes() const { return scratch_bytes_; }
 
  private:
-  void add_coded(std::span<const std::byte> coded, std::size_t joint_count, std::vector<std::byte>& out);
-
   ClipModels models_;
   std::uint64_t scratch_bytes_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "cook/write/compact.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -13,6 +14,21 @@ namespace {
 
 bool is_identity(const Affine& a) {
   return std::memcmp(&a, &kIdentityMap, sizeof a) == 0;
+}
+
+// Two bits a number say which is 0, 1 or -1; others follow.
+void add_map(const Affine& map, std::vector<std::byte>& out) {
+  const std::uint32_t known[] = {0, std::bit_cast<std::uint32_t>(1.0f), std::bit_cast<std::uint32_t>(-1.0f)};
+  const std::size_t at = out.size();
+  out.resize(at + 3);
+  std::uint32_t codes = 0;
+  for (int i = 0; i < 12; ++i) {
+    const float x = map.rows[i / 4][i % 4];
+    const auto code = static_cast<std::uint32_t>(std::ranges::find(known, std::bit_cast<std::uint32_t>(x)) - known);
+    codes |= code << 2 * i;
+    if (code == 3) add_value(x, out);
+  }
+  for (std::size_t i = 0; i < 3; ++i) out[at + i] = static_cast<std::byte>(codes >> 8 * i);
 }
 
 void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
@@ -62,7 +78,7 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
   add_varint(static_cast<std::uint32_t>(roots), out);
   for (const Affine& above : s.scene_from_root) {
     add_value(static_cast<std::uint8_t>(is_identity(above) ? 0 : 1), out);
-    if (!is_identity(above)) add_value(above, out);
+    if (!is_identity(above)) add_map(above, out);
   }
   add_value(static_cast<std::int8_t>(s.translation_exponent), out);
   std::vector<std::uint32_t> children(joints, 0);
@@ -116,7 +132,7 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
   if (helps) add_varint(h.helper_count, out);
   if (!mesh.lods.empty()) add_varint(h.lod_count, out);
   if (coloured) add_value(h.base_colour, out);
-  if (placed) add_value(mesh.scene_from_mesh, out);
+  if (placed) add_map(mesh.scene_from_mesh, out);
   std::uint32_t next = 0;
   for (const std::uint16_t joint : mesh.joints) {
     const std::uint32_t step = joint - next;
@@ -131,7 +147,7 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
       out.push_back(static_cast<std::byte>(bits));
     }
     for (std::size_t i = 0; i < mesh.joints.size(); ++i)
-      if (mesh.bind_is_given[i] != 0) add_value(mesh.inverse_bind[i], out);
+      if (mesh.bind_is_given[i] != 0) add_map(mesh.inverse_bind[i], out);
   }
   for (const MeshTarget& t : targets) {
     add_varint(t.name, out);

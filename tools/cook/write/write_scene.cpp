@@ -9,6 +9,7 @@
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
 #include "cook/geometry/record.h"
+#include "cook/write/bounds_packer.h"
 #include "cook/write/clip_packer.h"
 #include "cook/write/compact.h"
 #include "cook/write/measure_bounds.h"
@@ -214,10 +215,15 @@ Section write_springs(const BuiltSprings& s, std::uint32_t skeleton) {
   return out;
 }
 
+constexpr std::size_t kLeastSaved = 8;
+
 Section write_bounds(const MeasuredBounds& b) {
   Section out;
   out.add(b.header);
   out.add_all(b.codes);
+  out.compact = pack_bounds(b);
+  // What is hardly smaller takes more than itself where files are compressed once more.
+  if (out.compact.size() + kLeastSaved > out.bytes().size()) out.compact.clear();
   return out;
 }
 
@@ -324,11 +330,14 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
                   [](const BuiltGeometry& g) { return g.codec != 0; }) ||
       (scene.packs_clips && std::any_of(scene.clips.begin(), scene.clips.end(),
                                         [](const BuiltClip& c) { return c.coded.header.frame_count > 0; }));
+  const auto entry_of = [&](format::Kind kind, const Section& section) {
+    const bool compact = is_packed && !section.compact.empty();
+    return Entry{kind, section.codec, section.bytes(), compact ? std::uint32_t{packed::kCompact} : section.codec,
+                 compact ? section.compact : section.bytes()};
+  };
   const auto add = [&](format::Kind kind, Section section) {
     const Section& kept = sections.emplace_back(std::move(section));
-    const bool compact = is_packed && !kept.compact.empty();
-    entries.push_back({kind, kept.codec, kept.bytes(), compact ? std::uint32_t{packed::kCompact} : kept.codec,
-                       compact ? kept.compact : kept.bytes()});
+    entries.push_back(entry_of(kind, kept));
     return entries.back().record.size();
   };
   std::uint64_t scratch_bytes = 0;
@@ -368,8 +377,7 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   add(format::kNames, std::move(pool));
   // Poses of an outfit are its body's.
   const std::vector<Section> bounds = scene.is_outfit ? std::vector<Section>() : bounds_sections(entries, source);
-  for (const Section& b : bounds)
-    entries.insert(entries.end() - 1, {format::kBounds, b.codec, b.bytes(), b.codec, b.bytes()});
+  for (const Section& b : bounds) entries.insert(entries.end() - 1, entry_of(format::kBounds, b));
 
   out.bytes = is_packed ? write_packed(entries, scratch_bytes, source) : write_plain(entries, source);
   for (const Entry& e : entries)

@@ -87,6 +87,7 @@ class Compressor {
   }
   bool stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const;
   Transform middle(std::size_t joint) const;
+  std::optional<format::Constant> constant_of(std::size_t joint, TrackPath path, const Promise& promise) const;
   void sort_tracks(const Promise& promise);
   std::optional<BuiltCoded> code(const Promise& promise) const;
   BuiltCoded in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const;
@@ -105,6 +106,12 @@ class Compressor {
   std::vector<ConstantTrack> constant_;
   std::vector<Transform> still_;  // a joint: the rest pose with the constants
 };
+
+void set_to(TrackPath path, const format::Constant& numbers, const Transform& rest, Transform& to) {
+  if (path == TrackPath::rotation) to.rotation = decode_rotation(numbers);
+  if (path == TrackPath::translation) to.translation = rest.translation + decode_offset(numbers);
+  if (path == TrackPath::scale) to.scale = rest.scale + decode_offset(numbers);
+}
 
 // Whether a sub-track never leaves `at` by more than a small share of the promise: exporters write every track, and
 // most of them are rounding.
@@ -143,6 +150,24 @@ Transform Compressor::middle(std::size_t joint) const {
   return {0.5 * (low.translation + high.translation), glm::normalize(sum), 0.5 * (low.scale + high.scale)};
 }
 
+// The smallest numbers near which a sub-track stays: they take fewest bits in packed files, and what differs a little
+// from clip to clip often gets the same.
+std::optional<format::Constant> Compressor::constant_of(std::size_t joint, TrackPath path,
+                                                        const Promise& promise) const {
+  constexpr int kFewest = 15;  // of ever twice as many
+  const Transform &rest = rig_.rest[joint], wanted = middle(joint);
+  for (int most = kFewest; most <= kMostConstant; most = 2 * most + 1) {
+    const format::Constant numbers = path == TrackPath::rotation ? code_rotation(wanted.rotation, most)
+                                     : path == TrackPath::translation
+                                         ? code_offset(wanted.translation - rest.translation, most)
+                                         : code_offset(wanted.scale - rest.scale, most);
+    Transform at = wanted;
+    set_to(path, numbers, rest, at);
+    if (stays(joint, path, at, promise)) return numbers;
+  }
+  return std::nullopt;
+}
+
 // What rests, what is constant and what moves; in the order in which tracks are stored.
 void Compressor::sort_tracks(const Promise& promise) {
   still_ = rig_.rest;
@@ -151,24 +176,12 @@ void Compressor::sort_tracks(const Promise& promise) {
       for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
         const Track* const track = curves_.track(j, path);
         if (track == nullptr || stays(j, path, rig_.rest[j], promise)) continue;
-        const Transform& rest = rig_.rest[j];
-        Transform at = middle(j);
-        const format::Constant numbers = path == TrackPath::rotation ? code_rotation(at.rotation)
-                                         : path == TrackPath::translation
-                                             ? code_offset(at.translation - rest.translation)
-                                             : code_offset(at.scale - rest.scale);
-        if (path == TrackPath::rotation) at.rotation = decode_rotation(numbers);
-        if (path == TrackPath::translation) at.translation = rest.translation + decode_offset(numbers);
-        if (path == TrackPath::scale) at.scale = rest.scale + decode_offset(numbers);
-        if (!stays(j, path, at, promise)) {
+        if (const std::optional<format::Constant> numbers = constant_of(j, path, promise))
+          constant_.push_back({{j, path}, *numbers});
+        else
           (jumps(clip_, *track) ? exact_ : moving_).push_back({j, path});
-          continue;
-        }
-        constant_.push_back({{j, path}, numbers});
-        if (path == TrackPath::rotation) still_[j].rotation = at.rotation;
-        if (path == TrackPath::translation) still_[j].translation = at.translation;
-        if (path == TrackPath::scale) still_[j].scale = at.scale;
       }
+  for (const ConstantTrack& c : constant_) set_to(c.id.path, c.numbers, rig_.rest[c.id.joint], still_[c.id.joint]);
 }
 
 // Of the joints at every moment; of the vertices too, or at every few where that would be too many, as long as the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cook/clip/compress/hung.h"
+#include "cook/scene/cook_options.h"
 
 namespace marrow::cook {
 

@@ -8,7 +8,6 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kLargest = 32767;
 constexpr int kFactors = 4096;  // that are tried
 
 std::int16_t rounded(double x) {
@@ -17,12 +16,13 @@ std::int16_t rounded(double x) {
 
 }  // namespace
 
-format::Constant code_rotation(const glm::dquat& q) {
+format::Constant code_rotation(const glm::dquat& q, int most) {
   const double largest = std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z), std::fabs(q.w)});
   format::Constant best{};
   double closest = -1;
-  for (int i = 0; i < kFactors; ++i) {
-    const double factor = kLargest / largest * (1 - 0.5 * i / kFactors);
+  const int factors = std::min(kFactors, most);  // fewer numbers, fewer that differ
+  for (int i = 0; i < factors; ++i) {
+    const double factor = most / largest * (1 - 0.5 * i / factors);
     const format::Constant c = {
         {rounded(q.x * factor), rounded(q.y * factor), rounded(q.z * factor), rounded(q.w * factor)}};
     // Of the distance from the line through q, so that small angles count.
@@ -42,13 +42,13 @@ glm::dquat decode_rotation(const format::Constant& c) {
   return glm::normalize(glm::dquat(c.v[3], c.v[0], c.v[1], c.v[2]));
 }
 
-format::Constant code_offset(const glm::dvec3& offset) {
+format::Constant code_offset(const glm::dvec3& offset, int most) {
   const double largest = std::max({std::fabs(offset.x), std::fabs(offset.y), std::fabs(offset.z)});
   int code = 0;
-  while (code < 255 && largest > kLargest * static_cast<double>(format::step_size(static_cast<std::uint32_t>(code))))
+  while (code < 255 && largest > most * static_cast<double>(format::step_size(static_cast<std::uint32_t>(code))))
     ++code;
   const double inverse = 1 / static_cast<double>(format::step_size(static_cast<std::uint32_t>(code)));
-  const auto fitted = [&](double x) { return rounded(std::clamp(x * inverse, -kLargest, kLargest)); };
+  const auto fitted = [&](double x) { return rounded(std::clamp(x * inverse, -1.0 * most, 1.0 * most)); };
   return {{fitted(offset.x), fitted(offset.y), fitted(offset.z), static_cast<std::int16_t>(code)}};
 }
 

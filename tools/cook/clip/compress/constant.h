@@ -11,12 +11,16 @@ struct ConstantTrack {
   format::Constant numbers;
 };
 
-// The numbers closest to a rotation among many factors of its quaternion: off by a few 1e-6 rad.
-format::Constant code_rotation(const glm::dquat& q);
+constexpr int kMostConstant = 32767;
+
+// The numbers up to `most` closest to a rotation among many factors of its quaternion: with kMostConstant off by a few
+// 1e-6 rad.
+format::Constant code_rotation(const glm::dquat& q, int most);
 glm::dquat decode_rotation(const format::Constant& constant);
 
-// The numbers closest to a difference from the rest pose: off by 1/65534 of its largest component at most.
-format::Constant code_offset(const glm::dvec3& offset);
+// The numbers up to `most` closest to a difference from the rest pose: off by half a step of 4/3 of its largest
+// component / most, at most.
+format::Constant code_offset(const glm::dvec3& offset, int most);
 glm::dvec3 decode_offset(const format::Constant& constant);
 
 }  // namespace marrow::cook
