@@ -11,7 +11,7 @@
 
 #include "core/byte_reader.h"
 #include "draco/counts.h"
-#include "draco/skin.h"
+#include "draco/decode_skin.h"
 #include "unpack/streams.h"
 
 namespace marrow {

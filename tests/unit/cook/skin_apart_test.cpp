@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cook/geometry/skin_apart.h"
-#include "draco/skin.h"
+#include "draco/decode_skin.h"
 #include "draco/skin_codec.h"
 #include "support/rig.h"
 

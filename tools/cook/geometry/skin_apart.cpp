@@ -5,7 +5,7 @@
 #include "common/failure.h"
 #include "cook/geometry/rows.h"
 #include "cook/geometry/symbol_encoder.h"
-#include "draco/skin.h"
+#include "draco/decode_skin.h"
 #include "draco/skin_codec.h"
 
 namespace marrow::cook {

@@ -1,4 +1,4 @@
-#include "draco/skin.h"
+#include "draco/decode_skin.h"
 
 #include <algorithm>
 #include <memory>
