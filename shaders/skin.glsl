@@ -10,7 +10,8 @@
 //   MARROW_PALETTES        0 in a uniform block, 1 in a texture, 2 in one that crowd.frag has written
 //   MARROW_PALETTE_JOINTS  matrices in the uniform block; 48 bytes each
 //   MARROW_COMPUTE         1: vertices are read from storage buffers, by the text of pre-skinning
-//   MARROW_WORDS           1: animation space is read as words, two numbers each; 2: y and z are the whole word
+//   MARROW_WORDS           animation space is read as words, two numbers each: 1; 2: y and z are the whole word; 3: that
+//                          holds for tangents alone
 //   MARROW_GPU             1 Mali-G, 2 Mali-T, 3 Adreno, 0 another: GpuFamily
 //   MARROW_MOTION          1: where the vertex was in the frame before, too
 //
@@ -27,14 +28,18 @@ precision highp int;
 #endif
 
 #if MARROW_DEFORMER == 3
+// Each influence's q, (x, y, z, w), Σ w = 1 / marrow_coordinate_scale. With the surface's own normals its τ of the first
+// tangent and of the second, Σ w = 0, in any unit; the last w is what the others leave, and in its place in the first
+// tangent is the handedness of the texture's triad.
 uniform float marrow_coordinate_scale;
+#define MARROW_COORDINATE_WORDS (MARROW_WORDS && (MARROW_WORDS < 3 || MARROW_COMPUTE))
 #if MARROW_WORDS
-// Each influence's q and τ as below, in this order: all q, all τ of the first tangent, all of the second. A pair of words
-// is a vector, of numbers in steps of 1 / 32767. MARROW_WORDS 2: w stands before z, and y and z have what is below them
-// behind their point.
+// All q, if they are words, all τ of the first tangent, all of the second. A pair of words is a vector, of numbers in
+// steps of 1 / 32767.
 #if MARROW_COMPUTE
 uvec2 marrow_words(int pair);  // the text of pre-skinning reads them, when they are wanted
 #else
+#if MARROW_COORDINATE_WORDS
 MARROW_IN(0) uvec4 in_words0;
 MARROW_IN(1) uvec4 in_words1;
 MARROW_IN(2) uvec4 in_words2;
@@ -49,59 +54,95 @@ MARROW_IN(11) uvec4 in_words9;
 MARROW_IN(14) uvec4 in_words10;
 MARROW_IN(15) uvec4 in_words11;
 #endif
+#else
+MARROW_IN(6) uvec4 in_words0;
+MARROW_IN(7) uvec4 in_words1;
+MARROW_IN(10) uvec4 in_words2;
+MARROW_IN(11) uvec4 in_words3;
+MARROW_IN(14) uvec4 in_words4;
+MARROW_IN(15) uvec4 in_words5;
+#endif
 uvec2 marrow_words(int pair) {
   int i = pair / 2;
-#if MARROW_SURFACE_NORMALS
-  uvec4 of_two = i == 0   ? in_words0
-                 : i == 1 ? in_words1
-                 : i == 2 ? in_words2
-                 : i == 3 ? in_words3
-                 : i == 4 ? in_words4
-                 : i == 5 ? in_words5
-                 : i == 6 ? in_words6
-                 : i == 7 ? in_words7
-                 : i == 8 ? in_words8
-                 : i == 9 ? in_words9
-                 : i == 10 ? in_words10
-                           : in_words11;
-#else
   uvec4 of_two = i == 0 ? in_words0 : i == 1 ? in_words1 : i == 2 ? in_words2 : in_words3;
+#if MARROW_SURFACE_NORMALS
+  if (i > 3) of_two = i == 4 ? in_words4 : in_words5;
+#if MARROW_COORDINATE_WORDS
+  if (i > 5) of_two = i == 6 ? in_words6 : i == 7 ? in_words7 : i == 8 ? in_words8 : in_words9;
+  if (i > 9) of_two = i == 10 ? in_words10 : in_words11;
+#endif
 #endif
   return pair % 2 == 0 ? of_two.xy : of_two.zw;
 }
 #endif
-#if MARROW_WORDS == 2
-#define MARROW_STEP (1.0 / 32767.0 / 65536.0)
-vec4 marrow_numbers(int pair) {
-  ivec2 words = ivec2(marrow_words(pair));
-  ivec2 lower = words << 16;
-  return vec4(lower.x, words, lower.y);
-}
-#else
-#define MARROW_STEP (1.0 / 32767.0)
 vec4 marrow_numbers(int pair) {
   ivec2 words = ivec2(marrow_words(pair));
   return vec4(words.x << 16 >> 16, words.x >> 16, words.y << 16 >> 16, words.y >> 16);
 }
+// w stands before z, and y and z have what is below them behind their point.
+vec4 marrow_whole_numbers(int pair) {
+  ivec2 words = ivec2(marrow_words(pair));
+  ivec2 lower = words << 16;
+  return vec4(lower.x, words, lower.y);
+}
 #endif
+
+#if MARROW_COORDINATE_WORDS
+#define MARROW_FIRST_PAIR MARROW_INFLUENCES
+#if MARROW_WORDS == 2
+#define MARROW_STEP (1.0 / 32767.0 / 65536.0)
+vec4 marrow_share(int i) {
+  return marrow_whole_numbers(i);
+}
+#else
+#define MARROW_STEP (1.0 / 32767.0)
 vec4 marrow_share(int i) {
   return marrow_numbers(i);
 }
-vec4 marrow_first(int i) {
-  return marrow_numbers(MARROW_INFLUENCES + i);
-}
-vec4 marrow_second(int i) {
-  return marrow_numbers(2 * MARROW_INFLUENCES + i);
-}
+#endif
 #else
 #define MARROW_STEP 1.0
-MARROW_IN(0) vec4 in_coordinate0;  // q of each influence: (x, y, z, w), Σ w = 1 / marrow_coordinate_scale
+#define MARROW_FIRST_PAIR 0
+MARROW_IN(0) vec4 in_coordinate0;
 MARROW_IN(1) vec4 in_coordinate1;
 MARROW_IN(2) vec4 in_coordinate2;
 MARROW_IN(3) vec4 in_coordinate3;
+#if MARROW_INFLUENCES > 4
+MARROW_IN(4) vec4 in_coordinate4;
+MARROW_IN(5) vec4 in_coordinate5;
+#endif
+#if MARROW_INFLUENCES > 6
+MARROW_IN(6) vec4 in_coordinate6;
+MARROW_IN(7) vec4 in_coordinate7;
+#endif
+vec4 marrow_share(int i) {
+#if MARROW_INFLUENCES > 6
+  if (i > 5) return i == 6 ? in_coordinate6 : in_coordinate7;
+#endif
+#if MARROW_INFLUENCES > 4
+  if (i > 3) return i == 4 ? in_coordinate4 : in_coordinate5;
+#endif
+  return i == 0 ? in_coordinate0 : i == 1 ? in_coordinate1 : i == 2 ? in_coordinate2 : in_coordinate3;
+}
+#endif
+
 #if MARROW_SURFACE_NORMALS
-// τ of each influence: (x, y, z, w), Σ w = 0, in any unit. The last w is what the others leave, and in its place is the
-// handedness of the texture's triad.
+#if MARROW_WORDS
+#if MARROW_WORDS == 1
+#define MARROW_TANGENT_STEP (1.0 / 32767.0)
+#define marrow_tangent_numbers marrow_numbers
+#else
+#define MARROW_TANGENT_STEP (1.0 / 32767.0 / 65536.0)
+#define marrow_tangent_numbers marrow_whole_numbers
+#endif
+vec4 marrow_first(int i) {
+  return marrow_tangent_numbers(MARROW_FIRST_PAIR + i);
+}
+vec4 marrow_second(int i) {
+  return marrow_tangent_numbers(MARROW_FIRST_PAIR + MARROW_INFLUENCES + i);
+}
+#else
+#define MARROW_TANGENT_STEP 1.0
 MARROW_IN(4) vec4 in_first0;
 MARROW_IN(5) vec4 in_first1;
 MARROW_IN(6) vec4 in_first2;
@@ -116,18 +157,7 @@ vec4 marrow_first(int i) {
 vec4 marrow_second(int i) {
   return i == 0 ? in_second0 : i == 1 ? in_second1 : i == 2 ? in_second2 : in_second3;
 }
-#elif MARROW_INFLUENCES > 4
-MARROW_IN(4) vec4 in_coordinate4;
-MARROW_IN(5) vec4 in_coordinate5;
-MARROW_IN(6) vec4 in_coordinate6;
-MARROW_IN(7) vec4 in_coordinate7;
 #endif
-vec4 marrow_share(int i) {
-#if MARROW_INFLUENCES > 4
-  if (i > 3) return i == 4 ? in_coordinate4 : i == 5 ? in_coordinate5 : i == 6 ? in_coordinate6 : in_coordinate7;
-#endif
-  return i == 0 ? in_coordinate0 : i == 1 ? in_coordinate1 : i == 2 ? in_coordinate2 : in_coordinate3;
-}
 #endif
 #else
 #if MARROW_DEFORMER == 2
@@ -146,9 +176,22 @@ MARROW_IN(1) vec3 in_previous_position;
 #endif
 
 #if MARROW_DEFORMER != 0
-MARROW_IN(8) uvec4 in_joints0;  // palette entries; the largest weight comes first
+// Palette entries; the largest weight comes first.
+#if MARROW_GPU == 1 && MARROW_INFLUENCES > 4 && !MARROW_COMPUTE
+// Mali-G pays for attributes: eight joints in one, each two beside each other in a number.
+MARROW_IN(8) uvec4 in_joint_pairs;
+uniform ivec2 marrow_joint_bits;  // of a joint; and all of them set
+uvec4 marrow_joints(uvec2 pairs) {
+  return uvec4(pairs.x, pairs.x >> marrow_joint_bits.x, pairs.y, pairs.y >> marrow_joint_bits.x) &
+         uint(marrow_joint_bits.y);
+}
+#define in_joints0 marrow_joints(in_joint_pairs.xy)
+#define in_joints1 marrow_joints(in_joint_pairs.zw)
+#else
+MARROW_IN(8) uvec4 in_joints0;
 #if MARROW_INFLUENCES > 4 && MARROW_DEFORMER != 1
 MARROW_IN(9) uvec4 in_joints1;
+#endif
 #endif
 #if MARROW_DEFORMER == 2
 // The weight of an influence; the first one's is what the others leave of 1.
@@ -501,8 +544,8 @@ void marrow_surface(inout MarrowVertex v) {
 #define MARROW_ADD(I, Joint) marrow_add_surface(I, Joint, position, first, second, left, mirrored);
   MARROW_EACH(MARROW_ADD)
   v.position = MARROW_STEP * marrow_coordinate_scale * position;
-  first *= MARROW_STEP;
-  second *= MARROW_STEP;
+  first *= MARROW_TANGENT_STEP;
+  second *= MARROW_TANGENT_STEP;
 #if MARROW_NORMAL
   v.normal = mirrored * marrow_unit(cross(first, second));
 #endif

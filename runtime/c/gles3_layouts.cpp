@@ -126,6 +126,7 @@ SAME_MEMBER(mrw_gles3_program, gles3::Program, id, id);
 SAME_MEMBER(mrw_gles3_program, gles3::Program, reads, reads);
 SAME_MEMBER(mrw_gles3_program, gles3::Program, motion, motion);
 SAME_MEMBER(mrw_gles3_program, gles3::Program, coordinate_scale, coordinate_scale);
+SAME_MEMBER(mrw_gles3_program, gles3::Program, joint_bits, joint_bits);
 SAME_MEMBER(mrw_gles3_program, gles3::Program, palettes, palettes);
 SAME_MEMBER(mrw_gles3_program, gles3::Program, first_row, first_row);
 SAME_MEMBER(mrw_gles3_program, gles3::Program, instances, instances);

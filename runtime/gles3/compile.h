@@ -31,9 +31,18 @@ constexpr bool in_crowds(Deformer deformer) {
   return skins(deformer) && deformer != Deformer::psd;
 }
 
-// Whether the vertex shaders of animation space read it as words, two vectors an attribute: with more than four
-// influences and surface normals vectors would be too many, and Mali-G pays for attributes but not for unpacking.
-bool reads_words(const Api& api, std::uint32_t influences, bool surface_normals);
+// What vertex shaders of animation space read as words, two vectors an attribute: as MARROW_WORDS. Mali-G pays for
+// attributes but not for unpacking. With more than four influences and surface normals vectors would be too many: then
+// y and z are the whole word. With five or six Adreno and Mali-T, which pay for unpacking, have room for coordinates as
+// vectors; so would VideoCore, but it spills.
+enum class Words : std::uint32_t { none, all, all_whole, tangents_whole };
+Words words_read(const Api& api, std::uint32_t influences, bool surface_normals);
+
+// Whether vertex shaders read all joints as one attribute, each two as a number.
+bool reads_joint_pairs(const Api& api, std::uint32_t influences);
+
+// How the mesh's vertices are to be read: uniforms of the program, which is in use.
+void tell_of_vertices(const Api& api, const GpuMesh& mesh, const Program& program);
 
 // Empties it, where there is any.
 void clear(Span<char> log);

@@ -139,24 +139,25 @@ float unit_position(const Vertex& v, const Quantisation& q, std::uint32_t c) {
   return (v.position[c] - q.centre[c]) / q.half_extent;
 }
 
-// Rounds a vector to steps, each number with what the last one has lost: `carry`. in_words: w stands before z, and y
+// Rounds a vector to steps, each number with what the last one has lost: `carry`. whole: w stands before z, and y
 // and z are read with what is below them behind their point, so it counts.
-void put_vector(const float exact[4], bool in_words, float carry[4], std::byte* to) {
+void put_vector(const float exact[4], bool whole, float carry[4], std::byte* to) {
   constexpr std::uint8_t kOrders[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
   float behind = 0;
   for (std::size_t place = 0; place < 4; ++place) {
-    const std::size_t c = kOrders[in_words ? 1 : 0][place];
+    const std::size_t c = kOrders[whole ? 1 : 0][place];
     const float x = exact[c] + carry[c] - (place % 2 == 1 ? behind : 0);
     std::int32_t i = round_to_int(x);
     i = i < -32767 ? -32767 : i > 32767 ? 32767 : i;
     carry[c] = x - static_cast<float>(i);
     const auto stored = static_cast<std::uint16_t>(i);
     put(to + 2 * place, stored);
-    behind = in_words ? static_cast<float>(stored) / 65536 : 0;
+    behind = whole ? static_cast<float>(stored) / 65536 : 0;
   }
 }
 
-void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisation& quantisation, std::byte* to) {
+void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisation& quantisation, bool whole,
+                     std::byte* to) {
   float total_weight[kMaxInfluences];
   std::int32_t w[kMaxInfluences] = {};
   for (std::uint32_t j = 0; j < v.influences; ++j) total_weight[j] = v.weights[j] + v.residual[j][3];
@@ -175,7 +176,7 @@ void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisa
       const float d = (v.residual[j][c] - quantisation.centre[c] * v.residual[j][3]) / quantisation.half_extent;
       exact[c] = (lift * unit_position(v, quantisation, c) + d) * one;
     }
-    put_vector(exact, in_words(layout), carry, to + std::size_t{8} * j);
+    put_vector(exact, whole, carry, to + std::size_t{8} * j);
   }
 }
 
@@ -202,7 +203,7 @@ void put_tangents(const Vertex& v, const VertexLayout& layout, const Quantisatio
         exact[j][3] = a == 1 ? 0.0f : left_handed ? -32767.0f : 32767.0f;
         carry[3] = 0;
       }
-      put_vector(exact[j], in_words(layout), carry, to + 8 * (places * a + j));
+      put_vector(exact[j], layout.influences > 4, carry, to + 8 * (places * a + j));
     }
   }
 }
@@ -325,11 +326,11 @@ void encode_ssd(const Geometry& geometry, const VertexLayout& layout, const Quan
 }
 
 void encode_as(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation,
-               const float* tangents, std::byte* out) {
+               const float* tangents, bool whole_coordinates, std::byte* out) {
   if (!layout.surface_normals) tangents = nullptr;
   for_each_vertex(geometry, tangents, [&](std::uint32_t slot, const Vertex& v) {
     std::byte* vertex = out + std::size_t{slot} * layout.as_stride;
-    put_coordinates(v, layout, quantisation, vertex);
+    put_coordinates(v, layout, quantisation, whole_coordinates, vertex);
     if (tangents != nullptr) {
       const bool left_handed = geometry.tangents != nullptr && geometry.tangents[slot / 4 * 16 + 12 + slot % 4] < 0;
       put_tangents(v, layout, quantisation, left_handed, vertex + layout.as_tangents);

@@ -19,11 +19,6 @@ inline std::uint32_t joint_places(const VertexLayout& layout) {
 inline std::uint32_t weight_places(const VertexLayout& layout) {
   return (layout.influences + 1) / 2 * 2;
 }
-// Whether a shader reads y and z of animation space's vectors as whole words: MARROW_WORDS 2.
-inline bool in_words(const VertexLayout& layout) {
-  return layout.surface_normals && layout.influences > 4;
-}
-
 // One pass over the uvs when the mesh has any. as_tangents: whether there are any. psd: as PrepareOptions::psd.
 VertexLayout make_layout(const Mesh& mesh, bool as_tangents, bool psd);
 
@@ -33,9 +28,9 @@ Quantisation make_quantisation(const Geometry& geometry);
 // Each writes slot_count × stride bytes. Within a vertex the influence with the largest weight comes first; unused ones
 // have weight 0 and repeat its joint. The row of examples is left as it is.
 void encode_ssd(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation, std::byte* out);
-// tangents: from as_tangents(), where the layout has them.
+// tangents: from as_tangents(), where the layout has them. whole_coordinates: as MARROW_WORDS 2.
 void encode_as(const Geometry& geometry, const VertexLayout& layout, const Quantisation& quantisation,
-               const float* tangents, std::byte* out);
+               const float* tangents, bool whole_coordinates, std::byte* out);
 void encode_surface(const Geometry& geometry, const VertexLayout& layout, std::byte* out);
 
 // Rounds values to integers (in units of 1/total) so that they sum to `total` exactly: floors, then one more for the

@@ -35,6 +35,12 @@ std::uint32_t upload(const Api& api, GlEnum target, const void* data, std::size_
 }
 
 void describe_joints(const Api& api, const VertexLayout& layout, std::uint32_t stride, std::uint32_t offset) {
+  if (reads_joint_pairs(api, layout.influences)) {
+    api.EnableVertexAttribArray(kJointsLocation);
+    api.VertexAttribIPointer(kJointsLocation, 4, layout.joint_bytes == 1 ? kGlUnsignedShort : kGlUnsignedInt,
+                             static_cast<int>(stride), at(offset));
+    return;
+  }
   for (std::uint32_t i = 0; i < joint_places(layout) / 4; ++i) {
     api.EnableVertexAttribArray(kJointsLocation + i);
     api.VertexAttribIPointer(kJointsLocation + i, 4, layout.joint_bytes == 1 ? kGlUnsignedByte : kGlUnsignedShort,
@@ -42,14 +48,22 @@ void describe_joints(const Api& api, const VertexLayout& layout, std::uint32_t s
   }
 }
 
-// All that is before the joints, sixteen bytes an attribute.
-void describe_words(const Api& api, const VertexLayout& layout) {
-  for (std::uint32_t begin = 0; begin < layout.as_joints; begin += 16) {
-    const std::uint32_t location = kWordLocations[begin / 16];
-    api.EnableVertexAttribArray(location);
-    api.VertexAttribIPointer(location, layout.as_joints - begin < 16 ? 2 : 4, kGlUnsignedInt,
+// What is from `begin` to the joints, sixteen bytes an attribute.
+void describe_words(const Api& api, const VertexLayout& layout, std::uint32_t begin, const std::uint32_t* location) {
+  for (; begin < layout.as_joints; begin += 16, ++location) {
+    api.EnableVertexAttribArray(*location);
+    api.VertexAttribIPointer(*location, layout.as_joints - begin < 16 ? 2 : 4, kGlUnsignedInt,
                              static_cast<int>(layout.as_stride), at(begin));
   }
+}
+
+void describe_coordinates(const Api& api, const VertexLayout& layout, Words words) {
+  if (words == Words::all || words == Words::all_whole) return describe_words(api, layout, 0, kWordLocations);
+  for (std::uint32_t i = 0; i < layout.influences; ++i)
+    attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
+  if (words == Words::tangents_whole) return describe_words(api, layout, layout.as_tangents, kWordLocations + 6);
+  for (std::uint32_t i = 0; layout.surface_normals && i < 8; ++i)
+    attribute(api, kSurfaceLocations[i], 4, kGlShort, true, layout.as_stride, layout.as_tangents + 8 * i);
 }
 
 // directions: normals and tangents too.
@@ -104,17 +118,11 @@ Status make_ssd(const Api& api, const Geometry& g, const VertexLayout& layout, c
 
 void make_as(const Api& api, const Geometry& g, const VertexLayout& layout, const Quantisation& q,
              Span<std::byte> scratch, const float* tangents, GpuMesh& mesh) {
-  encode_as(g, layout, q, tangents, scratch.data);
+  const Words words = words_read(api, layout.influences, layout.surface_normals);
+  encode_as(g, layout, q, tangents, words == Words::all_whole, scratch.data);
   mesh.as_array = begin_array(api, mesh);
   mesh.as_buffer = upload(api, kGlArrayBuffer, scratch.data, std::size_t{layout.as_stride} * g.slot_count);
-  if (reads_words(api, layout.influences, layout.surface_normals)) {
-    describe_words(api, layout);
-  } else {
-    for (std::uint32_t i = 0; i < layout.influences; ++i)
-      attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
-    for (std::uint32_t i = 0; layout.surface_normals && i < 8; ++i)
-      attribute(api, kSurfaceLocations[i], 4, kGlShort, true, layout.as_stride, layout.as_tangents + 8 * i);
-  }
+  describe_coordinates(api, layout, words);
   describe_joints(api, layout, layout.as_stride, layout.as_joints);
   describe_surface(api, g, layout, !layout.surface_normals, mesh);
 }
@@ -244,7 +252,7 @@ Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Progra
                                                            : mesh.ssd_array;
   MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");
   MARROW_REQUIRE((deformer != Deformer::psd || mesh.example_texture != 0) && "prepared for this deformer");
-  if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
+  tell_of_vertices(api, mesh, program);
   api.BindVertexArray(array);
   const auto count = static_cast<int>(mesh.index_count);
   if (instances == 1) {

@@ -97,7 +97,7 @@ Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Pro
   MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");
   MARROW_REQUIRE((deformer != Deformer::psd || mesh.example_texture != 0) && "prepared for this deformer");
   MARROW_REQUIRE(to.slot_count == mesh.slot_count);
-  if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
+  tell_of_vertices(api, mesh, program);
   if (program.vertex_layout >= 0) {
     by_compute(api, mesh, as, program, to);
   } else {

@@ -54,9 +54,8 @@ Text preamble(const Api& api, const ProgramKey& key, bool compute) {
   const bool surface =
       key.deformer == Deformer::as && (key.features & kMorphs) == 0 && (key.features & kSurfaceNormals) != 0;
   text.define("MARROW_SURFACE_NORMALS", surface && (key.features & (kNormals | kTangents)) != 0 ? 1 : 0);
-  text.define("MARROW_WORDS", surface && key.influences > 4                          ? 2
-                              : compute || reads_words(api, key.influences, surface) ? 1
-                                                                                     : 0);
+  const Words words = words_read(api, key.influences, surface);
+  text.define("MARROW_WORDS", static_cast<std::uint32_t>(compute && words == Words::none ? Words::all : words));
   text.define("MARROW_GPU", static_cast<std::uint32_t>(family_of(api.GetString(kGlRenderer))));
   text.define("MARROW_PALETTES", static_cast<std::uint32_t>(key.palettes));
   text.define("MARROW_PALETTE_JOINTS", kPaletteJoints);
@@ -126,8 +125,23 @@ void clear(Span<char> log) {
   put_log(log, "");
 }
 
-bool reads_words(const Api& api, std::uint32_t influences, bool surface_normals) {
-  return (surface_normals && influences > 4) || family_of(api.GetString(kGlRenderer)) == GpuFamily::mali_g;
+Words words_read(const Api& api, std::uint32_t influences, bool surface_normals) {
+  const GpuFamily family = family_of(api.GetString(kGlRenderer));
+  if (surface_normals && influences > 4) {
+    const bool unpacking_costs = family == GpuFamily::adreno || family == GpuFamily::mali_t;
+    return unpacking_costs && influences <= 6 ? Words::tangents_whole : Words::all_whole;
+  }
+  return family == GpuFamily::mali_g ? Words::all : Words::none;
+}
+
+bool reads_joint_pairs(const Api& api, std::uint32_t influences) {
+  return influences > 4 && family_of(api.GetString(kGlRenderer)) == GpuFamily::mali_g;
+}
+
+void tell_of_vertices(const Api& api, const GpuMesh& mesh, const Program& program) {
+  if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
+  const int bits = 8 * static_cast<int>(mesh.layout.joint_bytes);
+  if (program.joint_bits >= 0) api.Uniform2i(program.joint_bits, bits, (1 << bits) - 1);
 }
 
 Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts& texts, std::uint32_t palette_binding,
@@ -168,6 +182,7 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   if (made.motion) tie("MarrowPreviousPalette", palette_binding + 1);
   const auto find = [&](const char* name) { return api.GetUniformLocation(made.id, name); };
   made.coordinate_scale = find("marrow_coordinate_scale");
+  made.joint_bits = find("marrow_joint_bits");
   made.palettes = find("marrow_palettes");
   made.first_row = find("marrow_first_row");
   made.instances = find("marrow_instances");

@@ -89,7 +89,7 @@ TEST(Encode, AnyFiniteNumbersAreEncoded) {
     const gles3::Quantisation q = gles3::make_quantisation(mesh.geometry);
     std::vector<std::byte> out(4 * std::max(layout.ssd_stride, layout.as_stride));
     gles3::encode_ssd(mesh.geometry, layout, q, out.data());
-    gles3::encode_as(mesh.geometry, layout, q, nullptr, out.data());
+    for (const bool whole : {false, true}) gles3::encode_as(mesh.geometry, layout, q, nullptr, whole, out.data());
     EXPECT_GT(q.coordinate_one, 0);
   }
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
+#include "gles3/compile.h"
 #include "marrow/palette.h"
 
 namespace marrow::test {
@@ -219,7 +220,7 @@ Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_j
     EXPECT_EQ(gles3::upload_palettes(gl(), distances_, distances), Status::ok);
   }
   bind(with, palette, way);
-  if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu_.coordinate_scale);
+  gles3::tell_of_vertices(gl(), gpu_, with);
   if (!mesh_.geometry.targets.empty()) {
     EXPECT_EQ(gles3::set_morphs(gl(), mesh_, gpu_, weights, 2, with), Status::ok);
   }

@@ -8,6 +8,7 @@
 #include "gl/models.h"
 #include "gl/stage.h"
 #include "gl/troop.h"
+#include "gles3/compile.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
@@ -501,7 +502,7 @@ TEST(Motion, CrowdsKnowTheFrameBefore) {
 
   gl().UseProgram(drawing.id);
   ASSERT_EQ(gles3::bind_crowd(gl(), crowd, crowd_mesh, 0, kCount, 1, drawing), Status::ok);
-  if (drawing.coordinate_scale >= 0) gl().Uniform1f(drawing.coordinate_scale, crowd_mesh.gpu.coordinate_scale);
+  gles3::tell_of_vertices(gl(), crowd_mesh.gpu, drawing);
   const std::vector<Both> got = capture(crowd_mesh.gpu.as_array, crowd_mesh.gpu.slot_count, kCount);
   Worst worst;
   for (std::uint32_t i = 0; i < kCount; ++i) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gles3/compile.h"
+
 namespace marrow::test {
 namespace {
 
@@ -80,7 +82,7 @@ std::vector<Skinned> Troop::capture(gles3::Deformer deformer, std::uint32_t firs
   const gles3::Program& with = drawing_program(key);
   gl().UseProgram(with.id);
   EXPECT_EQ(gles3::bind_crowd(gl(), crowd_, crowd_mesh_, first, count, 1, with), Status::ok);
-  if (with.coordinate_scale >= 0) gl().Uniform1f(with.coordinate_scale, gpu().coordinate_scale);
+  gles3::tell_of_vertices(gl(), gpu(), with);
 
   const tools::GlBuffer buffer(gl());
   const std::size_t floats = kFeedbackFloats * vertices * count;

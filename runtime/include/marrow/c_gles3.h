@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0x3616efccu
+#define MRW_GLES3_ABI 0xc46ce8bcu
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -97,7 +97,7 @@ enum {
 // kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
 #define MRW_GLES3_POSITION_LOCATION 0u  // animation space: 0 … 7 are the coordinates
 #define MRW_GLES3_WEIGHTS_LOCATION 1u  // and 2
-#define MRW_GLES3_JOINTS_LOCATION 8u  // and 9
+#define MRW_GLES3_JOINTS_LOCATION 8u  // and 9; on Mali-G up to eight here, two in a number
 #define MRW_GLES3_NORMAL_LOCATION 10u
 #define MRW_GLES3_TANGENT_LOCATION 11u
 #define MRW_GLES3_UV_LOCATION 12u
@@ -269,6 +269,7 @@ struct mrw_gles3_program {
   mrw_gles3_palettes reads;
   bool motion;  // built with kMotion
   int32_t coordinate_scale;  // Locations of uniforms.
+  int32_t joint_bits;
   int32_t palettes;
   int32_t first_row;
   int32_t instances;

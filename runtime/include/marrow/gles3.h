@@ -85,7 +85,7 @@ inline constexpr std::uint8_t kMotion = 64;
 inline constexpr std::uint32_t kPositionLocation = 0;  // animation space: 0 … 7 are the coordinates
 inline constexpr std::uint32_t kWeightsLocation = 1;   // and 2
 inline constexpr std::uint32_t kPreviousLocation = 1;  // Deformer::none with kMotion: the position of the frame before
-inline constexpr std::uint32_t kJointsLocation = 8;    // and 9
+inline constexpr std::uint32_t kJointsLocation = 8;    // and 9; on Mali-G up to eight here, two in a number
 inline constexpr std::uint32_t kNormalLocation = 10;
 inline constexpr std::uint32_t kTangentLocation = 11;
 inline constexpr std::uint32_t kUvLocation = 12;
@@ -93,8 +93,9 @@ inline constexpr std::uint32_t kColourLocation = 13;
 inline constexpr std::uint32_t kMorphRowLocation = 14;
 inline constexpr std::uint32_t kExampleRowLocation = 15;
 inline constexpr std::uint32_t kSurfaceLocations[8] = {4, 5, 6, 7, 9, 10, 11, 15};  // four vectors of each tangent
-// With more than four influences and kSurfaceNormals, and on Mali-G always: coordinates and tangents of animation space
-// as words, uvec4, two vectors in each. In the former case each vector is x, y, w, z, and y and z are read with the
+// Animation space as words, uvec4, two vectors in each: coordinates and tangents on Mali-G, and with kSurfaceNormals
+// and more than four influences; but of five and six on Adreno and Mali-T tangents alone, from the seventh location on.
+// With kSurfaceNormals and more than four influences a vector in words is x, y, w, z, and y and z are read with the
 // sixteen bits below them behind their point, which saves the parting of words.
 inline constexpr std::uint32_t kWordLocations[12] = {0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15};
 
@@ -255,7 +256,7 @@ struct Program {
   Palettes reads = Palettes::uniform_block;
   bool motion = false;  // built with kMotion
   // Locations of uniforms.
-  std::int32_t coordinate_scale = -1;
+  std::int32_t coordinate_scale = -1, joint_bits = -1;
   std::int32_t palettes = -1, first_row = -1;
   std::int32_t instances = -1, crowd = -1;
   std::int32_t vertex_layout = -1;  // of pre-skinning by compute shaders

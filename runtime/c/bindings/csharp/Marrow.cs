@@ -2845,6 +2845,7 @@ public unsafe struct Gles3Program {
     /// Locations of uniforms.
     /// </summary>
     public int coordinate_scale;
+    public int joint_bits;
     public int palettes;
     public int first_row;
     public int instances;
@@ -3021,7 +3022,7 @@ public unsafe struct Gles3ProgramSet {
     /// </summary>
     public byte* log;
     public UIntPtr log_bytes;
-    public fixed uint entries[4416];
+    public fixed uint entries[4608];
     public uint count;
     public static Gles3ProgramSet New() {
         Gles3ProgramSet made;
@@ -3503,7 +3504,7 @@ public static unsafe class Marrow {
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0xfbe80d61;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x3616efcc;
+    public const uint Gles3AbiNumber = 0xc46ce8bc;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3633,7 +3634,7 @@ public static unsafe class Marrow {
     /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
-    /// and 9
+    /// and 9; on Mali-G up to eight here, two in a number
     /// </summary>
     public const uint Gles3JointsLocation = 8;
     /// <summary>
@@ -5794,12 +5795,12 @@ public static unsafe class Marrow {
             sizeof(Gles3PrepareOptions) == 32 &&
             sizeof(Gles3ProgramKey) == 4 &&
             sizeof(Gles3ProgramSource) == 32 &&
-            sizeof(Gles3Program) == 84 &&
+            sizeof(Gles3Program) == 88 &&
             sizeof(Gles3PaletteRing) == 16 &&
             sizeof(Gles3PaletteTexture) == 28 &&
             sizeof(Gles3SkinnedMesh) == 16 &&
-            sizeof(Gles3ProgramSetEntry) == 92 &&
-            sizeof(Gles3ProgramSet) == 17832 &&
+            sizeof(Gles3ProgramSetEntry) == 96 &&
+            sizeof(Gles3ProgramSet) == 18600 &&
             sizeof(Gles3SkinnerOptions) == 40 &&
             sizeof(Gles3SkinnerMotion) == 112 &&
             sizeof(Gles3Skinner) == 1472 &&

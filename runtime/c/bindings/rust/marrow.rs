@@ -6,7 +6,7 @@ use std::os::raw::{c_char, c_void};
 /// What abi() must give.
 pub const ABI: u32 = 0xfbe80d61;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x3616efcc;
+pub const GLES3_ABI: u32 = 0xc46ce8bc;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -2603,7 +2603,7 @@ pub const GLES3_WEIGHTS_LOCATION: u32 = 1;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
-/// and 9
+/// and 9; on Mali-G up to eight here, two in a number
 pub const GLES3_JOINTS_LOCATION: u32 = 8;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
@@ -2896,6 +2896,7 @@ pub struct Gles3Program {
     pub motion: bool,
     /// Locations of uniforms.
     pub coordinate_scale: i32,
+    pub joint_bits: i32,
     pub palettes: i32,
     pub first_row: i32,
     pub instances: i32,
@@ -2926,7 +2927,7 @@ impl Default for Gles3Program {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3Program>() == 84);
+const _: () = assert!(std::mem::size_of::<Gles3Program>() == 88);
 
 /// One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
 /// contents are orphaned, so the CPU never waits for the GPU.
@@ -3050,7 +3051,7 @@ impl Default for Gles3ProgramSetEntry {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 92);
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 96);
 
 /// The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
 #[repr(C)]
@@ -3080,7 +3081,7 @@ impl Default for Gles3ProgramSet {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 17832);
+const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 18600);
 
 #[repr(C)]
 #[derive(Clone, Copy)]

@@ -2593,6 +2593,7 @@ export interface Gles3Program extends View {
    * Locations of uniforms.
    */
   coordinate_scale: number;
+  joint_bits: number;
   palettes: number;
   first_row: number;
   instances: number;
