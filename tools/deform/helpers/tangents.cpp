@@ -33,8 +33,8 @@ class StandIns {
     for (const Coordinate& c : vertex)
       for (const Influence& i : joints_of(c.joint)) joints_.push_back({i.joint, 0});
     std::ranges::sort(joints_, {}, &Influence::joint);
-    const auto again = std::ranges::unique(joints_, {}, &Influence::joint);
-    joints_.erase(again.begin(), again.end());
+    const auto is_same = [](const Influence& a, const Influence& b) { return a.joint == b.joint; };
+    joints_.erase(std::unique(joints_.begin(), joints_.end(), is_same), joints_.end());
     for (const Coordinate& c : vertex)
       for (const Influence& i : joints_of(c.joint)) joints_[place_of(i.joint)].weight += i.weight * c.q.w;
     for (std::size_t i = 0; i < vertex.size(); ++i) add_direction(i);
