@@ -56,8 +56,8 @@ void begin_evenly(SymbolModel* models, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) models[i].begin(kEven, false);
 }
 
-// Written so that compilers see 16-bit vectors in it.
-std::uint32_t SymbolModel::find(std::uint32_t place) const {
+// Written so that compilers see 16-bit vectors in it. Not inlined: GCC 12 then takes the count's lanes for negative.
+[[gnu::noinline]] std::uint32_t SymbolModel::find(std::uint32_t place) const {
   const auto wanted = static_cast<std::int16_t>(place);
   std::int16_t out = 0;
   for (std::uint32_t i = 1; i <= kCount; ++i) out = static_cast<std::int16_t>(out + (starts_[i] <= wanted ? 1 : 0));
