@@ -28,4 +28,16 @@ inline f32x4 inverse_length(f32x4 squared) {
   return select(zero < squared, splat(1.0f) / sqrt(squared), zero);
 }
 
+#if !defined(MARROW_F32X4_LOADS_TRANSPOSED)
+// The transpose of what lies at four multiples of 16 bytes.
+inline void load_transposed(const float* a, const float* b, const float* c, const float* d, f32x4& x, f32x4& y,
+                            f32x4& z, f32x4& w) {
+  x = load_aligned(a);
+  y = load_aligned(b);
+  z = load_aligned(c);
+  w = load_aligned(d);
+  transpose(x, y, z, w);
+}
+#endif
+
 }  // namespace marrow

@@ -149,16 +149,6 @@ inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
   d.v = vreinterpretq_f32_f64(vtrn2q_f64(ab1, cd1));
 }
 
-// The transpose of what lies at four multiples of 16 bytes.
-inline void load_transposed(const float* a, const float* b, const float* c, const float* d, f32x4& x, f32x4& y,
-                            f32x4& z, f32x4& w) {
-  x = load_aligned(a);
-  y = load_aligned(b);
-  z = load_aligned(c);
-  w = load_aligned(d);
-  transpose(x, y, z, w);
-}
-
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
 inline void load_xyz(const float* p, f32x4& x, f32x4& y, f32x4& z) {
   const float32x4x3_t xyz = vld3q_f32(p);

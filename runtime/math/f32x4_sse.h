@@ -147,6 +147,7 @@ inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
   _MM_TRANSPOSE4_PS(a.v, b.v, c.v, d.v);
 }
 
+#define MARROW_F32X4_LOADS_TRANSPOSED 1  // else f32x4.h does
 // The transpose of what lies at four multiples of 16 bytes. By halves, which takes fewer shuffles' copies.
 inline void load_transposed(const float* a, const float* b, const float* c, const float* d, f32x4& x, f32x4& y,
                             f32x4& z, f32x4& w) {

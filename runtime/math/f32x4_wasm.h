@@ -142,16 +142,6 @@ inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
   d.v = wasm_i64x2_shuffle(ab1, cd1, 1, 3);
 }
 
-// The transpose of what lies at four multiples of 16 bytes.
-inline void load_transposed(const float* a, const float* b, const float* c, const float* d, f32x4& x, f32x4& y,
-                            f32x4& z, f32x4& w) {
-  x = load_aligned(a);
-  y = load_aligned(b);
-  z = load_aligned(c);
-  w = load_aligned(d);
-  transpose(x, y, z, w);
-}
-
 // Twelve floats: x0 y0 z0 x1 y1 z1 …
 inline void load_xyz(const float* p, f32x4& x, f32x4& y, f32x4& z) {
   const v128_t a = wasm_v128_load(p), b = wasm_v128_load(p + 4), c = wasm_v128_load(p + 8);
