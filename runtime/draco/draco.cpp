@@ -50,10 +50,6 @@ bool copy_stream(const ::draco::PointAttribute& attribute, const Stream& s, std:
   return true;
 }
 
-bool is_skin(StreamKind kind) {
-  return kind == StreamKind::joints || kind == StreamKind::weights;
-}
-
 bool decode_mesh(Span<const std::byte> skin, Span<const std::byte> bytes, const MeshStreams& out) {
   ::draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data), bytes.size);

@@ -42,6 +42,11 @@ constexpr bool is_centred(StreamKind kind) {
          kind == StreamKind::pose_delta;
 }
 
+// Whether it says which joints a vertex follows, and by how much.
+constexpr bool is_skin(StreamKind kind) {
+  return kind == StreamKind::joints || kind == StreamKind::weights;
+}
+
 // Of weights.
 constexpr float weight_step(std::uint32_t bits) {
   return 1.0f / static_cast<float>((1 << bits) - 1);

@@ -19,10 +19,6 @@ struct Followed {
   std::vector<int> joints, weights;  // ascending; all weights
 };
 
-Stream& add(OwnedStreams& s, StreamKind kind, std::uint32_t components, std::uint32_t bits) {
-  return s.add(kind, components, bits);
-}
-
 OwnedStreams mesh_of(const std::vector<std::array<int, 3>>& positions, const std::vector<std::uint32_t>& indices,
                      const std::vector<Followed>& skin, std::uint32_t influences, std::uint32_t bits,
                      std::uint32_t joint_count) {
@@ -32,9 +28,9 @@ OwnedStreams mesh_of(const std::vector<std::array<int, 3>>& positions, const std
   out.mesh.joint_count = joint_count;
   out.mesh.influences = influences;
   out.indices = indices;
-  add(out, StreamKind::position, 3, 14);
-  add(out, StreamKind::joints, influences, 15);
-  if (influences > 1) add(out, StreamKind::weights, influences - 1, bits);
+  out.add(StreamKind::position, 3, 14);
+  out.add(StreamKind::joints, influences, 15);
+  if (influences > 1) out.add(StreamKind::weights, influences - 1, bits);
   for (auto& values : out.values) values.clear();
   for (std::size_t v = 0; v < positions.size(); ++v) {
     out.values[0].insert(out.values[0].end(), positions[v].begin(), positions[v].end());
@@ -91,7 +87,7 @@ OwnedStreams sheet(Random& random, std::uint32_t influences, std::uint32_t bits,
   positions.push_back({9, 9, 9});
   skin.push_back(skin.front());
   OwnedStreams out = mesh_of(positions, indices, skin, influences, bits, joint_count);
-  add(out, StreamKind::uv, 2, 14);  // tells vertices at one place apart
+  out.add(StreamKind::uv, 2, 14);  // tells vertices at one place apart
   out.values.back().clear();
   for (std::size_t v = 0; v < positions.size(); ++v)
     out.values.back().insert(out.values.back().end(), {3, static_cast<int>(v)});

@@ -17,7 +17,7 @@ namespace {
 using Columns = std::vector<std::vector<std::int32_t>>;
 
 bool is_of_animation_space(StreamKind kind) {
-  return kind == StreamKind::joints || kind == StreamKind::weights || kind == StreamKind::residual;
+  return is_skin(kind) || kind == StreamKind::residual;
 }
 
 // The joints that have a weight, and their weights but the last.

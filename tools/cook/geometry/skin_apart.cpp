@@ -11,14 +11,10 @@
 namespace marrow::cook {
 namespace {
 
-bool is_skin(const Stream& stream) {
-  return stream.kind == StreamKind::joints || stream.kind == StreamKind::weights;
-}
-
 OwnedStreams without_skin(const OwnedStreams& streams) {
   OwnedStreams out = streams;
   for (std::size_t i = out.streams.size(); i-- > 0;) {
-    if (!is_skin(out.streams[i])) continue;
+    if (!is_skin(out.streams[i].kind)) continue;
     out.streams.erase(out.streams.begin() + static_cast<std::ptrdiff_t>(i));
     out.values.erase(out.values.begin() + static_cast<std::ptrdiff_t>(i));
   }
@@ -42,7 +38,7 @@ std::vector<std::byte> SkinApart::give_back(OwnedStreams& streams) const {
   const Places places = places_of(old_rows, old_rows, before_.mesh.vertex_count);
   for (std::size_t i = 0; i < before_.streams.size(); ++i) {
     const Stream& stream = before_.streams[i];
-    if (!is_skin(stream)) continue;
+    if (!is_skin(stream.kind)) continue;
     const auto at = static_cast<std::ptrdiff_t>(i);
     streams.streams.insert(streams.streams.begin() + at, stream);
     std::vector<std::int32_t>& values = *streams.values.emplace(streams.values.begin() + at);
