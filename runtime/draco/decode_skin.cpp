@@ -6,26 +6,9 @@
 #include "draco/skin_codec.h"
 
 namespace marrow {
-namespace {
-
-// Shares of 256: a number of `size` bits is the likeliest, each further bit half as likely.
-void begin_at(std::uint32_t size, SymbolModel& model) {
-  std::uint8_t weights[SymbolModel::kCount];
-  std::uint32_t left = SymbolModel::kWeights;
-  for (std::uint32_t i = 0; i < SymbolModel::kCount; ++i) {
-    const std::uint32_t away = i < size ? size - i : i - size;
-    weights[i] = static_cast<std::uint8_t>(away < 6 ? 64u >> away : 1u);
-    left -= weights[i];
-  }
-  weights[size] = static_cast<std::uint8_t>(weights[size] + left);
-  model.begin(weights, true);
-}
-
-}  // namespace
-
 void SkinModels::begin() {
-  begin_at(3, distances);
-  for (std::uint32_t size = 0; size < kSizes; ++size) begin_at(size, weights[size]);
+  begin_near(3, distances);
+  for (std::uint32_t size = 0; size < kSizes; ++size) begin_near(size, weights[size]);
 }
 
 SkinBefore::SkinBefore(const MeshStreams& mesh)

@@ -51,6 +51,19 @@ void SymbolModel::begin(const std::uint8_t (&weights)[kCount], bool is_guess) {
   seen_ = is_guess ? kGuessSeen : 0;
 }
 
+// Shares of 256: a number of `size` bits is the likeliest, each further bit half as likely.
+void begin_near(std::uint32_t size, SymbolModel& model) {
+  std::uint8_t weights[SymbolModel::kCount];
+  std::uint32_t left = SymbolModel::kWeights;
+  for (std::uint32_t i = 0; i < SymbolModel::kCount; ++i) {
+    const std::uint32_t away = i < size ? size - i : i - size;
+    weights[i] = static_cast<std::uint8_t>(away < 6 ? 64u >> away : 1u);
+    left -= weights[i];
+  }
+  weights[size] = static_cast<std::uint8_t>(weights[size] + left);
+  model.begin(weights, true);
+}
+
 void begin_evenly(SymbolModel* models, std::size_t count) {
   constexpr std::uint8_t kEven[SymbolModel::kCount] = {16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16};
   for (std::size_t i = 0; i < count; ++i) models[i].begin(kEven, false);

@@ -57,6 +57,8 @@ class SymbolModel {
   std::int16_t starts_[kCount + 1];  // the first is 0, the last 2^kBits
   std::int16_t seen_;
 };
+// Of lengths of numbers: those close to `size` are likely.
+void begin_near(std::uint32_t size, SymbolModel& model);
 // All symbols alike.
 void begin_evenly(SymbolModel* models, std::size_t count);
 

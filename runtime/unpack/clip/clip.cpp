@@ -39,7 +39,8 @@ struct Head {
   std::uint32_t flags = 0, rate = 0;
   format::ClipHeader header{};
   bool is_coded() const { return (flags & packed::kClipIsCoded) != 0; }
-  bool has_symbols() const { return is_coded() || header.time_count > 0; }
+  bool has_lists() const { return (flags & packed::kClipHasLists) != 0; }
+  bool has_symbols() const { return is_coded() || has_lists(); }
 };
 
 Head take_head(ByteReader& reader) {
@@ -53,7 +54,7 @@ Head take_head(ByteReader& reader) {
                      ? reader.take<float>()
                      : time_of(static_cast<std::int32_t>(reader.take_varint()), out.rate);
   h.additive = (out.flags & packed::kClipIsAdditive) != 0 ? 1 : 0;
-  if ((out.flags & packed::kClipHasLists) != 0) {
+  if (out.has_lists()) {
     h.track_count = reader.take_varint();
     h.channel_count = reader.take_varint();
     h.time_count = reader.take_varint();
@@ -81,6 +82,21 @@ const char* take_sizes(ByteReader& reader, const Head& head, SegmentSizes& out) 
 
 void take_times(ClipCodec<SymbolDecoder>& codec, std::uint32_t rate, std::uint32_t count, std::byte* out) {
   for (std::uint32_t i = 0; i < count; ++i) reinterpret_cast<float*>(out)[i] = codec.code_time(rate, 0);
+}
+
+// False if there is one that no encoder writes.
+bool take_lists(ListModels& models, SymbolDecoder& decoder, const format::ClipHeader& h, std::byte* section) {
+  const format::ClipLayout l = layout(h);
+  ListCodec<SymbolDecoder> codec(models, decoder);
+  auto* const tracks = reinterpret_cast<Track*>(section + l.tracks);
+  auto* const channels = reinterpret_cast<Channel*>(section + l.channels);
+  for (std::uint32_t t = 0; t < h.track_count; ++t) codec.code_track(tracks[t]);
+  for (std::uint32_t c = 0; c < h.channel_count; ++c) codec.code_channel(channels[c]);
+  bool fits = true;
+  for_each_list(h, tracks, channels, [&](const ValueList& list) {
+    fits = fits && codec.code_values(list, {}, reinterpret_cast<float*>(section + l.values));
+  });
+  return fits;
 }
 
 // From `start` on.
@@ -121,15 +137,14 @@ const char* measure_clip_record(Span<const std::byte> record, ClipNeeds& out) {
   ByteReader reader(record.data, record.size);
   const Head head = take_head(reader);
   if (!head.has_symbols()) return nullptr;
-  const std::uint64_t times = std::uint64_t{head.header.time_count} * 4;
-  const std::uint64_t lists = layout(head.header).bytes - sizeof head.header - times;
-  if (lists > reader.left()) return "a clip that is too short or too long";
-  reader.take_bytes(static_cast<std::size_t>(lists));
+  const format::ClipLayout l = layout(head.header);
+  if (l.tracks - l.reference > reader.left()) return "a clip that is too short or too long";
+  reader.take_bytes(static_cast<std::size_t>(l.tracks - l.reference));
   SegmentSizes sizes;
   if (head.is_coded())
     if (const char* const rule = take_sizes(reader, head, sizes)) return rule;
   out.scratch_bytes = clip_scratch_bytes(sizes.header.track_count, sizes.most_frames);
-  out.most_section_bytes = times + std::uint64_t{sizes.header.time_count} * 4 + sizes.payload_bytes;
+  out.most_section_bytes = l.bytes - l.tracks + std::uint64_t{sizes.header.time_count} * 4 + sizes.payload_bytes;
   return nullptr;
 }
 
@@ -144,8 +159,7 @@ const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeleton
   const format::ClipLayout l = layout(h);
   if (l.bytes > out.size) return "file_bytes too small";
   std::memcpy(out.data, &h, sizeof h);
-  copy_to(reader.take_bytes(static_cast<std::size_t>(l.times - sizeof h)), out, sizeof h);
-  copy_to(reader.take_bytes(static_cast<std::size_t>(l.bytes - l.values)), out, l.values);
+  copy_to(reader.take_bytes(static_cast<std::size_t>(l.tracks - l.reference)), out, l.reference);
   bytes = static_cast<std::uint32_t>(l.bytes);
   codec = head.is_coded() ? format::kCodecSegments : format::kCodecRaw;
   const char* const wrong_size = "a clip that is too short or too long";
@@ -162,6 +176,7 @@ const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeleton
   has_models = true;
   SymbolDecoder decoder(reader.take_bytes(reader.left()));
   ClipCodec<SymbolDecoder> symbols(*work.models, decoder);
+  if (head.has_lists() && !take_lists(work.models->lists, decoder, h, out.data)) return "a list that is none";
   take_times(symbols, head.rate, h.time_count, out.data + l.times);
   if (head.is_coded())
     if (const char* const rule = unpack_coded(symbols, head, sizes, joint_count, work, l.bytes, out, bytes))

@@ -6,6 +6,7 @@
 
 #include "asset/format.h"
 #include "core/builtins.h"
+#include "unpack/clip/list_codec.h"
 #include "unpack/clip/signed_code.h"
 
 namespace marrow {
@@ -70,6 +71,7 @@ struct ClipModels {
   // By whether the one before was as it had been.
   SymbolModel masks[2], constants[2];
   SymbolModel mask_changes, constant_changes;
+  ListModels lists;
 
   // What was last, by place: of places that fall together, one.
   static constexpr std::uint32_t kPlaces = 1024;

@@ -93,6 +93,13 @@ bool unpack_track(ClipCodec<SymbolDecoder>& codec, ClipTrack& track, bool is_fir
 
 }  // namespace
 
+void ListModels::begin() {
+  for (auto& place : values)
+    for (std::uint32_t size = 0; size < kSizes; ++size) begin_near(size, place[size]);
+  begin_near(1, exponents);
+  for (SymbolModel& model : words) begin_near(1, model);
+}
+
 void ClipModels::begin() {
   constexpr std::uint32_t kDistinct = 10;
   for (std::uint32_t scale = 0; scale < ClipScale::kCount; ++scale)
@@ -109,6 +116,7 @@ void ClipModels::begin() {
   begin_evenly(constants, 2);
   begin_evenly(&mask_changes, 1);
   begin_evenly(&constant_changes, 1);
+  lists.begin();
   std::memset(last_masks, 0, sizeof last_masks);
   std::memset(last_constants, 0, sizeof last_constants);
 }

@@ -5,10 +5,10 @@
 
 namespace marrow {
 
-// 0, 1, -1, 2, -2 … as 0, 1, 2, 3, 4 …
+// 0, 1, -1, 2, -2 … as 0, 1, 2, 3, 4 …; the least there is comes last, as if above all others.
 inline std::uint32_t folded(std::int32_t x) {
   const auto bits = static_cast<std::uint32_t>(x);
-  return x > 0 ? 2 * bits - 1 : 0 - 2 * bits;
+  return bits - 1 < 0x80000000u ? 2 * bits - 1 : 0 - 2 * bits;
 }
 inline std::int32_t unfolded(std::uint32_t x) {
   const std::uint32_t half = (x >> 1) + (x & 1);
@@ -17,6 +17,9 @@ inline std::int32_t unfolded(std::uint32_t x) {
 // Of what may be anything.
 inline std::int32_t wrapped_sum(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+inline std::int32_t wrapped_difference(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
 // The length of what it is when folded, and the bits behind the first. Coder: see ClipCodec.

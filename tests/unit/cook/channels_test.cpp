@@ -12,7 +12,7 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kSlack = 0x1p-23;  // of the largest value, as stated
+constexpr double kSlack = 0x1p-17;  // of the largest value, as stated
 
 RawScalar scalar(RawInterpolation interpolation, std::vector<float> times, std::vector<float> values) {
   RawScalar out;

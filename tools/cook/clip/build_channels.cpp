@@ -5,11 +5,14 @@
 #include <limits>
 #include <map>
 
+#include "cook/clip/compress/round_keys.h"
+
 namespace marrow::cook {
 namespace {
 
-// How far a LINEAR channel may move where keys are left out, as a share of its largest value: float's own step.
-constexpr double kLineSlack = 0x1p-23;
+// As a share of a channel's largest value: how far a LINEAR one may move where keys are left out, and how far each key
+// may be off. Together a thousandth of a millimetre of a shape that moves a vertex by 13 cm.
+constexpr double kLineSlack = 0x1p-18, kKeySlack = 0x1p-18;
 
 std::size_t parts_of(const RawScalar& scalar) {
   return scalar.interpolation == RawInterpolation::cubic_spline ? 3 : 1;
@@ -25,12 +28,30 @@ bool is_constant(const RawScalar& scalar) {
   return true;
 }
 
+// Of values, not of tangents.
+double largest_of(const RawScalar& scalar) {
+  const std::size_t parts = parts_of(scalar);
+  double out = 0;
+  for (std::size_t i = parts / 2; i < scalar.values.size(); i += parts)
+    out = std::max(out, std::fabs(static_cast<double>(scalar.values[i])));
+  return out;
+}
+
+RawScalar rounded(const RawScalar& scalar) {
+  const std::size_t parts = parts_of(scalar);
+  const double slack = largest_of(scalar) * kKeySlack, lever = tangent_lever(scalar.times_s);
+  RawScalar out = scalar;
+  for (std::size_t i = 0; i < scalar.values.size(); ++i) {
+    const bool is_tangent = parts == 3 && i % 3 != 1;
+    out.values[i] = rounded_within(is_tangent && lever > 0 ? slack / lever : slack, scalar.values[i]);
+  }
+  return out;
+}
+
 // Indices of the keys that a LINEAR channel needs: from each the next is as far as a straight line passes all between
 // within the slack. The slopes that do so form an interval, which every key narrows.
 std::vector<std::size_t> needed_on_lines(const RawScalar& scalar) {
-  double largest = 0;
-  for (const float value : scalar.values) largest = std::max(largest, std::fabs(static_cast<double>(value)));
-  const double slack = largest * kLineSlack;
+  const double slack = largest_of(scalar) * kLineSlack;
   const auto run = [&](std::size_t a, std::size_t b) {
     return static_cast<double>(scalar.times_s[b]) - static_cast<double>(scalar.times_s[a]);
   };
@@ -95,7 +116,7 @@ std::vector<RawScalar> reduce_all(const std::vector<RawScalar>& scalars) {
   std::map<std::vector<float>, std::size_t> sharers;
   for (const RawScalar& scalar : scalars) ++sharers[scalar.times_s];
   std::vector<RawScalar> out;
-  for (const RawScalar& scalar : scalars) out.push_back(reduced(scalar, sharers[scalar.times_s]));
+  for (const RawScalar& scalar : scalars) out.push_back(rounded(reduced(scalar, sharers[scalar.times_s])));
   return out;
 }
 

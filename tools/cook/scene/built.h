@@ -74,7 +74,7 @@ struct BuiltClip {
   std::vector<float> values;
   BuiltCoded coded;
   ClipError error;
-  std::string raw_because;              // why its keys are as they were; empty: coded, or nothing moves
+  std::string raw_because;              // why it keeps its keys; empty: coded, or nothing moves
   std::string additive;                 // over what, in --additive's words; empty: an ordinary clip
   std::vector<SoaTransform> reference;  // empty: the rest pose
 };

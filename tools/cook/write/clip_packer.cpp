@@ -7,6 +7,7 @@
 #include "cook/clip/compress/packed_cost.h"
 #include "cook/geometry/record.h"
 #include "cook/geometry/symbol_encoder.h"
+#include "cook/write/list_exponents.h"
 #include "unpack/clip/clip.h"
 #include "unpack/clip/segments.h"
 
@@ -20,9 +21,10 @@ T value_at(std::span<const std::byte> bytes, std::uint64_t at) {
   return out;
 }
 
-std::vector<float> floats_at(std::span<const std::byte> bytes, std::uint64_t at, std::uint32_t count) {
-  std::vector<float> out(count);
-  if (count > 0) std::memcpy(out.data(), bytes.data() + at, count * sizeof(float));
+template <class T>
+std::vector<T> all_at(std::span<const std::byte> bytes, std::uint64_t at, std::uint32_t count) {
+  std::vector<T> out(count);
+  if (count > 0) std::memcpy(out.data(), bytes.data() + at, count * sizeof(T));
   return out;
 }
 
@@ -115,6 +117,20 @@ void code_segments(std::span<const std::byte> coded, const SegmentSizes& sizes, 
     }
 }
 
+void code_lists(std::span<const std::byte> section, const format::ClipHeader& h, ListModels& models,
+                SymbolEncoder& encoder) {
+  const format::ClipLayout l = layout(h);
+  ListCodec<SymbolEncoder> codec(models, encoder);
+  auto tracks = all_at<Track>(section, l.tracks, h.track_count);
+  auto channels = all_at<Channel>(section, l.channels, h.channel_count);
+  auto values = all_at<float>(section, l.values, h.value_count);
+  for (Track& track : tracks) codec.code_track(track);
+  for (Channel& channel : channels) codec.code_channel(channel);
+  for_each_list(h, tracks.data(), channels.data(), [&](const ValueList& list) {
+    codec.code_values(list, choose_exponents(list, values.data()), values.data());
+  });
+}
+
 // What stands in front of a coded clip's symbols.
 SegmentSizes add_sizes(std::span<const std::byte> coded, std::uint32_t flags, std::uint32_t joint_count,
                        std::vector<std::byte>& out) {
@@ -195,8 +211,8 @@ std::vector<std::byte> ClipPacker::pack(std::span<const std::byte> section, std:
   const std::span<const std::byte> coded = section.subspan(lists.bytes);
   format::CodedHeader c{};
   if (codec == format::kCodecSegments) c = value_at<format::CodedHeader>(coded, 0);
-  const std::vector<float> list_times = floats_at(section, lists.times, h.time_count);
-  const std::vector<float> frame_times = floats_at(coded, sizeof c, c.time_count);
+  const std::vector<float> list_times = all_at<float>(section, lists.times, h.time_count);
+  const std::vector<float> frame_times = all_at<float>(coded, sizeof c, c.time_count);
   const std::uint32_t rate = choose_rate(h.duration_s, list_times, frame_times);
   const std::uint32_t flags = flags_of(h, c, rate);
 
@@ -211,15 +227,12 @@ std::vector<std::byte> ClipPacker::pack(std::span<const std::byte> section, std:
       add_varint(count, out);
     add_value(h.reference_groups, out);
   }
-  const auto add_part = [&](std::uint64_t first, std::uint64_t end) {
-    out.insert(out.end(), section.begin() + static_cast<std::ptrdiff_t>(first),
-               section.begin() + static_cast<std::ptrdiff_t>(end));
-  };
-  add_part(sizeof h, lists.times);
-  add_part(lists.values, lists.bytes);
-  if (c.frame_count == 0 && list_times.empty()) return out;
+  out.insert(out.end(), section.begin() + static_cast<std::ptrdiff_t>(lists.reference),
+             section.begin() + static_cast<std::ptrdiff_t>(lists.tracks));
+  if (c.frame_count == 0 && (flags & packed::kClipHasLists) == 0) return out;
   SymbolEncoder encoder;
   ClipCodec<SymbolEncoder> symbols(models_, encoder);
+  code_lists(section, h, models_.lists, encoder);
   for (const float time_s : list_times) symbols.code_time(rate, time_s);
   SegmentSizes sizes;
   if (c.frame_count > 0) {

@@ -11,6 +11,7 @@
 #include "cook/clip/compress/constant.h"
 #include "cook/clip/compress/grid.h"
 #include "cook/clip/compress/pack_tracks.h"
+#include "cook/clip/compress/round_keys.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 
@@ -79,6 +80,8 @@ class Compressor {
   }
 
   std::optional<BuiltClip> compress(const Promise& promise, double share) const;
+  // All keys, coarser as far as that is within the promise; as they are if it is not at all.
+  BuiltClip keep_keys(const Promise& promise) const;
 
  private:
   double time_of(std::size_t moment) const {
@@ -217,6 +220,10 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
   return worst;
 }
 
+double worst_share(const ClipError& error, const Promise& promise) {
+  return std::max(error.share, promise.of_vertices ? error.vertex_share : 0.0);
+}
+
 // Stretch by stretch; then in the segments that take least.
 std::optional<BuiltCoded> Compressor::code(const Promise& promise) const {
   std::vector<std::vector<CodedTrack>> stretches;
@@ -266,6 +273,17 @@ std::optional<BuiltClip> Compressor::compress(const Promise& promise, double sha
   return out;
 }
 
+BuiltClip Compressor::keep_keys(const Promise& promise) const {
+  constexpr int kMostHalvings = 16;
+  double share = 1;
+  for (int i = 0; i < kMostHalvings; ++i, share /= 2) {
+    BuiltClip out = with_rounded_keys(clip_, rig_, promise, share);
+    out.error = measure(out, promise);
+    if (worst_share(out.error, promise) <= 1) return out;
+  }
+  return clip_;
+}
+
 std::size_t bytes_of(const BuiltClip& clip) {
   return clip.tracks.size() * sizeof(Track) + 4 * (clip.times_s.size() + clip.values.size()) +
          clip.coded.payload.size() + 4 * clip.coded.offsets.size() + sizeof(GroupMasks) * clip.coded.masks.size() +
@@ -286,7 +304,7 @@ std::optional<BuiltClip> compress_on(const Compressor& compressor, const BuiltCl
   for (int i = 0; i < kMostTries; ++i) {
     std::optional<BuiltClip> made = compressor.compress(promise, share);
     if (!made) return std::nullopt;
-    const double worst = std::max(made->error.share, promise.of_vertices ? made->error.vertex_share : 0.0);
+    const double worst = worst_share(made->error, promise);
     if (worst <= 1) return made;
     if (bytes_of(*made) < bytes_of(clip) && worst < strayed.share) strayed = {worst, bytes_of(*made)};
     if (worst > 1.5 && worst > 0.98 * last) return std::nullopt;  // it is the grid that strays
@@ -308,24 +326,25 @@ std::string why_it_strays(const Strayed& strayed) {
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
                    const Hung& hung, Effort effort) {
   if (clip.tracks.empty()) return;
-  clip.raw_because = "its curves are STEP, or all at one time";
+  std::string why = "its curves are STEP, or all at one time";
+  std::optional<BuiltClip> as_keys;
   Strayed strayed;
   for (const Grid& grid : grids(clip)) {
-    clip.raw_because = "it has more than a million joints times moments";
-    if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) return;
+    why = "it has more than a million joints times moments";
+    if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) break;
     const Compressor compressor(clip, skeleton, rig, grid, promise, hung, effort);
     std::optional<BuiltClip> made = compress_on(compressor, clip, promise, strayed);
-    if (!made) {
-      clip.raw_because = why_it_strays(strayed);
-      continue;
-    }
-    if (bytes_of(*made) < bytes_of(clip))
+    if (made && bytes_of(*made) < bytes_of(clip)) {
       clip = std::move(*made);
-    else
-      clip.raw_because =
-          fmt::format("in segments its curves would be {} bytes and not {}", bytes_of(*made), bytes_of(clip));
-    return;
+      return;
+    }
+    as_keys = compressor.keep_keys(promise);
+    why = made ? fmt::format("in segments its curves would be {} bytes and not {}", bytes_of(*made), bytes_of(clip))
+               : why_it_strays(strayed);
+    if (made) break;
   }
+  if (as_keys) clip = std::move(*as_keys);
+  clip.raw_because = std::move(why);
 }
 
 }  // namespace marrow::cook
