@@ -10,8 +10,9 @@ namespace {
 
 constexpr int kFactors = 4096;  // that are tried
 
+// Halves away from 0. In lround's place, which no compiler inlines: it is asked for millions.
 std::int16_t rounded(double x) {
-  return static_cast<std::int16_t>(std::lround(x));
+  return static_cast<std::int16_t>(x + std::copysign(0.5, x));
 }
 
 }  // namespace
@@ -19,21 +20,18 @@ std::int16_t rounded(double x) {
 format::Constant code_rotation(const glm::dquat& q, int most) {
   const double largest = std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z), std::fabs(q.w)});
   format::Constant best{};
-  double closest = -1;
+  double least = INFINITY;
   const int factors = std::min(kFactors, most);  // fewer numbers, fewer that differ
   for (int i = 0; i < factors; ++i) {
     const double factor = most / largest * (1 - 0.5 * i / factors);
     const format::Constant c = {
         {rounded(q.x * factor), rounded(q.y * factor), rounded(q.z * factor), rounded(q.w * factor)}};
-    // Of the distance from the line through q, so that small angles count.
-    const glm::dquat d = decode_rotation(c);
-    const double along = glm::dot(q, d);
-    const glm::dquat off = d - q * along;
-    const double closeness = 1 / (1e-30 + glm::dot(off, off));
-    if (closeness > closest) {
-      closest = closeness;
-      best = c;
-    }
+    // Of the distance from the line through q, so that small angles count; as a share of the length.
+    const glm::dquat d(c.v[3], c.v[0], c.v[1], c.v[2]), off = d - q * glm::dot(q, d);
+    const double distance = glm::dot(off, off) / glm::dot(d, d);
+    if (distance >= least) continue;
+    least = distance;
+    best = c;
   }
   return best;
 }

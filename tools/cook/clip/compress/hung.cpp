@@ -112,21 +112,21 @@ void add_points(const Mesh& mesh, std::vector<Farthest>& farthest) {
   });
 }
 
-std::vector<float> most_of(const Mesh& mesh, const Promise& promise) {
-  std::vector<float> out(mesh.geometry.slot_count);
+double square(double x) {
+  return x * x;
+}
+
+std::vector<double> strictness_of(const Mesh& mesh, const Promise& promise) {
+  std::vector<double> out(mesh.geometry.slot_count);
   for_each_vertex(mesh.geometry, [&](std::size_t slot, const std::vector<Influence>& influences) {
     double sum = 0;
     for (const Influence& i : influences)
       for_each_joint(mesh, i.entry, [&](std::uint16_t joint, const Affine&, double share) {
         sum += i.weight * share * promise.error[joint];
       });
-    out[slot] = static_cast<float>(sum);
+    out[slot] = 1 / square(sum);
   });
   return out;
-}
-
-double square(double x) {
-  return x * x;
 }
 
 double squared_distance(const float* a, const float* b) {
@@ -166,7 +166,7 @@ std::vector<float> farthest_skin(const Geometry& g) {
 }
 
 HungMesh hung_mesh(const Mesh& mesh, const Promise& promise) {
-  HungMesh out{mesh, {}, {}, most_of(mesh, promise)};
+  HungMesh out{mesh, {}, {}, strictness_of(mesh, promise)};
   if (mesh.geometry.as_residual == nullptr) return out;
   out.coordinates.resize(as_coordinate_count(mesh.geometry));
   tools::check(as_coordinates(mesh.geometry, out.coordinates));
@@ -248,13 +248,13 @@ void VertexErrors::add(const std::vector<World>& source, const std::vector<World
       skin(hung, source, deformer, here_);
       skin(hung, other, deformer, there_);
       double largest = 0, share = 0;
-      for (std::size_t slot = 0; slot < hung.most.size(); ++slot) {
-        if (hung.most[slot] == 0) continue;
+      const float *here = here_.data(), *there = there_.data();
+      for (const double strictness : hung.strictness) {
         double sum = 0;
-        for (std::size_t c = 3 * slot; c < 3 * slot + 3; ++c)
-          sum += square(static_cast<double>(here_[c]) - static_cast<double>(there_[c]));
+        for (int c = 0; c < 3; ++c) sum += square(static_cast<double>(*here++ - *there++));
+        if (strictness == 0) continue;
         largest = std::max(largest, sum);
-        share = std::max(share, sum / square(static_cast<double>(hung.most[slot])));
+        share = std::max(share, sum * strictness);
       }
       worst.error_m = std::max(worst.error_m, std::sqrt(largest));
       worst.share = std::max(worst.share, std::sqrt(share));

@@ -16,7 +16,7 @@ struct HungMesh {
   Mesh mesh;
   std::vector<float> coordinates;  // of animation space; empty for a lift, which is where linear blend skinning is
   std::vector<float> skin;         // of a morphed geometry, which points into it
-  std::vector<float> most;         // a slot: how far it may stray, scene units; of what fills up blocks 0
+  std::vector<double> strictness;  // a slot: 1 / (how far it may stray, scene units)²; of what fills up blocks 0
 };
 
 struct Hung {
