@@ -11,8 +11,8 @@
 namespace marrow::tools {
 namespace {
 
-constexpr const char* kColours[] = {"#b3b3b3", "#c0392b", "#d98880", "#5d6d7e", "#2980b9",
-                                    "#27ae60", "#16a085", "#8e44ad", "#d35400", "#7d6608"};
+constexpr const char* kColours[] = {"#b3b3b3", "#c0392b", "#d98880", "#5d6d7e", "#2980b9", "#27ae60",
+                                    "#16a085", "#8e44ad", "#d35400", "#7d6608", "#b3b3b3", "#e84393"};
 constexpr std::size_t kMostCharts = 8;
 constexpr double kFlattening = 3;  // times the middle line's largest error
 constexpr double kWidth = 580, kHeight = 210, kLeft = 58, kRight = 8, kTop = 26, kBottom = 26;

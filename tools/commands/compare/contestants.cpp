@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "cook/learn/learn_deformers.h"
+#include "deform/fit/eigen_skin.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
 #include "deform/fit/refit.h"
@@ -85,6 +86,20 @@ Trained in_pose_space(const Study& study, const Round& round, const deform::Defo
   return out;
 }
 
+Trained by_eigen_skin(const Study& study, const Round& round, const deform::Deformer& truth, int fields) {
+  const SkinnedMesh& mesh = study.source.mesh;
+  deform::EigenSkinOptions most;
+  most.most_fields = static_cast<std::size_t>(fields);
+  const auto skin = std::make_shared<const deform::EigenSkin>(
+      deform::fit_eigen_skin(mesh, study.source.parents, study.source.centres, round.train, truth, most));
+  Trained out = by_weights(mesh);
+  out.deform = [skin, deformer = deform::eigen_skin(mesh, *skin)](const Pose& pose, Positions& to) {
+    deformer(pose, to);
+  };
+  out.displacements = deform::displacements_per_vertex(mesh, *skin);
+  return out;
+}
+
 LearnOptions with(LearnOptions options, AnimationSpace kind, int helpers, int influences = 0) {
   options.animation_space = kind;
   options.helpers = helpers;
@@ -120,7 +135,7 @@ std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vecto
   return out;
 }
 
-std::vector<Contestant> contestants(const LearnOptions& options) {
+std::vector<Contestant> contestants(const LearnOptions& options, int eigen_fields) {
   const LearnOptions lift = with(options, AnimationSpace::lift, 0);
   Contestant rigid, ssd, refit;
   rigid.name = "rigid";
@@ -151,17 +166,27 @@ std::vector<Contestant> contestants(const LearnOptions& options) {
   psd.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return in_pose_space(study, round, cook::make_truth(study.source, o));
   };
-  return {rigid,
-          ssd,
-          refit,
-          in_animation_space("as_lift", lift),
-          in_animation_space("as_smooth", with(options, AnimationSpace::smooth, 0)),
-          in_animation_space("as_fit", with(options, AnimationSpace::fit, 0)),
-          in_animation_space("as_helpers", with(options, AnimationSpace::lift, options.helpers)),
-          in_animation_space("as_helpers_fit4", with(options, AnimationSpace::fit, options.helpers, 4)),
-          in_animation_space("as_helpers_fit5", with(options, AnimationSpace::fit, options.helpers, 5)),
-          mwe,
-          psd};
+  std::vector<Contestant> out = {
+      rigid,
+      ssd,
+      refit,
+      in_animation_space("as_lift", lift),
+      in_animation_space("as_smooth", with(options, AnimationSpace::smooth, 0)),
+      in_animation_space("as_fit", with(options, AnimationSpace::fit, 0)),
+      in_animation_space("as_helpers", with(options, AnimationSpace::lift, options.helpers)),
+      in_animation_space("as_helpers_fit4", with(options, AnimationSpace::fit, options.helpers, 4)),
+      in_animation_space("as_helpers_fit5", with(options, AnimationSpace::fit, options.helpers, 5)),
+      mwe,
+      psd};
+  if (options.truth == cook::Truth::examples) return out;
+  Contestant eigen = ssd;
+  eigen.name = "eigenskin";
+  eigen.can_be_cooked = false;
+  eigen.train = [eigen_fields](const Study& study, const Round& round, const LearnOptions& o) {
+    return by_eigen_skin(study, round, cook::make_truth(study.source, o), eigen_fields);
+  };
+  out.push_back(eigen);
+  return out;
 }
 
 }  // namespace marrow::tools
