@@ -63,8 +63,9 @@ TEST(Compare, TheCylinder) {
   const nlohmann::json costs = nlohmann::json::parse(read_text(in_source("tools/gpu_cost/table.json")));
   std::map<std::string, nlohmann::json> rows;
   for (const auto& row : r.at("rows")) rows[row.at("deformer")] = row;
-  for (const char* const name : {"rigid", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_helpers",
-                                 "as_helpers_fit4", "as_helpers_fit5", "mwe", "psd", "eigenskin"}) {
+  for (const char* const name :
+       {"rigid", "stitched", "joint_local", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_helpers",
+        "as_helpers_fit4", "as_helpers_fit5", "mwe", "psd", "eigenskin"}) {
     ASSERT_TRUE(rows.contains(name)) << name;
     for (const char* const field : {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume",
                                     "crease_deg", "normal_deg", "blended_normal_deg"})

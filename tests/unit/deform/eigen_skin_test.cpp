@@ -13,9 +13,6 @@
 namespace marrow::deform {
 namespace {
 
-const std::vector<int> kParents = {-1, 0};
-const std::vector<glm::dvec3> kCentres = {{0, 0, 0}, {0, 0, 0}};
-
 // Two vertices, half of whose weight is on a joint that turns.
 SkinnedMesh two_points() {
   SkinnedMesh mesh;
@@ -32,7 +29,7 @@ Pose turned_by(double degrees) {
 TEST(EigenSkin, InterpolatesByHand) {
   const SkinnedMesh mesh = two_points();
   EigenSkin skin;
-  skin.parents = kParents;
+  skin.parents = kCylinderParents;
   // 1 / 2σ² = 1: φ = exp(-sin²(half the angle)).
   skin.joints = {
       {1, {1}, {{{0, 0, 1}}, {{0, 0, 10}}}, {turn(90, {0, 0, 1})}, {{3, 0.5}}, std::sqrt(0.5)},
@@ -58,7 +55,7 @@ TEST(EigenSkin, IsExactInItsExamplesWithAsManyFields) {
                                    cylinder_pose(40 * kDegree, 20 * kDegree)};
   const auto far_off = [&](std::size_t fields) {
     const EigenSkinOptions options{.most_fields = fields, .ridge = 1e-14, .least_displacement = 0, .widths = {0.5}};
-    const EigenSkin skin = fit_eigen_skin(mesh, kParents, kCentres, training(poses, 1), truth, options);
+    const EigenSkin skin = fit_eigen_skin(mesh, kCylinderParents, kCylinderCentres, training(poses, 1), truth, options);
     EXPECT_EQ(skin.joints.size(), 1u);
     EXPECT_LT(farthest(at(eigen_skin(mesh, skin), cylinder_pose(0, 0)), mesh.positions), 1e-12);
     double out = 0;
@@ -81,7 +78,7 @@ TEST(EigenSkin, FieldsArePrincipalComponents) {
     for (std::size_t v = 0; v < 2; ++v) out[v] += lesser[v] * std::abs(sign) + greater[v] * sign;
   };
   const EigenSkinOptions options{.most_fields = 4, .ridge = 1e-14, .widths = {1}};
-  const EigenSkin skin = fit_eigen_skin(mesh, kParents, kCentres, training(poses, 1), truth, options);
+  const EigenSkin skin = fit_eigen_skin(mesh, kCylinderParents, kCylinderCentres, training(poses, 1), truth, options);
   ASSERT_EQ(skin.joints.size(), 1u);
   const EigenJoint& joint = skin.joints[0];
   EXPECT_EQ(joint.joint, 1u);
@@ -127,8 +124,8 @@ TEST(EigenSkin, TurnsJointsAloneAboutTheirPlaces) {
 
 TEST(EigenSkin, MovesWithTheRoot) {
   const SkinnedMesh mesh = cylinder();
-  const EigenSkin skin =
-      fit_eigen_skin(mesh, kParents, kCentres, training(random_cylinder_poses(12, 1), 4), dual_quaternions(mesh));
+  const EigenSkin skin = fit_eigen_skin(mesh, kCylinderParents, kCylinderCentres,
+                                        training(random_cylinder_poses(12, 1), 4), dual_quaternions(mesh));
   ASSERT_EQ(skin.joints.size(), 1u);
   const glm::dquat rotation = turn(77, {1, -2, 3});
   const glm::dvec3 translation(30, -20, 5);
@@ -143,8 +140,8 @@ TEST(EigenSkin, SharpensPosesHeldOutWithEachField) {
   const Deformer truth = dual_quaternions(mesh), reference = ssd(mesh);
   const std::vector<Pose> held = random_cylinder_poses(100, 20);
   const auto share = [&](std::size_t fields) {
-    const EigenSkin skin = fit_eigen_skin(mesh, kParents, kCentres, training(random_cylinder_poses(30, 10), 5), truth,
-                                          {.most_fields = fields});
+    const EigenSkin skin = fit_eigen_skin(mesh, kCylinderParents, kCylinderCentres,
+                                          training(random_cylinder_poses(30, 10), 5), truth, {.most_fields = fields});
     return rms(eigen_skin(mesh, skin), truth, held) / rms(reference, truth, held);
   };
   const double two = share(2), eight = share(8);
@@ -157,7 +154,7 @@ TEST(EigenSkin, SharpensPosesHeldOutWithEachField) {
 TEST(EigenSkin, LeavesSsdWhereNothingIsToBeLearnt) {
   const SkinnedMesh mesh = cylinder();
   const auto fitted = [&](const std::vector<Pose>& poses, const Deformer& truth) {
-    return fit_eigen_skin(mesh, kParents, kCentres, training(poses, 1), truth);
+    return fit_eigen_skin(mesh, kCylinderParents, kCylinderCentres, training(poses, 1), truth);
   };
   const Deformer nowhere = [&](const Pose&, Positions& out) { out.assign(mesh.positions.size(), glm::dvec3(NAN)); };
   EXPECT_TRUE(fitted({cylinder_pose(0, 0)}, dual_quaternions(mesh)).joints.empty());

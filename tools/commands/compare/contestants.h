@@ -34,6 +34,9 @@ struct Contestant {
   bool can_be_cooked = true;
 };
 
+// What no character is deformed by any more: rigid segments, and what came between them and SSD.
+bool is_before_ssd(const std::string& deformer);
+
 // EigenSkin's fields a joint.
 inline constexpr int kEigenFields = 4, kMostEigenFields = 16;
 
