@@ -63,13 +63,15 @@ TEST(Compare, TheCylinder) {
   const nlohmann::json costs = nlohmann::json::parse(read_text(in_source("tools/gpu_cost/table.json")));
   std::map<std::string, nlohmann::json> rows;
   for (const auto& row : r.at("rows")) rows[row.at("deformer")] = row;
-  for (const char* const name : {"rigid", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_helpers",
-                                 "as_helpers_fit4", "as_helpers_fit5", "mwe", "psd"}) {
+  for (const char* const name :
+       {"rigid", "stitched", "joint_local", "ssd", "ssd_refit", "as_lift", "as_smooth", "as_fit", "as_helpers",
+        "as_helpers_fit4", "as_helpers_fit5", "mwe", "psd", "eigenskin"}) {
     ASSERT_TRUE(rows.contains(name)) << name;
     for (const char* const field : {"train_rms", "train_max", "held_rms", "held_max", "worse_share", "volume",
                                     "crease_deg", "normal_deg", "blended_normal_deg"})
       EXPECT_TRUE(rows[name].at(field).is_number()) << name << " " << field;
-    const bool is_cooked = std::string(name) != "ssd_refit";
+    const bool is_eigen = std::string(name) == "eigenskin", is_cooked = std::string(name) != "ssd_refit" && !is_eigen;
+    EXPECT_EQ(rows[name].at("displacements_per_vertex").is_number(), is_eigen) << name;
     EXPECT_EQ(rows[name].at("bytes_per_vertex").is_number(), is_cooked) << name;
     EXPECT_EQ(rows[name].at("ns_per_vertex").is_number(), is_cooked) << name;
     for (const char* const field : {"influences", "palette_entries"})
@@ -106,6 +108,9 @@ TEST(Compare, TheCylinder) {
   EXPECT_LE(rows["as_helpers"]["bytes_per_vertex"].get<double>(), 1.5 * rows["ssd"]["bytes_per_vertex"].get<double>());
   EXPECT_LT(rows["as_helpers_fit4"]["held_rms"].get<double>(), 0.05 * ssd);
   EXPECT_NEAR(rows["as_helpers_fit4"]["volume"].get<double>(), 1, 0.01);
+  EXPECT_LT(rows["eigenskin"]["held_rms"].get<double>(), 0.25 * ssd);
+  // Four for each of the vertices that the ramp holds: 0.3 of the length.
+  EXPECT_NEAR(rows["eigenskin"]["displacements_per_vertex"].get<double>(), 4 * 0.3, 0.15);
   for (const char* const name : {"as_lift", "as_smooth", "as_fit"}) {
     EXPECT_LT(rows[name]["normal_deg"].get<double>(), 0.5) << name;
     EXPECT_GT(rows[name]["blended_normal_deg"].get<double>(), 10) << name;
@@ -123,6 +128,8 @@ TEST(Compare, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_marrow({"compare"}).code, 1);
   EXPECT_EQ(run_marrow({"compare", "--sample", "cylinder", "--truth", "guess"}).code, 1);
+  for (const char* const fields : {"0", "17", "2.5", "all"})
+    EXPECT_EQ(run_marrow({"compare", "--sample", "cylinder", "--eigenskin", fields}).code, 1) << fields;
   EXPECT_EQ(run_marrow({"compare", folder / "none.glb"}).code, 2);
   write_triangle(folder / "t.gltf", folder / "t.bin", 1);
   const Ran still = run_marrow({"compare", folder / "t.gltf"});

@@ -1,6 +1,7 @@
 #include "deform/dense.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace marrow::deform {
@@ -23,6 +24,11 @@ Eigen::MatrixXd inverse_of_symmetric(const Eigen::MatrixXd& normal) {
 
 Eigen::Matrix4d inverse_of_symmetric(const Eigen::Matrix4d& normal) {
   return normal.inverse();
+}
+
+Eigenvectors eigenvectors_of_symmetric(const Eigen::MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 }  // namespace marrow::deform

@@ -20,4 +20,11 @@ Eigen::Vector4d solve_symmetric(const Eigen::Matrix4d& normal, const Eigen::Vect
 Eigen::MatrixXd inverse_of_symmetric(const Eigen::MatrixXd& normal);
 Eigen::Matrix4d inverse_of_symmetric(const Eigen::Matrix4d& normal);
 
+// Of a symmetric matrix, by ascending value; a column a vector, of length 1.
+struct Eigenvectors {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+Eigenvectors eigenvectors_of_symmetric(const Eigen::MatrixXd& matrix);
+
 }  // namespace marrow::deform

@@ -9,8 +9,6 @@
 namespace marrow::deform {
 namespace {
 
-const std::vector<int> kParents = {-1, 0};
-
 TEST(PoseSpace, IsExactInItsExamplesAndTheBindPose) {
   const SkinnedMesh mesh = cylinder();
   const Deformer truth = dual_quaternions(mesh);
@@ -21,7 +19,7 @@ TEST(PoseSpace, IsExactInItsExamplesAndTheBindPose) {
   options.ridge = 1e-14;
   options.most_delta = 1e9;
   options.widths = {0.5};
-  const PoseSpaceFit fit = fit_pose_space(mesh, kParents, training(poses, 1), truth, options);
+  const PoseSpaceFit fit = fit_pose_space(mesh, kCylinderParents, training(poses, 1), truth, options);
   ASSERT_EQ(fit.space.examples.size(), poses.size());
   const Deformer got = pose_space(mesh, fit.space);
   for (const Pose& pose : poses) EXPECT_LT(farthest(at(got, pose), at(truth, pose)), 1e-6);
@@ -31,7 +29,7 @@ TEST(PoseSpace, IsExactInItsExamplesAndTheBindPose) {
 TEST(PoseSpace, MovesWithTheRoot) {
   const SkinnedMesh mesh = cylinder();
   const PoseSpaceFit fit =
-      fit_pose_space(mesh, kParents, training(random_cylinder_poses(12, 1), 4), dual_quaternions(mesh));
+      fit_pose_space(mesh, kCylinderParents, training(random_cylinder_poses(12, 1), 4), dual_quaternions(mesh));
   ASSERT_EQ(fit.space.examples.size(), 8u);
   const Deformer got = pose_space(mesh, fit.space);
   const glm::dquat rotation = turn(77, {1, -2, 3});
@@ -52,9 +50,9 @@ TEST(PoseSpace, InterpolatesByHand) {
     return Pose{matrix(turn(0, {0, 0, 1}), {}), matrix(turn(degrees, {0, 0, 1}), {})};
   };
   PoseSpace space;
-  space.parents = kParents;
+  space.parents = kCylinderParents;
   space.sigma = 0.5;  // 1 / 2σ² = 2, and half the weight: φ = exp(-D)
-  space.examples = {{local_rotations(pose(90), kParents), {{0, 0, 1}}}};
+  space.examples = {{local_rotations(pose(90), kCylinderParents), {{0, 0, 1}}}};
   const auto height = [&](double degrees) { return at(pose_space(mesh, space), pose(degrees))[0].z; };
   EXPECT_NEAR(height(0), 0, 1e-15);
   EXPECT_NEAR(height(90), 1 - std::exp(-0.5), 1e-12);                      // ½ from the bind pose
@@ -78,9 +76,9 @@ TEST(PoseSpace, FitFindsDeltasThatAreKnown) {
   const std::vector<Pose> poses = {cylinder_pose(100 * kDegree, 10 * kDegree),
                                    cylinder_pose(20 * kDegree, 110 * kDegree)};
   PoseSpace known;
-  known.parents = kParents;
+  known.parents = kCylinderParents;
   for (const Pose& pose : poses) {
-    PoseSpaceExample e{local_rotations(pose, kParents), {}};
+    PoseSpaceExample e{local_rotations(pose, kCylinderParents), {}};
     for (const glm::dvec3& v : mesh.positions) e.deltas.push_back(0.1 * glm::dvec3(v.y, 0.5, v.z * v.x));
     known.examples.push_back(e);
   }
@@ -90,19 +88,20 @@ TEST(PoseSpace, FitFindsDeltasThatAreKnown) {
   options.ridge = 1e-14;
   options.most_delta = 1e9;
   options.widths = {1};
-  const PoseSpaceFit width = fit_pose_space(mesh, kParents, training(poses, 1), dual_quaternions(mesh), options);
+  const PoseSpaceFit width =
+      fit_pose_space(mesh, kCylinderParents, training(poses, 1), dual_quaternions(mesh), options);
   known.sigma = width.space.sigma;
   EXPECT_GT(known.sigma, 0.2);
   EXPECT_LT(known.sigma, 0.8);
   const Deformer truth = pose_space(mesh, known);
-  const PoseSpaceFit fit = fit_pose_space(mesh, kParents, training(poses, 1), truth, options);
+  const PoseSpaceFit fit = fit_pose_space(mesh, kCylinderParents, training(poses, 1), truth, options);
   ASSERT_EQ(fit.space.examples.size(), 2u);
   EXPECT_LT(rms(pose_space(mesh, fit.space), truth, random_cylinder_poses(20, 2)), 1e-6);
 }
 
 TEST(PoseSpace, FitLeavesSsdWhereItIsRight) {
   const SkinnedMesh mesh = cylinder();
-  const PoseSpaceFit fit = fit_pose_space(mesh, kParents, training(random_cylinder_poses(10, 1), 5), ssd(mesh));
+  const PoseSpaceFit fit = fit_pose_space(mesh, kCylinderParents, training(random_cylinder_poses(10, 1), 5), ssd(mesh));
   EXPECT_EQ(fit.space.examples.size(), 0u);
   EXPECT_EQ(fit.quality.share, 1);
 }
@@ -116,7 +115,7 @@ TEST(PoseSpace, LeavesOutWhatCannotGoBackToTheBindPose) {
   const Pose pose = {matrix(turn(0, {0, 0, 1}), {}), matrix(turn(180, {0, 0, 1}), {})};
   const Deformer truth = [](const Pose&, Positions& out) { out = {{5, 5, 5}, {-1, -1, 2}}; };
   const PoseSpaceFit fit =
-      fit_pose_space(mesh, kParents, training({pose}, 1), truth, {.ridge = 1e-14, .most_delta = 10});
+      fit_pose_space(mesh, kCylinderParents, training({pose}, 1), truth, {.ridge = 1e-14, .most_delta = 10});
   ASSERT_EQ(fit.space.examples.size(), 1u);
   EXPECT_EQ(fit.space.examples[0].deltas[0], glm::dvec3(0));
   EXPECT_LT(glm::length(at(pose_space(mesh, fit.space), pose)[1] - glm::dvec3(-1, -1, 2)), 1e-9);
@@ -125,7 +124,7 @@ TEST(PoseSpace, LeavesOutWhatCannotGoBackToTheBindPose) {
 TEST(PoseSpace, BeatsSsdOnPosesHeldOut) {
   const SkinnedMesh mesh = cylinder();
   const Judge judge = [&](const auto& train, const auto& held, const Deformer& truth) -> Judged {
-    const PoseSpaceFit fit = fit_pose_space(mesh, kParents, train, truth);
+    const PoseSpaceFit fit = fit_pose_space(mesh, kCylinderParents, train, truth);
     return {fit.quality.share, rms(pose_space(mesh, fit.space), truth, held)};
   };
   EXPECT_LT(share_held_out(mesh, judge), 0.5);
@@ -136,8 +135,8 @@ TEST(PoseSpace, DeltasStayShort) {
   for (const double most : {0.1, 0.02}) {
     PoseSpaceOptions options;
     options.most_delta = most;
-    const PoseSpaceFit fit =
-        fit_pose_space(mesh, kParents, training(random_cylinder_poses(12, 1), 4), dual_quaternions(mesh), options);
+    const PoseSpaceFit fit = fit_pose_space(mesh, kCylinderParents, training(random_cylinder_poses(12, 1), 4),
+                                            dual_quaternions(mesh), options);
     double longest = 0;
     for (const PoseSpaceExample& e : fit.space.examples)
       for (const glm::dvec3& d : e.deltas) longest = std::max(longest, glm::length(d));
@@ -150,7 +149,7 @@ TEST(PoseSpace, DeltasStayShort) {
 TEST(PoseSpace, FitIsTheSameEveryTime) {
   const SkinnedMesh mesh = cylinder();
   const auto once = [&] {
-    return fit_pose_space(mesh, kParents, training(random_cylinder_poses(10, 1), 5), dual_quaternions(mesh));
+    return fit_pose_space(mesh, kCylinderParents, training(random_cylinder_poses(10, 1), 5), dual_quaternions(mesh));
   };
   const PoseSpaceFit a = once(), b = once();
   ASSERT_EQ(a.chosen, b.chosen);

@@ -29,6 +29,10 @@ inline glm::dquat turn(double degrees, const glm::dvec3& axis) {
   return glm::angleAxis(degrees * kDegree, glm::normalize(axis));
 }
 
+// The cylinder's joints, both in its middle.
+inline const std::vector<int> kCylinderParents = {-1, 0};
+inline const std::vector<glm::dvec3> kCylinderCentres = {{0, 0, 0}, {0, 0, 0}};
+
 // A rigid motion after a pose.
 inline Pose moved(const glm::dquat& rotation, const glm::dvec3& translation, Pose pose) {
   for (Matrix& m : pose) {

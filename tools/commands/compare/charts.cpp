@@ -11,8 +11,8 @@
 namespace marrow::tools {
 namespace {
 
-constexpr const char* kColours[] = {"#b3b3b3", "#c0392b", "#d98880", "#5d6d7e", "#2980b9",
-                                    "#27ae60", "#16a085", "#8e44ad", "#d35400", "#7d6608"};
+constexpr const char* kColours[] = {"#b3b3b3", "#b3b3b3", "#b3b3b3", "#c0392b", "#d98880", "#5d6d7e", "#2980b9",
+                                    "#27ae60", "#16a085", "#8e44ad", "#d35400", "#7d6608", "#b3b3b3", "#e84393"};
 constexpr std::size_t kMostCharts = 8;
 constexpr double kFlattening = 3;  // times the middle line's largest error
 constexpr double kWidth = 580, kHeight = 210, kLeft = 58, kRight = 8, kTop = 26, kBottom = 26;
@@ -24,12 +24,12 @@ struct Series {
   bool hidden = false;
 };
 
-// rigid is no deformer that anyone would choose, and as_lift is as ssd.
+// Nobody would choose what was before SSD, and as_lift is as ssd.
 std::vector<Series> series_of(const Round& round, const DeformerComparison& c) {
   std::vector<Series> out;
   std::vector<double> largest;
   for (std::size_t d = 0; d < c.rows.size(); ++d) {
-    if (c.rows[d].deformer == "rigid" || c.rows[d].deformer == "as_lift") continue;
+    if (is_before_ssd(c.rows[d].deformer) || c.rows[d].deformer == "as_lift") continue;
     Series& s = out.emplace_back(Series{d});
     for (std::size_t i = 0; i < round.held.size(); ++i)
       if (!round.held[i].clip.empty()) s.most_m = std::max(s.most_m, c.rows[d].error_of_pose[i]);

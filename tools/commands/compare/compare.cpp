@@ -50,6 +50,7 @@ ordered_json report(const CompareArguments& a, const Study& study, const Deforme
                     {"bytes_per_vertex", or_null(r.bytes_per_vertex)},
                     {"ns_per_vertex", or_null(r.ns_per_vertex)},
                     {"instructions_per_vertex", or_null(r.instructions_per_vertex)},
+                    {"displacements_per_vertex", or_null(r.displacements_per_vertex)},
                     {"influences", or_null(r.influences)},
                     {"palette_entries", or_null(r.palette_entries)},
                     {"mali_cycles", or_null(r.gpu.mali_cycles)},
@@ -148,7 +149,7 @@ void run_compare(const CompareArguments& a) {
   const DeformerComparison comparison = [&] {
     Progress progress;
     progress.show(0, 0, study.name);
-    return compare_deformers(study, options, [&](std::size_t done, std::size_t count) {
+    return compare_deformers(study, options, a.eigen_fields, [&](std::size_t done, std::size_t count) {
       progress.show(done, count, "learning and judging");
     });
   }();

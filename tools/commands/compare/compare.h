@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "commands/compare/contestants.h"
 #include "commands/compare/study.h"
 #include "options/options.h"
 
@@ -14,6 +15,7 @@ struct CompareArguments {
   std::string out;       // HTML; empty: none
   std::string pictures;  // folder of the page's pictures; empty: none
   bool json = false;
+  int eigen_fields = kEigenFields;
   cook::Given given;  // --truth, --delta-mush, --keep-bind-pose, as for `cook`
 };
 

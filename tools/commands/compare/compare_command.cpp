@@ -15,12 +15,18 @@ void add_compare(CLI::App& app, int&) {
       command, {"truth", "examples", "delta-mush", "helpers", "influences", "keep-bind-pose", "wide-poses"}, a.given);
   add_one_of(command, "--holdout", kHoldouts, a.holdout,
              "what is not learnt from but judged by: alternate frames of every clip, or whole clips in turn");
+  command
+      ->add_option("--eigenskin", a.eigen_fields,
+                   "displacements that the row `eigenskin` has for each joint, at most; it is measured and not cooked")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostEigenFields))
+      ->capture_default_str();
   command->add_flag(
       "--json", a.json,
       "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
       "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, blended_normal_deg, bytes_per_vertex, "
-      "ns_per_vertex, instructions_per_vertex, "
-      "influences, palette_entries, mali_cycles, adreno_instructions, videocore_instructions}], "
+      "ns_per_vertex, instructions_per_vertex, displacements_per_vertex, influences, palette_entries, mali_cycles, "
+      "adreno_instructions, videocore_instructions}], "
       "range_of_motion: {poses, folding_poses, deformers, joints, left_out}}, lengths in metres; docs/deformers.md "
       "says "
       "what is in the last");

@@ -8,6 +8,8 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "cook/learn/learn_deformers.h"
+#include "deform/before_ssd.h"
+#include "deform/fit/eigen_skin.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
 #include "deform/fit/refit.h"
@@ -39,6 +41,13 @@ SkinnedMesh follows_one_joint(SkinnedMesh mesh) {
     influences = {{most->joint, 1.0}};
   }
   return mesh;
+}
+
+// Normals are those of the segments.
+Trained by_joint_operators(const Study& study) {
+  Trained out = by_weights(follows_one_joint(study.source.mesh));
+  out.deform = deform::joint_operators(study.source.mesh, study.source.parents, study.source.centres);
+  return out;
 }
 
 Trained by_coordinates(const SkinnedMesh& mesh, cook::Learnt learnt) {
@@ -85,6 +94,20 @@ Trained in_pose_space(const Study& study, const Round& round, const deform::Defo
   return out;
 }
 
+Trained by_eigen_skin(const Study& study, const Round& round, const deform::Deformer& truth, int fields) {
+  const SkinnedMesh& mesh = study.source.mesh;
+  deform::EigenSkinOptions most;
+  most.most_fields = static_cast<std::size_t>(fields);
+  const auto skin = std::make_shared<const deform::EigenSkin>(
+      deform::fit_eigen_skin(mesh, study.source.parents, study.source.centres, round.train, truth, most));
+  Trained out = by_weights(mesh);
+  out.deform = [skin, deformer = deform::eigen_skin(mesh, *skin)](const Pose& pose, Positions& to) {
+    deformer(pose, to);
+  };
+  out.displacements = deform::displacements_per_vertex(mesh, *skin);
+  return out;
+}
+
 LearnOptions with(LearnOptions options, AnimationSpace kind, int helpers, int influences = 0) {
   options.animation_space = kind;
   options.helpers = helpers;
@@ -120,48 +143,84 @@ std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vecto
   return out;
 }
 
-std::vector<Contestant> contestants(const LearnOptions& options) {
-  const LearnOptions lift = with(options, AnimationSpace::lift, 0);
-  Contestant rigid, ssd, refit;
+namespace {
+
+// Segments, then weights.
+std::vector<Contestant> first_contestants(const LearnOptions& lift) {
+  Contestant rigid;
   rigid.name = "rigid";
   rigid.cooked = lift;
   rigid.kernel = Contestant::Kernel::rigid;
   rigid.train = [](const Study& study, const Round&, const LearnOptions&) {
     return by_weights(follows_one_joint(study.source.mesh));
   };
+  Contestant stitched = rigid, joint_local = rigid;
+  stitched.name = "stitched";
+  stitched.can_be_cooked = false;
+  stitched.train = [](const Study& study, const Round&, const LearnOptions&) {
+    return by_weights(deform::stitched(study.source.mesh));
+  };
+  joint_local.name = "joint_local";
+  joint_local.can_be_cooked = false;
+  joint_local.train = [](const Study& study, const Round&, const LearnOptions&) { return by_joint_operators(study); };
+  Contestant ssd;
   ssd.name = "ssd";
   ssd.cooked = lift;
   ssd.train = [](const Study& study, const Round&, const LearnOptions&) { return by_weights(study.source.mesh); };
+  Contestant refit = ssd;
   refit.name = "ssd_refit";
-  refit.cooked = lift;
   refit.can_be_cooked = false;
   refit.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return by_weights(deform::refit_weights(study.source.mesh, round.train, cook::make_truth(study.source, o)));
   };
-  Contestant mwe = ssd, psd = ssd;
+  return {rigid, stitched, joint_local, ssd, refit};
+}
+
+// Beside SSD's weights.
+std::vector<Contestant> last_contestants(const LearnOptions& lift, int eigen_fields) {
+  Contestant mwe, psd;
   mwe.name = "mwe";
+  mwe.cooked = lift;
   mwe.cooked.multi_weights = true;
   mwe.kernel = Contestant::Kernel::mwe;
   mwe.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return by_multi_weights(study, round, cook::make_truth(study.source, o));
   };
   psd.name = "psd";
+  psd.cooked = lift;
   psd.cooked.pose_examples = kPoseExamples;
   psd.kernel = Contestant::Kernel::psd;
   psd.train = [](const Study& study, const Round& round, const LearnOptions& o) {
     return in_pose_space(study, round, cook::make_truth(study.source, o));
   };
-  return {rigid,
-          ssd,
-          refit,
-          in_animation_space("as_lift", lift),
-          in_animation_space("as_smooth", with(options, AnimationSpace::smooth, 0)),
-          in_animation_space("as_fit", with(options, AnimationSpace::fit, 0)),
-          in_animation_space("as_helpers", with(options, AnimationSpace::lift, options.helpers)),
-          in_animation_space("as_helpers_fit4", with(options, AnimationSpace::fit, options.helpers, 4)),
-          in_animation_space("as_helpers_fit5", with(options, AnimationSpace::fit, options.helpers, 5)),
-          mwe,
-          psd};
+  if (lift.truth == cook::Truth::examples) return {mwe, psd};
+  Contestant eigen;
+  eigen.name = "eigenskin";
+  eigen.can_be_cooked = false;
+  eigen.train = [eigen_fields](const Study& study, const Round& round, const LearnOptions& o) {
+    return by_eigen_skin(study, round, cook::make_truth(study.source, o), eigen_fields);
+  };
+  return {mwe, psd, eigen};
+}
+
+}  // namespace
+
+bool is_before_ssd(const std::string& deformer) {
+  return deformer == "rigid" || deformer == "stitched" || deformer == "joint_local";
+}
+
+std::vector<Contestant> contestants(const LearnOptions& options, int eigen_fields) {
+  const LearnOptions lift = with(options, AnimationSpace::lift, 0);
+  std::vector<Contestant> out = first_contestants(lift);
+  const auto add = [&](const char* name, const LearnOptions& how) { out.push_back(in_animation_space(name, how)); };
+  add("as_lift", lift);
+  add("as_smooth", with(options, AnimationSpace::smooth, 0));
+  add("as_fit", with(options, AnimationSpace::fit, 0));
+  add("as_helpers", with(options, AnimationSpace::lift, options.helpers));
+  add("as_helpers_fit4", with(options, AnimationSpace::fit, options.helpers, 4));
+  add("as_helpers_fit5", with(options, AnimationSpace::fit, options.helpers, 5));
+  for (const Contestant& c : last_contestants(lift, eigen_fields)) out.push_back(c);
+  return out;
 }
 
 }  // namespace marrow::tools

@@ -18,6 +18,7 @@ struct Trained {
   std::vector<std::vector<deform::Influence>> blend;
   deform::TangentCoordinates tangents;
   std::function<deform::Pose(const deform::Pose&)> extend;
+  double displacements = 0;  // stored a vertex, the mean; EigenSkin alone has some
 };
 
 // The normals that a deformer shades with, unit, 0 where they have no direction. blended: through the blended matrix
@@ -33,7 +34,14 @@ struct Contestant {
   bool can_be_cooked = true;
 };
 
-// options: truth and delta mush; the rest is each contestant's own.
-std::vector<Contestant> contestants(const cook::LearnOptions& options);
+// What no character is deformed by any more: rigid segments, and what came between them and SSD.
+bool is_before_ssd(const std::string& deformer);
+
+// EigenSkin's fields a joint.
+inline constexpr int kEigenFields = 4, kMostEigenFields = 16;
+
+// options: truth and delta mush; the rest is each contestant's own. EigenSkin turns joints alone, so it takes no part
+// where the truth is examples.
+std::vector<Contestant> contestants(const cook::LearnOptions& options, int eigen_fields);
 
 }  // namespace marrow::tools

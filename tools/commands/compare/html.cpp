@@ -50,6 +50,7 @@ constexpr Column kColumns[] = {
     {"size", "bytes a vertex", 2, [](Row r, Row) { return r.bytes_per_vertex; }, true},
     {"time", "ns a vertex", 2, [](Row r, Row) { return r.ns_per_vertex; }, true},
     {"instructions", "a vertex", 2, [](Row r, Row) { return r.instructions_per_vertex; }, true},
+    {"displacements", "a vertex", 2, [](Row r, Row) { return r.displacements_per_vertex; }, true},
     {"Mali-G57", "cycles a vertex", 0, [](Row r, Row) { return r.gpu.mali_cycles; }, true},
     {"Adreno 660", "instructions a vertex", 0, [](Row r, Row) { return r.gpu.adreno_instructions; }, true},
     {"V3D 4.2", "instructions a vertex", 0, [](Row r, Row) { return r.gpu.videocore_instructions; }, true},

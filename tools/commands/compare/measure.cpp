@@ -291,13 +291,13 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
 
 }  // namespace
 
-DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options,
+DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options, int eigen_fields,
                                      const deform::Progress& progress) {
   const Shape shape(study.source.mesh);
   const deform::Deformer truth = cook::make_truth(study.source, options);
   DeformerComparison out;
   out.diagonal_m = deform::diagonal(study.source.mesh);
-  const std::vector<Contestant> all = contestants(options);
+  const std::vector<Contestant> all = contestants(options, eigen_fields);
   deform::Steps steps(progress, all.size() * study.rounds.size());
   for (const Contestant& contestant : all) {
     DeformerRow row;
@@ -305,6 +305,7 @@ DeformerComparison compare_deformers(const Study& study, const cook::LearnOption
     Totals totals;
     for (std::size_t r = 0; r < study.rounds.size(); ++r) {
       Trained trained = contestant.train(study, study.rounds[r], options);
+      row.displacements_per_vertex += trained.displacements / static_cast<double>(study.rounds.size());
       measure_round(shape, trained, truth, study.rounds[r], study.rounds.size(), totals, row);
       if (r == 0) out.trained_in_first_round.push_back(std::move(trained));
       steps.one_more();

@@ -23,6 +23,7 @@ struct DeformerRow {
   double ns_per_vertex = 0;                           // of the runtime's kernel on this machine, positions
   double instructions_per_vertex = 0;                 // of the same; 0 also where they cannot be counted
   std::uint32_t influences = 0, palette_entries = 0;  // of the cooked mesh, at most
+  double displacements_per_vertex = 0;                // what EigenSkin adds to SSD; 0: none
   VertexCost gpu;                                     // with normals; 0 also of kernels that no GPU path has
   // For pictures and charts, of the first round: a held-out pose's RMS error.
   std::vector<double> error_of_pose;
@@ -36,7 +37,7 @@ struct DeformerComparison {
 };
 
 // progress: of deformers and rounds.
-DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options,
+DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options, int eigen_fields,
                                      const deform::Progress& progress = {});
 
 }  // namespace marrow::tools

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "common/distinct.h"
 #include "common/elementary.h"
 #include "common/parallel.h"
 #include "deform/dense.h"
+#include "deform/fit/correction.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
@@ -34,12 +34,6 @@ Distances distances(const Rotations& a, const Rotations& b) {
 double weighted(const std::vector<Influence>& influences, const Distances& d) {
   double sum = 0;
   for (const Influence& i : influences) sum += i.weight * d[i.joint];
-  return sum;
-}
-
-Matrix blend(const std::vector<Influence>& influences, const Pose& pose) {
-  Matrix sum(0.0);
-  for (const Influence& i : influences) sum += pose[i.joint] * i.weight;
   return sum;
 }
 
@@ -75,7 +69,7 @@ Example make_example(const SkinnedMesh& mesh, const std::vector<int>& parents, c
   Positions wanted;
   truth(pose, wanted);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    e.missing.push_back(wanted[v] - transform(blend(mesh.influences[v], pose), mesh.positions[v]));
+    e.missing.push_back(wanted[v] - transform(blended(mesh.influences[v], pose), mesh.positions[v]));
     e.reference_error += glm::dot(e.missing[v], e.missing[v]);
   }
   return e;
@@ -87,16 +81,6 @@ struct Examples {
   std::vector<Example> examples;  // a pose
   double diagonal_m;
 };
-
-// What is missing of a vertex, in bind space. False if its blended matrix cannot bring it there.
-bool correction(const Examples& t, std::size_t pose, std::size_t v, glm::dvec3& out) {
-  constexpr double kLeastVolume = 1e-3;  // of that of a cube with the longest edge
-  const glm::dmat3 m = linear_of(blend(t.mesh.influences[v], t.poses[pose].pose));
-  const double edge = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-  if (!(std::abs(glm::determinant(m)) > kLeastVolume * edge * edge * edge)) return false;
-  out = glm::inverse(m) * t.examples[pose].missing[v];
-  return true;
-}
 
 // What is interpolated: some of the examples, with deltas a vertex.
 struct Interpolant {
@@ -120,11 +104,13 @@ void solve_vertex(const Examples& t, std::size_t v, const std::vector<FromExampl
   std::vector<std::size_t> used;
   std::vector<glm::dvec3> corrections;
   for (std::size_t k = 0; k < out.chosen.size(); ++k) {
-    glm::dvec3 c;
     const double lift = from[k].lift(influences, out.sigma);
-    if (lift < kLeastLift || !correction(t, out.chosen[k], v, c)) continue;
+    if (lift < kLeastLift) continue;
+    const std::size_t pose = out.chosen[k];
+    const auto c = correction(blended(influences, t.poses[pose].pose), t.examples[pose].missing[v]);
+    if (!c) continue;
     used.push_back(k);
-    corrections.push_back(c / lift);
+    corrections.push_back(*c / lift);
   }
   MatrixXd system(index(used.size()), index(used.size())), right(index(used.size()), 3);
   for (std::size_t a = 0; a < used.size(); ++a) {
@@ -175,7 +161,7 @@ std::vector<double> errors_of(const Examples& t, const Interpolant& with, const 
       for (std::size_t k = 0; k < with.chosen.size(); ++k)
         if (with.deltas[k][v] != glm::dvec3(0)) delta += with.deltas[k][v] * from.phi(influences, k, with.sigma);
       delta *= from.lift(influences, with.sigma);
-      const Matrix m = blend(influences, t.poses[poses[i]].pose);
+      const Matrix m = blended(influences, t.poses[poses[i]].pose);
       const glm::dvec3 off = t.examples[poses[i]].missing[v] - linear_of(m) * delta;
       out[i] += glm::dot(off, off);
     }
@@ -291,7 +277,7 @@ Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space) {
       glm::dvec3 delta(0);
       for (std::size_t k = 0; k < examples.size(); ++k)
         delta += space.examples[k].deltas[v] * from.phi(influences, k, space.sigma);
-      out[v] = transform(blend(influences, pose), mesh.positions[v] + delta * from.lift(influences, space.sigma));
+      out[v] = transform(blended(influences, pose), mesh.positions[v] + delta * from.lift(influences, space.sigma));
     }
   };
 }

@@ -91,7 +91,7 @@ std::string summary(const DeformerComparison& comparison, const MotionStudy& mot
   std::string out;
   for (std::size_t d = 0; d < motion.of.size(); ++d) {
     const std::string& name = comparison.rows[d].deformer;
-    if (name == "ssd" || name == "as_lift" || name == "rigid") continue;
+    if (name == "ssd" || name == "as_lift" || is_before_ssd(name)) continue;
     out += fmt::format("{}{} {}", out.empty() ? "" : ", ", name, motion.of[d].worse);
   }
   return fmt::format("Poses of the range of motion worse than linear blend skinning, of {}: {}.", motion.poses, out);

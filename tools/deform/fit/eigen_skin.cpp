@@ -1,0 +1,248 @@
+#include "deform/fit/eigen_skin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "common/elementary.h"
+#include "common/parallel.h"
+#include "deform/deformers.h"
+#include "deform/dense.h"
+#include "deform/fit/correction.h"
+#include "deform/fit/pose_space.h"
+
+namespace marrow::deform {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double distance(const glm::dquat& a, const glm::dquat& b) {
+  const double d = glm::dot(a, b);
+  return std::max(0.0, 1 - d * d);
+}
+
+const glm::dquat kUnturned(1, 0, 0, 0);
+
+double phi(const glm::dquat& a, const glm::dquat& b, double sigma) {
+  return tools::exponential(-distance(a, b) / (2 * sigma * sigma));
+}
+
+// 0 in the bind pose, almost 1 far away.
+double lift(const glm::dquat& turn, double sigma) {
+  return -tools::exponential_less_1(-distance(turn, kUnturned) / (2 * sigma * sigma));
+}
+
+std::vector<char> branch_of(std::uint32_t joint, const std::vector<int>& parents) {
+  std::vector<char> out(parents.size(), 0);
+  for (std::size_t j = 0; j < parents.size(); ++j) {
+    int at = static_cast<int>(j);
+    for (std::size_t steps = 0; at >= 0 && at != static_cast<int>(joint) && steps < parents.size(); ++steps)
+      at = parents[static_cast<std::size_t>(at)];
+    out[j] = at == static_cast<int>(joint);
+  }
+  return out;
+}
+
+// The joint alone turned, with all that hangs on it.
+Pose turned(const std::vector<char>& branch, const glm::dvec3& centre, const glm::dquat& turn) {
+  const glm::dmat3 r = glm::mat3_cast(turn);
+  Pose out(branch.size(), Matrix(1.0));
+  for (std::size_t j = 0; j < out.size(); ++j)
+    if (branch[j] != 0) out[j] = {r[0], r[1], r[2], centre - r * centre};
+  return out;
+}
+
+// Of `turns` those that are farthest from each other and from none, one after the other.
+std::vector<glm::dquat> spread(const std::vector<glm::dquat>& turns, std::size_t most) {
+  constexpr double kLeast = 1e-4;  // a turn of one degree
+  std::vector<glm::dquat> out;
+  std::vector<double> nearest;
+  for (const glm::dquat& q : turns) nearest.push_back(distance(q, kUnturned));
+  while (out.size() < most && !turns.empty()) {
+    const auto farthest = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
+    if (!(nearest[farthest] > kLeast)) break;
+    out.push_back(turns[farthest]);
+    for (std::size_t i = 0; i < turns.size(); ++i) nearest[i] = std::min(nearest[i], distance(turns[i], out.back()));
+  }
+  return out;
+}
+
+// What SSD misses in turns of one joint.
+struct Examples {
+  std::vector<glm::dquat> turns;
+  std::vector<Positions> missing;  // a turn: of each vertex of the mesh, bind space
+};
+
+Examples make_examples(const SkinnedMesh& mesh, const std::vector<char>& branch, const glm::dvec3& centre,
+                       const std::vector<glm::dquat>& turns, const Deformer& truth) {
+  Examples out;
+  Positions wanted;
+  for (const glm::dquat& turn : turns) {
+    const Pose pose = turned(branch, centre, turn);
+    truth(pose, wanted);
+    if (!is_finite(wanted)) continue;
+    Positions missing;
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+      const Matrix m = blended(mesh.influences[v], pose);
+      missing.push_back(correction(m, wanted[v] - transform(m, mesh.positions[v])).value_or(glm::dvec3(0)));
+    }
+    out.turns.push_back(turn);
+    out.missing.push_back(std::move(missing));
+  }
+  return out;
+}
+
+std::vector<std::uint32_t> support_of(const Examples& examples, std::size_t vertices, double least_m) {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t v = 0; v < vertices; ++v)
+    if (std::ranges::any_of(examples.missing, [&](const Positions& p) { return glm::length(p[v]) > least_m; }))
+      out.push_back(v);
+  return out;
+}
+
+// Principal components without a mean, as there is no displacement in the bind pose. Returns what each example is of
+// the fields: a row an example.
+MatrixXd components(const Examples& examples, std::size_t most, EigenJoint& out) {
+  constexpr double kLeastPart = 1e-14;  // of the first one's squares: rounding
+  const std::size_t count = examples.turns.size();
+  MatrixXd gram = MatrixXd::Zero(index(count), index(count));
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b)
+      for (const std::uint32_t v : out.support)
+        gram(index(a), index(b)) += glm::dot(examples.missing[a][v], examples.missing[b][v]);
+  const Eigenvectors parts = eigenvectors_of_symmetric(gram);
+  MatrixXd coordinates(index(count), 0);
+  for (std::size_t n = 0; n < std::min(most, count); ++n) {
+    const Eigen::Index column = index(count - 1 - n);
+    const double squares = parts.values[column];
+    if (!(squares > kLeastPart * parts.values[index(count - 1)])) break;
+    const double length = std::sqrt(squares);
+    Positions& field = out.fields.emplace_back(out.support.size(), glm::dvec3(0));
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t i = 0; i < field.size(); ++i)
+        field[i] += examples.missing[a][out.support[i]] * (parts.vectors(index(a), column) / length);
+    coordinates.conservativeResize(Eigen::NoChange, index(n + 1));
+    coordinates.col(index(n)) = parts.vectors.col(column) * length;
+  }
+  return coordinates;
+}
+
+// Coefficients that give `wanted` in the examples, and the squared error of each example left out in turn (Rippa, "An
+// algorithm for selecting a good value for the parameter c in radial basis function interpolation", 1999).
+struct Interpolant {
+  MatrixXd coefficients;
+  double left_out = 0;
+};
+
+Interpolant interpolate(const std::vector<glm::dquat>& turns, const MatrixXd& wanted, double sigma, double ridge) {
+  const std::size_t count = turns.size();
+  MatrixXd system(index(count), index(count)), right = wanted;
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = 0; b < count; ++b) system(index(a), index(b)) = phi(turns[a], turns[b], sigma);
+    system(index(a), index(a)) += ridge;
+    right.row(index(a)) /= lift(turns[a], sigma);
+  }
+  const MatrixXd inverse = inverse_of_symmetric(system);
+  Interpolant out{inverse * right, 0};
+  for (std::size_t a = 0; a < count; ++a) {
+    const double scale = lift(turns[a], sigma) / inverse(index(a), index(a));
+    out.left_out += (out.coefficients.row(index(a)) * scale).squaredNorm();
+  }
+  return out;
+}
+
+double mean_distance(const std::vector<glm::dquat>& turns) {
+  double sum = 0;
+  for (const glm::dquat& a : turns) {
+    double nearest = distance(a, kUnturned);
+    for (const glm::dquat& b : turns)
+      if (&a != &b) nearest = std::min(nearest, distance(a, b));
+    sum += nearest;
+  }
+  return std::sqrt(sum / static_cast<double>(turns.size()));
+}
+
+// No fields where SSD is as good.
+EigenJoint fit_joint(const SkinnedMesh& mesh, const Examples& examples, std::uint32_t joint,
+                     const EigenSkinOptions& options) {
+  EigenJoint out{joint, {}, {}, {}, {}, 1};
+  if (examples.turns.empty()) return out;
+  out.support = support_of(examples, mesh.positions.size(), options.least_displacement * diagonal(mesh));
+  const MatrixXd wanted = components(examples, options.most_fields, out);
+  const double distance = mean_distance(examples.turns);
+  double least = wanted.squaredNorm();
+  MatrixXd coefficients;
+  for (const double width : options.widths) {
+    const Interpolant with = interpolate(examples.turns, wanted, width * distance, options.ridge);
+    if (!(with.left_out < least)) continue;
+    least = with.left_out;
+    coefficients = with.coefficients;
+    out.sigma = width * distance;
+  }
+  if (coefficients.size() == 0) return {joint, {}, {}, {}, {}, 1};
+  out.examples = examples.turns;
+  for (Eigen::Index k = 0; k < coefficients.rows(); ++k) {
+    const VectorXd row = coefficients.row(k);
+    out.coefficients.emplace_back(row.data(), row.data() + row.size());
+  }
+  return out;
+}
+
+std::vector<double> weights_of(const EigenJoint& joint, const glm::dquat& turn) {
+  std::vector<double> out(joint.fields.size(), 0);
+  const double from_bind = lift(turn, joint.sigma);
+  for (std::size_t k = 0; k < joint.examples.size(); ++k) {
+    const double scale = from_bind * phi(turn, joint.examples[k], joint.sigma);
+    for (std::size_t n = 0; n < out.size(); ++n) out[n] += scale * joint.coefficients[k][n];
+  }
+  return out;
+}
+
+}  // namespace
+
+Deformer eigen_skin(const SkinnedMesh& mesh, const EigenSkin& skin) {
+  return [&mesh, &skin](const Pose& pose, Positions& out) {
+    const std::vector<glm::dquat> turns = local_rotations(pose, skin.parents);
+    Positions displaced = mesh.positions;
+    for (const EigenJoint& j : skin.joints) {
+      const std::vector<double> weights = weights_of(j, turns[j.joint]);
+      for (std::size_t n = 0; n < weights.size(); ++n)
+        for (std::size_t i = 0; i < j.support.size(); ++i) displaced[j.support[i]] += j.fields[n][i] * weights[n];
+    }
+    out.resize(displaced.size());
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] = transform(blended(mesh.influences[v], pose), displaced[v]);
+  };
+}
+
+EigenSkin fit_eigen_skin(const SkinnedMesh& mesh, const std::vector<int>& parents,
+                         const std::vector<glm::dvec3>& centres, const std::vector<TrainingPose>& poses,
+                         const Deformer& truth, const EigenSkinOptions& options) {
+  std::vector<std::vector<glm::dquat>> turns(parents.size());
+  for (const TrainingPose& p : poses) {
+    if (!p.learnt) continue;
+    const std::vector<glm::dquat> local = local_rotations(p.pose, parents);
+    for (std::size_t j = 0; j < turns.size(); ++j) turns[j].push_back(local[j]);
+  }
+  std::vector<EigenJoint> joints(parents.size());
+  tools::for_each_in_parallel(parents.size(), [&](std::size_t j) {
+    const auto joint = static_cast<std::uint32_t>(j);
+    const Examples examples =
+        make_examples(mesh, branch_of(joint, parents), centres[j], spread(turns[j], options.most_examples), truth);
+    joints[j] = fit_joint(mesh, examples, joint, options);
+  });
+  EigenSkin out{parents, {}};
+  for (EigenJoint& j : joints)
+    if (!j.fields.empty()) out.joints.push_back(std::move(j));
+  return out;
+}
+
+double displacements_per_vertex(const SkinnedMesh& mesh, const EigenSkin& skin) {
+  std::size_t sum = 0;
+  for (const EigenJoint& j : skin.joints) sum += j.fields.size() * j.support.size();
+  return static_cast<double>(sum) / static_cast<double>(mesh.positions.size());
+}
+
+}  // namespace marrow::deform
