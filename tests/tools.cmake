@@ -47,6 +47,11 @@ marrow_test(marrow_deform_tests deform unit/deform/animation_space_test.cpp unit
   unit/deform/never_worse_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
   unit/deform/range_of_motion_test.cpp unit/deform/scaled_joints_test.cpp unit/deform/simplify_test.cpp
   unit/deform/subdivide_test.cpp unit/deform/tangents_test.cpp)
+# compare's own reckoning stands beside what it judges.
+if(MARROW_ALL_COMMANDS)
+  target_sources(marrow_deform_tests PRIVATE unit/deform/thesis_test.cpp)
+  target_link_libraries(marrow_deform_tests PRIVATE marrow_compare)
+endif()
 target_link_libraries(marrow_deform_tests PRIVATE marrow_deform)
 
 # The reference evaluator, written from the glTF specification; it shares nothing with the cooker.

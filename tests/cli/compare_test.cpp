@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -135,6 +136,45 @@ TEST(Compare, SaysWhatIsWrong) {
   const Ran still = run_marrow({"compare", folder / "t.gltf"});
   EXPECT_EQ(still.code, 3);
   EXPECT_NE(still.err.find("no mesh is bound to a skin"), std::string::npos) << still.err;
+}
+
+// Every algorithm on the cylinder, and every path; it draws half a minute long.
+TEST(Compare, TheThesis) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: takes minutes under a sanitizer, which sees the same code in the tests of `deform`";
+#endif
+  EXPECT_EQ(run_marrow({"compare", "--sample", "cylinder", "--full"}).code, 1);
+  if (!in_long_form()) GTEST_SKIP() << "SKIPPED: what it reckons is tested in `deform`; MARROW_TESTS=all runs it";
+  const TemporaryFolder folder;
+  const Ran ran = run_marrow({"compare", "--thesis", "--sample", "cylinder", "--json", "-o", folder / "page.html"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json r = nlohmann::json::parse(ran.out);
+  ASSERT_EQ(r.at("studies").size(), 1u);
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& row : r["studies"][0].at("rows")) rows[row.at("algorithm")] = row;
+  EXPECT_EQ(rows.size(), 17u);
+  EXPECT_EQ(rows.at("ssd").at("of_ssd"), 1.0);
+  EXPECT_NEAR(rows.at("as_lift").at("twists").at("rms_jump_deg").get<double>(),
+              rows["ssd"].at("twists").at("rms_jump_deg").get<double>(), 1e-9)
+      << "the same surface";
+  // Rigid segments are folded by half a turn where one ends within the other.
+  EXPECT_GT(rows.at("rigid").at("bends").at("largest_jump_deg").get<double>(), 170);
+  EXPECT_LT(rows.at("as_helpers_fit5").at("twists").at("rms_jump_deg").get<double>(),
+            rows["rigid"].at("twists").at("rms_jump_deg").get<double>());
+  std::set<std::string> paths;
+  for (const auto& rate : r.at("rates")) {
+    paths.insert(rate.at("path"));
+    ASSERT_EQ(rate.at("frames_per_s").size(), 4u);
+    for (const auto& rate_hz : rate["frames_per_s"]) EXPECT_GT(rate_hz.get<double>(), 0);
+  }
+  EXPECT_TRUE(paths.contains("kernel") && paths.contains("double"));
+#ifdef MARROW_HAS_GLES
+  for (const char* const path : {"ubo", "texture", "feedback", "cpu"}) EXPECT_TRUE(paths.contains(path)) << path;
+#endif
+  EXPECT_EQ(r.at("claims").size(), 2u);
+  const std::string page = read_text(folder / "page.html");
+  for (const char* const mark : {"<h2>What holds</h2>", "<h2>Table 1", "<h2>Table 3", "<h2>Slips"})
+    EXPECT_NE(page.find(mark), std::string::npos) << mark;
 }
 
 TEST(Compare, WritesOnePage) {

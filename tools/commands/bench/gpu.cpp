@@ -68,7 +68,7 @@ class Subject {
  public:
   Subject(const GpuCase& of, Models& models) {
     if (of.model == nullptr) {
-      generated_ = std::make_unique<GeneratedMesh>(of.vertices, 4, of.joints);
+      generated_ = std::make_unique<GeneratedMesh>(of.vertices, of.influences, of.joints);
       out_.mesh = generated_->view();
       return;
     }
@@ -117,7 +117,8 @@ void measure(const Gl& gl, const GpuTimer& timer, GpuWork& work, GpuRow& row) {
   gl.check(row.name.c_str());
 }
 
-std::vector<GpuRow> selected(const std::string& pattern, const Gl& gl, Models& models) {
+std::vector<GpuRow> selected(const std::string& pattern, const Gl& gl) {
+  const Models models;
   std::vector<GpuRow> rows = gpu_rows();
   std::erase_if(rows, [&](const GpuRow& row) { return fnmatch(pattern.c_str(), row.name.c_str(), 0) != 0; });
   if (rows.empty())
@@ -161,23 +162,8 @@ void run_gpu_bench(const GpuBenchArguments& arguments) {
     expect_writable(arguments.chart);
   }
   const Gl gl;
-  const GpuTimer timer(gl);
-  Models models;
-  std::vector<GpuRow> rows = selected(arguments.only, gl, models);
-  const GpuTarget target(gl);
-  std::unique_ptr<Subject> subject;
-  const GpuCase* of = nullptr;
-  std::optional<Progress> progress(std::in_place);
-  std::size_t done = 0;
-  for (GpuRow& row : rows) {
-    progress->show(done++, rows.size(), row.name);
-    if (row.of != of) subject = std::make_unique<Subject>(*row.of, models);
-    of = row.of;
-    const std::unique_ptr<GpuWork> work = make_gpu_work(gl, target, row, subject->get());
-    target.bind();
-    measure(gl, timer, *work, row);
-  }
-  progress.reset();
+  std::vector<GpuRow> rows = selected(arguments.only, gl);
+  measure_gpu(gl, rows);
   if (arguments.json) {
     fmt::print("{}\n", report(gl.driver(), rows).dump(2));
   } else {
@@ -186,6 +172,24 @@ void run_gpu_bench(const GpuBenchArguments& arguments) {
   if (arguments.chart.empty()) return;
   const std::string chart = gpu_chart(rows, gl.driver());
   write_file_atomically(arguments.chart, std::string_view(chart));
+}
+
+void measure_gpu(const Gl& gl, std::vector<GpuRow>& rows) {
+  const GpuTimer timer(gl);
+  Models models;
+  const GpuTarget target(gl);
+  std::unique_ptr<Subject> subject;
+  const GpuCase* of = nullptr;
+  Progress progress;
+  std::size_t done = 0;
+  for (GpuRow& row : rows) {
+    progress.show(done++, rows.size(), row.name);
+    if (row.of != of) subject = std::make_unique<Subject>(*row.of, models);
+    of = row.of;
+    const std::unique_ptr<GpuWork> work = make_gpu_work(gl, target, row, subject->get());
+    target.bind();
+    measure(gl, timer, *work, row);
+  }
 }
 
 const char* path_name(std::optional<SkinningPath> path) {

@@ -14,10 +14,12 @@
 #endif
 #include "commands/compare/motion/motion_report.h"
 #include "commands/compare/pictures.h"
+#include "commands/compare/thesis/thesis.h"
 #include "commands/compare/verdict.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
+#include "cook/gltf/read.h"
 #include "cook/learn/check_truth.h"
 #include "terminal/progress.h"
 #include "terminal/warnings.h"
@@ -128,7 +130,8 @@ void run_compare(const CompareArguments& a) {
     expect_writable(a.out);
   }
   if (!a.pictures.empty()) expect_folder(a.pictures);
-  if (a.in.empty() == a.sample.empty())
+  if (a.full && !a.thesis) throw Failure(Exit::usage, "--full", "", "it is for --thesis", "leave it out");
+  if (a.thesis ? !a.in.empty() && !a.sample.empty() : a.in.empty() == a.sample.empty())
     throw Failure(Exit::usage, "compare", "", "nothing to compare on, or two things",
                   "give IN.glb or --sample cylinder");
   cook::Given given = a.given;
@@ -137,11 +140,11 @@ void run_compare(const CompareArguments& a) {
   if (!a.sample.empty() && options.wide_poses)
     throw Failure(Exit::usage, "--wide-poses", "", "the cylinder's poses are wide", "leave it out");
   if (!a.given.contains("helpers")) options.helpers = cook::kAutoHelpers;
-  if (!a.sample.empty() && !a.given.contains("delta-mush"))
-    options.delta_mush = {30, 1.0, deform::EdgeWeights::uniform};
+  if (a.thesis) return run_thesis(a, options);
+  if (!a.sample.empty() && !a.given.contains("delta-mush")) options.delta_mush = kCylinderDeltaMush;
   if (!a.sample.empty() && options.truth == cook::Truth::examples)
     throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
-  Study study = a.sample.empty() ? study_file(a.in, a.holdout, options) : study_cylinder();
+  Study study = a.sample.empty() ? study_scene(cook::read_gltf(a.in), a.holdout, options) : study_cylinder();
   cook::Notes notes;
   options = cook::with_gentle_steps(std::move(options), study.source.mesh, "/meshes", notes);
   drop_unusable_poses(options, study, notes);

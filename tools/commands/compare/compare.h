@@ -15,6 +15,7 @@ struct CompareArguments {
   std::string out;       // HTML; empty: none
   std::string pictures;  // folder of the page's pictures; empty: none
   bool json = false;
+  bool thesis = false, full = false;  // the thesis's comparison instead; with every path and normals
   int eigen_fields = kEigenFields;
   cook::Given given;  // --truth, --delta-mush, --keep-bind-pose, as for `cook`
 };

@@ -30,6 +30,11 @@ void add_compare(CLI::App& app, int&) {
       "range_of_motion: {poses, folding_poses, deformers, joints, left_out}}, lengths in metres; docs/deformers.md "
       "says "
       "what is in the last");
+  auto* const thesis = command->add_flag(
+      "--thesis", a.thesis,
+      "instead, the comparison of the thesis of animation space made anew: speed, labour and smoothness of every "
+      "algorithm, frames a second, and what holds; on the file, without one on the sample, and on the cylinder");
+  command->add_flag("--full", a.full, "--thesis: frames with normals, too")->needs(thesis);
   command->add_option("-o,--output", a.out, "also a page with pictures and charts, in one file")->type_name("OUT.html");
 #ifdef MARROW_HAS_GLES
   command->add_option("--pictures", a.pictures, "also the page's pictures, each a PNG in this folder")

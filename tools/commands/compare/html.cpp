@@ -99,8 +99,9 @@ std::string ramp(const PictureRow& row) {
       stops, length_text(0.5 * row.scale_m), length_text(row.scale_m));
 }
 
-// Shapes above, and below each how far it is from the truth.
-std::string pose(const PictureRow& row) {
+}  // namespace
+
+std::string picture_row(const PictureRow& row) {
   std::string out = fmt::format(
       "<div class=\"pose\"><h3>{}</h3><div class=\"grid\" style=\"grid-template-columns:repeat({},1fr)\">\n",
       escaped(row.title), row.shapes.size());
@@ -109,8 +110,6 @@ std::string pose(const PictureRow& row) {
   for (const Picture& p : row.errors) out += figure(p, "");
   return out + "</div></div>\n";
 }
-
-}  // namespace
 
 std::string comparison_page(const PageContent& content) {
   const DeformerComparison& c = content.comparison;
@@ -122,7 +121,7 @@ std::string comparison_page(const PageContent& content) {
       title, kPageStyle, escaped(verdict(c)), title, escaped(content.truth), c.trained, c.held,
       plain_number(c.diagonal_m));
   if (!content.worst_poses.empty()) out += "<h2>Where linear blend skinning is worst</h2>\n";
-  for (const PictureRow& row : content.worst_poses) out += pose(row);
+  for (const PictureRow& row : content.worst_poses) out += picture_row(row);
   out += "<h2>Figures</h2>\n" + table(c) +
          "<p class=\"note\">Poses held out are not learnt from. Crease: how sharply some edge is folded beyond the "
          "bind pose, mean over poses. Normals: between those it shades with and those of the mesh it makes, where "
@@ -131,7 +130,7 @@ std::string comparison_page(const PageContent& content) {
          charts(content.study, c);
   const std::string motion = motion_tables(content.study, c, content.motion);
   if (!motion.empty()) out += "<h2>Range of motion</h2>\n";
-  for (const PictureRow& row : content.worst_joints) out += pose(row);
+  for (const PictureRow& row : content.worst_joints) out += picture_row(row);
   out += motion + "<script>" + kPageScript + "</script></html>\n";
   return out;
 }

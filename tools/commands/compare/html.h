@@ -19,4 +19,7 @@ struct PageContent {
 };
 std::string comparison_page(const PageContent& content);
 
+// Shapes above, and below each how far it is from the truth.
+std::string picture_row(const PictureRow& row);
+
 }  // namespace marrow::tools

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "commands/compare/instructions.h"
+#include "commands/compare/shape.h"
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"
@@ -22,43 +22,6 @@ namespace {
 
 using deform::Pose;
 using deform::Positions;
-
-// Two triangles at an edge.
-using Hinge = std::pair<std::uint32_t, std::uint32_t>;
-
-struct Shape {
-  explicit Shape(const deform::SkinnedMesh& m) : mesh(m) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
-    for (std::uint32_t i = 0; i < mesh.indices.size(); ++i) {
-      const std::uint32_t a = mesh.indices[i], b = mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
-      const auto [at, is_new] = first.try_emplace(std::minmax(a, b), i / 3);
-      if (!is_new) hinges.emplace_back(at->second, i / 3);
-    }
-    bind_normals = deform::vertex_normals(mesh.positions, mesh.indices);
-    bind_angles = angles(mesh.positions);
-  }
-
-  std::vector<double> angles(const Positions& p) const {
-    std::vector<glm::dvec3> normals;
-    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-      const glm::dvec3 n =
-          glm::cross(p[mesh.indices[t + 1]] - p[mesh.indices[t]], p[mesh.indices[t + 2]] - p[mesh.indices[t]]);
-      const double length = glm::length(n);
-      normals.push_back(length > 0 ? n / length : glm::dvec3(0));
-    }
-    std::vector<double> out;
-    for (const auto& [a, b] : hinges)
-      out.push_back(normals[a] == glm::dvec3(0) || normals[b] == glm::dvec3(0)
-                        ? 0.0
-                        : std::acos(std::clamp(glm::dot(normals[a], normals[b]), -1.0, 1.0)));
-    return out;
-  }
-
-  const deform::SkinnedMesh& mesh;
-  std::vector<Hinge> hinges;
-  std::vector<glm::dvec3> bind_normals;
-  std::vector<double> bind_angles;
-};
 
 // About the middle, so that a mesh that is not closed does not depend on where it stands.
 double volume_of(Positions p, const std::vector<std::uint32_t>& indices) {
@@ -304,7 +267,10 @@ DeformerComparison compare_deformers(const Study& study, const cook::LearnOption
     row.deformer = contestant.name;
     Totals totals;
     for (std::size_t r = 0; r < study.rounds.size(); ++r) {
+      const auto start = std::chrono::steady_clock::now();
       Trained trained = contestant.train(study, study.rounds[r], options);
+      row.train_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
+                     static_cast<double>(study.rounds.size());
       row.displacements_per_vertex += trained.displacements / static_cast<double>(study.rounds.size());
       measure_round(shape, trained, truth, study.rounds[r], study.rounds.size(), totals, row);
       if (r == 0) out.trained_in_first_round.push_back(std::move(trained));

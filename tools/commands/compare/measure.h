@@ -25,6 +25,7 @@ struct DeformerRow {
   std::uint32_t influences = 0, palette_entries = 0;  // of the cooked mesh, at most
   double displacements_per_vertex = 0;                // what EigenSkin adds to SSD; 0: none
   VertexCost gpu;                                     // with normals; 0 also of kernels that no GPU path has
+  double train_s = 0;                                 // to learn it, the mean over rounds
   // For pictures and charts, of the first round: a held-out pose's RMS error.
   std::vector<double> error_of_pose;
 };

@@ -119,9 +119,9 @@ void add_motion(const BuiltSkeleton& skeleton, Study& study) {
 
 }  // namespace
 
-Study study_file(const std::string& path, Holdout holdout, const LearnOptions& learn) {
+Study study_scene(RawScene of, Holdout holdout, const LearnOptions& learn) {
   Study study;
-  study.scene = read_gltf(path);
+  study.scene = std::move(of);
   const RawScene scene = study.scene;
   BuiltScene built = build_skeletons(scene);
   Notes notes;  // that only cooking says
@@ -130,7 +130,7 @@ Study study_file(const std::string& path, Holdout holdout, const LearnOptions& l
   built.clips = build_raw_clips(scene, built, {});
   const RawInstance* const instance = largest_skinned(scene);
   if (instance == nullptr)
-    throw Failure(Exit::invalid, path, "/skins", "not-skinned",
+    throw Failure(Exit::invalid, scene.source, "/skins", "not-skinned",
                   "no mesh is bound to a skin; there is nothing to compare");
   const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(instance->mesh)];
   const RawSkin& skin = scene.skins[static_cast<std::size_t>(instance->skin)];

@@ -6,6 +6,7 @@
 
 #include "cook/learn/learn.h"
 #include "cook/skin/deform_source.h"
+#include "deform/deformers.h"
 #include "deform/motion/range_of_motion.h"
 #include "text/choices.h"
 
@@ -42,10 +43,12 @@ struct Study {
 // what is made up is learnt from; clips: each clip once, in at most eight rounds. Throws tools::Failure (invalid) if
 // nothing is skinned, (usage) for clips to be held out where there are fewer than two.
 // With the truth from examples their poses are the study's.
-Study study_file(const std::string& path, Holdout holdout, const cook::LearnOptions& options);
+Study study_scene(cook::RawScene scene, Holdout holdout, const cook::LearnOptions& options);
 
 // The cylinder that is commonly shown, 30 poses to learn from and 200 held out, five times.
 Study study_cylinder();
+// What smooths it as much as a character's default smooths that.
+inline constexpr deform::DeltaMushOptions kCylinderDeltaMush{30, 1.0, deform::EdgeWeights::uniform};
 
 // Leaves out poses in which the truth does not say where the mesh is, and notes which joint spoils them. Throws
 // tools::Failure (invalid) if none is left to be held out.

@@ -1,0 +1,26 @@
+// A mesh's edges, and how it is folded there.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "deform/mesh.h"
+
+namespace marrow::tools {
+
+// Two triangles at an edge.
+using Hinge = std::pair<std::uint32_t, std::uint32_t>;
+
+struct Shape {
+  explicit Shape(const deform::SkinnedMesh& mesh);
+
+  // Between the normals of a hinge's triangles, radians; 0 where one has no area.
+  std::vector<double> angles(const deform::Positions& positions) const;
+
+  const deform::SkinnedMesh& mesh;
+  std::vector<Hinge> hinges;
+  std::vector<glm::dvec3> bind_normals;  // a vertex
+  std::vector<double> bind_angles;       // a hinge
+};
+
+}  // namespace marrow::tools
