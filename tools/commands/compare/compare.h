@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "commands/compare/contestants.h"
 #include "commands/compare/study.h"
@@ -12,8 +13,9 @@ namespace marrow::tools {
 struct CompareArguments {
   std::string in, sample;
   Holdout holdout = Holdout::frames;
-  std::string out;       // HTML; empty: none
-  std::string pictures;  // folder of the page's pictures; empty: none
+  std::string out;                                                 // HTML; empty: none
+  std::string pictures;                                            // folder of the page's pictures; empty: none
+  std::vector<std::string> shown = {"as_fit", "as_helpers_fit5"};  // rows that pictures are of, beside SSD
   bool json = false;
   int eigen_fields = kEigenFields;
   cook::Given given;  // --truth, --delta-mush, --keep-bind-pose, as for `cook`
