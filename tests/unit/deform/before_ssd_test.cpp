@@ -12,12 +12,12 @@ namespace {
 
 using Weights = std::vector<std::vector<double>>;  // a column: a joint
 
-// A strip along x, two vertices a column, from -1.5 on.
+// A strip along x, two vertices a column half a unit from the line, from -1.5 on.
 SkinnedMesh strip(const Weights& columns) {
   SkinnedMesh mesh;
   mesh.joint_count = static_cast<std::uint32_t>(columns[0].size());
   for (std::uint32_t c = 0; c < columns.size(); ++c) {
-    for (const double y : {0.0, 1.0}) {
+    for (const double y : {-0.5, 0.5}) {
       mesh.positions.emplace_back(c - 1.5, y, 0);
       std::vector<Influence>& influences = mesh.influences.emplace_back();
       for (std::uint32_t j = 0; j < mesh.joint_count; ++j)
@@ -59,9 +59,9 @@ TEST(Stitching, PutsSeamsHalfWay) {
   const SkinnedMesh mesh = stitched(strip({{1, 0}, {0.55, 0.45}, {0, 1}}));
   const Pose pose = {matrix(turn(0, {0, 0, 1}), {}), matrix(turn(90, {0, 0, 1}), {})};
   const Positions p = at(ssd(mesh), pose);
-  EXPECT_EQ(p[0], glm::dvec3(-1.5, 0, 0));
-  EXPECT_LT(glm::length(p[2] - glm::dvec3(-0.25, -0.25, 0)), 1e-12) << "from (-0.5, 0) and (0, -0.5)";
-  EXPECT_LT(glm::length(p[4] - glm::dvec3(0, 0.5, 0)), 1e-12);
+  EXPECT_EQ(p[0], glm::dvec3(-1.5, -0.5, 0));
+  EXPECT_LT(glm::length(p[2] - glm::dvec3(0, -0.5, 0)), 1e-12) << "from (-0.5, -0.5) and (0.5, -0.5)";
+  EXPECT_LT(glm::length(p[4] - glm::dvec3(0.5, 0.5, 0)), 1e-12);
 }
 
 // Of the cylinder's joint 1: 1000 vertices at 1 from the line, and one on it.
@@ -99,23 +99,47 @@ TEST(JointOperators, MoveWithTheRoot) {
   EXPECT_LT(farthest(at(deformer, moved(rotation, translation, bent)), expected), 1e-12);
 }
 
-// Joints at -1, 0 and 1 of a strip whose vertices are 0 and 1 from its line: half a bone, ½, is what operators reach.
-TEST(JointOperators, EveryVertexIsInOneDomain) {
-  const SkinnedMesh mesh = strip({{1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 1}});
+Matrix about(const glm::dvec3& centre, double degrees) {
+  const glm::dquat q = turn(degrees, {0, 0, 1});
+  return matrix(q, centre - q * centre);
+}
+
+double smooth_step_of(double x) {
+  return x * x * (3 - 2 * x);
+}
+
+// The last bone is half a unit thick, and the one before it is one long: its operator reaches half a unit.
+TEST(JointOperators, ReachAsFarAsTheLimbIsThick) {
+  SkinnedMesh mesh = strip({{1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 1}});
+  mesh.positions.emplace_back(0.5, 1.25, 0);
+  mesh.influences.push_back({{1, 1.0}});
   const std::vector<glm::dvec3> centres = {{-1, 0, 0}, {-0.4, 0, 0}, {0.6, 0, 0}};
-  const Deformer deformer = joint_operators(mesh, {-1, 0, 1}, centres);
-  const auto about = [](const glm::dvec3& centre, double degrees) {
-    const glm::dquat q = turn(degrees, {0, 0, 1});
-    return matrix(q, centre - q * centre);
-  };
-  // The last joint alone turns. Vertex 4 at (0.5, 0) is 0.1 before it, vertex 2 at (-0.5, 0) far from it.
-  const Matrix still = about({}, 0);
-  const Positions p = at(deformer, {still, still, about(centres[2], 60)});
-  EXPECT_EQ(p[2], mesh.positions[2]);
+  const Positions p =
+      at(joint_operators(mesh, {-1, 0, 1}, centres), {about({}, 0), about({}, 0), about(centres[2], 60)});
   EXPECT_EQ(p[0], mesh.positions[0]);
-  const double x = 0.1 / 0.5, share = (1 - x * x * (3 - 2 * x)) / 2;
+  EXPECT_EQ(p[2], mesh.positions[2]) << "far from it";
+  const double share = (1 - smooth_step_of(0.1 / 0.5)) / 2;
   EXPECT_LT(glm::length(p[4] - transform(about(centres[2], 60 * share), mesh.positions[4])), 1e-12);
   EXPECT_LT(glm::length(p[6] - transform(about(centres[2], 60), mesh.positions[6])), 1e-12) << "beyond the domain";
+  EXPECT_LT(glm::length(p[8] - transform(about(centres[2], 60 * share / 2), mesh.positions[8])), 1e-12)
+      << "two and a half times as far from the line as the limb is thick";
+}
+
+// Two fingers on a hand, and a vertex of the hand between them, nearer to the first.
+TEST(JointOperators, AVertexIsInOneDomain) {
+  SkinnedMesh mesh;
+  mesh.positions = {{-0.1, -0.05, 0}, {1, -0.7, 0}, {1, 0.1, 0}, {1, -0.1, 0}, {1, 0.7, 0}};
+  mesh.influences = {{{0, 1.0}}, {{1, 1.0}}, {{1, 1.0}}, {{2, 1.0}}, {{2, 1.0}}};
+  mesh.joint_count = 3;
+  const std::vector<glm::dvec3> centres = {{-1, 0, 0}, {0, -0.3, 0}, {0, 0.3, 0}};
+  const Deformer deformer = joint_operators(mesh, {-1, 0, 0}, centres);
+  const Matrix still = about({}, 0);
+  const glm::dvec3 bind = mesh.positions[0];
+  EXPECT_LT(glm::length(at(deformer, {still, still, about(centres[2], 60)})[0] - bind), 1e-12);
+  const glm::dvec3 by_first = at(deformer, {still, about(centres[1], 60), still})[0];
+  EXPECT_GT(glm::length(by_first - bind), 0.05);
+  EXPECT_NEAR(glm::length(by_first - centres[1]), glm::length(bind - centres[1]), 1e-12);
+  EXPECT_LT(glm::length(at(deformer, {still, about(centres[1], 60), about(centres[2], -40)})[0] - by_first), 1e-12);
 }
 
 TEST(JointOperators, SegmentsAreRigidWithoutThem) {

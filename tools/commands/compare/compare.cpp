@@ -23,6 +23,8 @@
 #include "cook/learn/check_truth.h"
 #include "terminal/progress.h"
 #include "terminal/warnings.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {
@@ -69,11 +71,13 @@ ordered_json report(const CompareArguments& a, const Study& study, const Deforme
 }
 
 #ifdef MARROW_HAS_GLES
-// SSD, and the best fits without and with helpers.
-std::vector<std::size_t> shown(const DeformerComparison& c) {
-  std::vector<std::size_t> out;
-  for (const char* const name : {"ssd", "as_fit", "as_helpers_fit5"})
-    out.push_back(static_cast<std::size_t>(std::ranges::find(c.rows, name, &DeformerRow::deformer) - c.rows.begin()));
+// SSD first.
+std::vector<std::size_t> shown(const CompareArguments& a, const DeformerComparison& c) {
+  const auto row = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(c.rows, name, &DeformerRow::deformer) - c.rows.begin());
+  };
+  std::vector<std::size_t> out = {row("ssd")};
+  for (const std::string& name : a.shown) out.push_back(row(name));
   return out;
 }
 #endif
@@ -98,6 +102,21 @@ void print_table(const Study& study, const CompareArguments& a, const DeformerCo
         100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, r.blended_normal_deg, or_none(r.bytes_per_vertex),
         or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex), whole(r.gpu.mali_cycles),
         whole(r.gpu.adreno_instructions), whole(r.gpu.videocore_instructions));
+}
+
+// Each a row, other than SSD's, and once.
+void expect_shown(const CompareArguments& a, const cook::LearnOptions& options) {
+  std::vector<std::string> rows;
+  for (const Contestant& c : contestants(options, a.eigen_fields))
+    if (c.name != "ssd") rows.push_back(c.name);
+  for (std::size_t i = 0; i < a.shown.size(); ++i) {
+    const std::string& name = a.shown[i];
+    if (std::ranges::find(rows, name) == rows.end())
+      throw Failure(Exit::usage, "--show", "", "no row beside ssd is called " + printable(name),
+                    suggestion(name, rows));
+    if (std::ranges::find(a.shown, name) != a.shown.begin() + static_cast<std::ptrdiff_t>(i))
+      throw Failure(Exit::usage, "--show", "", name + " is given twice", "leave one out");
+  }
 }
 
 void print_warnings(const std::string& file, const cook::Notes& notes) {
@@ -144,6 +163,7 @@ void run_compare(const CompareArguments& a) {
   if (!a.sample.empty() && !a.given.contains("delta-mush")) options.delta_mush = kCylinderDeltaMush;
   if (!a.sample.empty() && options.truth == cook::Truth::examples)
     throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
+  expect_shown(a, options);
   Study study = a.sample.empty() ? study_scene(cook::read_gltf(a.in), a.holdout, options) : study_cylinder();
   cook::Notes notes;
   options = cook::with_gentle_steps(std::move(options), study.source.mesh, "/meshes", notes);
@@ -173,8 +193,8 @@ void run_compare(const CompareArguments& a) {
                       {},
                       {}};
 #ifdef MARROW_HAS_GLES
-  content.worst_poses = draw_worst_poses(study, comparison, truth, shown(comparison), 3);
-  content.worst_joints = draw_worst_joints(study, comparison, motion, truth, shown(comparison));
+  content.worst_poses = draw_worst_poses(study, comparison, truth, shown(a, comparison), 3);
+  content.worst_joints = draw_worst_joints(study, comparison, motion, truth, shown(a, comparison));
 #endif
   if (!a.pictures.empty()) {
     write_pictures(a.pictures, "", content.worst_poses);

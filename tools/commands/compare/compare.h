@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "commands/compare/contestants.h"
 #include "commands/compare/study.h"
@@ -12,8 +13,9 @@ namespace marrow::tools {
 struct CompareArguments {
   std::string in, sample;
   Holdout holdout = Holdout::frames;
-  std::string out;       // HTML; empty: none
-  std::string pictures;  // folder of the page's pictures; empty: none
+  std::string out;                                                 // HTML; empty: none
+  std::string pictures;                                            // folder of the page's pictures; empty: none
+  std::vector<std::string> shown = {"as_fit", "as_helpers_fit5"};  // rows that pictures are of, beside SSD
   bool json = false;
   bool thesis = false, full = false;  // the thesis's comparison instead; with every path and normals
   int eigen_fields = kEigenFields;

@@ -39,6 +39,12 @@ void add_compare(CLI::App& app, int&) {
 #ifdef MARROW_HAS_GLES
   command->add_option("--pictures", a.pictures, "also the page's pictures, each a PNG in this folder")
       ->type_name("FOLDER");
+  command
+      ->add_option("--show", a.shown, "which rows pictures are of, beside ssd; they zoom in on the last one's joints")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
 #endif
   command->callback([] { run_compare(a); });
 }

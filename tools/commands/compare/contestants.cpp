@@ -43,10 +43,16 @@ SkinnedMesh follows_one_joint(SkinnedMesh mesh) {
   return mesh;
 }
 
-// Normals are those of the segments.
+// Normals are those of the triangles that it makes.
 Trained by_joint_operators(const Study& study) {
-  Trained out = by_weights(follows_one_joint(study.source.mesh));
-  out.deform = deform::joint_operators(study.source.mesh, study.source.parents, study.source.centres);
+  const SkinnedMesh& mesh = study.source.mesh;
+  Trained out = by_weights(follows_one_joint(mesh));
+  out.deform = deform::joint_operators(mesh, study.source.parents, study.source.centres);
+  out.normals = [&mesh, deformer = out.deform](const Pose& pose) {
+    Positions positions;
+    deformer(pose, positions);
+    return deform::vertex_normals(positions, mesh.indices);
+  };
   return out;
 }
 
@@ -130,6 +136,7 @@ Contestant in_animation_space(const std::string& name, const LearnOptions& optio
 
 std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vector<glm::dvec3>& bind_normals,
                                         const Pose& pose, bool blended) {
+  if (!blended && trained.normals) return trained.normals(pose);
   const Pose extended = trained.extend(pose);
   if (!blended && !trained.tangents.empty()) return deform::surface_normals(trained.tangents, extended);
   std::vector<glm::dvec3> out;

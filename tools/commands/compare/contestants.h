@@ -17,6 +17,7 @@ struct Trained {
   // poses as `extend` makes them.
   std::vector<std::vector<deform::Influence>> blend;
   deform::TangentCoordinates tangents;
+  std::function<std::vector<glm::dvec3>(const deform::Pose&)> normals;  // instead of both, if it is set
   std::function<deform::Pose(const deform::Pose&)> extend;
   double displacements = 0;  // stored a vertex, the mean; EigenSkin alone has some
 };

@@ -70,6 +70,16 @@ std::vector<glm::dquat> spread(const std::vector<glm::dquat>& turns, std::size_t
   return out;
 }
 
+// What SSD misses, in bind space; nothing where it could not be put right there.
+Positions missing_of(const SkinnedMesh& mesh, const Pose& pose, const Positions& wanted) {
+  Positions out;
+  for (std::size_t v = 0; v < wanted.size(); ++v) {
+    const Matrix m = blended(mesh.influences[v], pose);
+    out.push_back(correction(m, wanted[v] - transform(m, mesh.positions[v])).value_or(glm::dvec3(0)));
+  }
+  return out;
+}
+
 // What SSD misses in turns of one joint.
 struct Examples {
   std::vector<glm::dquat> turns;
@@ -84,13 +94,8 @@ Examples make_examples(const SkinnedMesh& mesh, const std::vector<char>& branch,
     const Pose pose = turned(branch, centre, turn);
     truth(pose, wanted);
     if (!is_finite(wanted)) continue;
-    Positions missing;
-    for (std::size_t v = 0; v < wanted.size(); ++v) {
-      const Matrix m = blended(mesh.influences[v], pose);
-      missing.push_back(correction(m, wanted[v] - transform(m, mesh.positions[v])).value_or(glm::dvec3(0)));
-    }
     out.turns.push_back(turn);
-    out.missing.push_back(std::move(missing));
+    out.missing.push_back(missing_of(mesh, pose, wanted));
   }
   return out;
 }
@@ -191,6 +196,7 @@ EigenJoint fit_joint(const SkinnedMesh& mesh, const Examples& examples, std::uin
   return out;
 }
 
+// What the fields are multiplied by when the joint turns.
 std::vector<double> weights_of(const EigenJoint& joint, const glm::dquat& turn) {
   std::vector<double> out(joint.fields.size(), 0);
   const double from_bind = lift(turn, joint.sigma);
@@ -199,6 +205,70 @@ std::vector<double> weights_of(const EigenJoint& joint, const glm::dquat& turn) 
     for (std::size_t n = 0; n < out.size(); ++n) out[n] += scale * joint.coefficients[k][n];
   }
   return out;
+}
+
+// What SSD misses in a pose, and what fields are multiplied by there, joint by joint.
+struct Together {
+  Positions missing;  // a vertex, bind space; empty: nothing is known
+  std::vector<std::vector<double>> weights;
+};
+
+Together make_together(const SkinnedMesh& mesh, const EigenSkin& skin, const Pose& pose, const Deformer& truth) {
+  Together out;
+  Positions wanted;
+  truth(pose, wanted);
+  if (!is_finite(wanted)) return out;
+  out.missing = missing_of(mesh, pose, wanted);
+  const std::vector<glm::dquat> turns = local_rotations(pose, skin.parents);
+  for (const EigenJoint& j : skin.joints) out.weights.push_back(weights_of(j, turns[j.joint]));
+  return out;
+}
+
+// A vertex in a joint's support: which of the skin's joints, and where in its support.
+struct Place {
+  std::size_t joint, at;
+};
+
+// The fields at one vertex: least squares over poses, with a ridge towards what they are.
+void fit_vertex(const std::vector<Together>& poses, std::size_t v, const std::vector<Place>& places, double share,
+                EigenSkin& skin) {
+  std::vector<glm::dvec3*> fields;
+  for (const Place& p : places)
+    for (Positions& field : skin.joints[p.joint].fields) fields.push_back(&field[p.at]);
+  MatrixXd weights(index(poses.size()), index(fields.size())), lacking(index(poses.size()), 3);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    glm::dvec3 left = poses[i].missing[v];
+    Eigen::Index column = 0;
+    for (const Place& p : places)
+      for (const double weight : poses[i].weights[p.joint]) {
+        left -= *fields[static_cast<std::size_t>(column)] * weight;
+        weights(index(i), column++) = weight;
+      }
+    lacking.row(index(i)) << left.x, left.y, left.z;
+  }
+  MatrixXd normal = weights.transpose() * weights;
+  const double ridge = share * normal.trace() / static_cast<double>(fields.size());
+  if (!(ridge > 0)) return;
+  normal.diagonal().array() += ridge;
+  const MatrixXd more = solve_symmetric(normal, MatrixXd(weights.transpose() * lacking));
+  for (std::size_t n = 0; n < fields.size(); ++n)
+    *fields[n] += glm::dvec3(more(index(n), 0), more(index(n), 1), more(index(n), 2));
+}
+
+void fit_together(const SkinnedMesh& mesh, const std::vector<TrainingPose>& poses, const Deformer& truth, double share,
+                  EigenSkin& skin) {
+  if (!std::isfinite(share)) return;
+  std::vector<Together> together(poses.size());
+  tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
+    if (poses[i].learnt) together[i] = make_together(mesh, skin, poses[i].pose, truth);
+  });
+  std::erase_if(together, [](const Together& t) { return t.missing.empty(); });
+  std::vector<std::vector<Place>> places(mesh.positions.size());
+  for (std::size_t j = 0; j < skin.joints.size(); ++j)
+    for (std::size_t i = 0; i < skin.joints[j].support.size(); ++i) places[skin.joints[j].support[i]].push_back({j, i});
+  tools::for_each_in_parallel(places.size(), [&](std::size_t v) {
+    if (!places[v].empty()) fit_vertex(together, v, places[v], share, skin);
+  });
 }
 
 }  // namespace
@@ -236,6 +306,7 @@ EigenSkin fit_eigen_skin(const SkinnedMesh& mesh, const std::vector<int>& parent
   EigenSkin out{parents, {}};
   for (EigenJoint& j : joints)
     if (!j.fields.empty()) out.joints.push_back(std::move(j));
+  fit_together(mesh, poses, truth, options.together, out);
   return out;
 }
 
