@@ -159,6 +159,7 @@ std::optional<format::Constant> Compressor::constant_of(std::size_t joint, Track
                                                         const Promise& promise) const {
   constexpr int kFewest = 15;  // of ever twice as many
   const Transform &rest = rig_.rest[joint], wanted = middle(joint);
+  if (!stays(joint, path, wanted, promise)) return std::nullopt;  // as of all that moves
   for (int most = kFewest; most <= kMostConstant; most = 2 * most + 1) {
     const format::Constant numbers = path == TrackPath::rotation ? code_rotation(wanted.rotation, most)
                                      : path == TrackPath::translation
