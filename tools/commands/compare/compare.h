@@ -18,7 +18,8 @@ struct CompareArguments {
   std::vector<std::string> shown = {"as_fit", "as_helpers_fit5"};  // rows that pictures are of, beside SSD
   bool json = false;
   int eigen_fields = kEigenFields;
-  cook::Given given;  // --truth, --delta-mush, --keep-bind-pose, as for `cook`
+  std::vector<double> frames_hz;  // for each: how far clips are off between so many frames a second
+  cook::Given given;              // --truth, --delta-mush, --keep-bind-pose, as for `cook`
 };
 
 // Throws Failure.
