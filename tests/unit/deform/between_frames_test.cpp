@@ -71,7 +71,7 @@ TEST(BetweenFrames, TurnsWhateverTheSigns) {
     for (int i = 0; i < 6; ++i) expect_turn(kind, i, 40 * i);
   // Half way: -1/8, 6/8 and 3/8 of three frames, and -1/16, 9/16, 9/16 and -1/16 of four, which is even.
   const std::complex<double> e = std::polar(1.0, 20 * kDegree), sum = -0.125 + 0.75 * e + 0.375 * e * e;
-  EXPECT_NEAR(std::arg(sum) / kDegree, 29.851, 1e-3);
+  EXPECT_NEAR(std::arg(sum) / kDegree, 29.850, 1e-3);
   expect_turn(BetweenFrames::quadratic, 1.5, 2 * std::arg(sum) / kDegree);
   expect_turn(BetweenFrames::cubic, 1.5, 60);
 }

@@ -12,6 +12,7 @@
 #ifdef MARROW_HAS_GLES
 #include "commands/compare/motion/motion_pictures.h"
 #endif
+#include "commands/compare/motion/frames_study.h"
 #include "commands/compare/motion/motion_report.h"
 #include "commands/compare/pictures.h"
 #include "commands/compare/thesis/thesis.h"
@@ -37,8 +38,14 @@ std::string truth_of(const CompareArguments& a) {
 }
 
 ordered_json report(const CompareArguments& a, const Study& study, const DeformerComparison& c,
-                    const MotionStudy& motion) {
-  ordered_json rows = ordered_json::array();
+                    const MotionStudy& motion, const std::vector<FramesRow>& between) {
+  ordered_json rows = ordered_json::array(), frames = ordered_json::array();
+  for (const FramesRow& r : between)
+    frames.push_back({{"hz", r.hz},
+                      {"interpolation", name_of(deform::kBetweenFrames, r.kind)},
+                      {"frames", r.frames},
+                      {"rms", r.rms},
+                      {"max", r.most}});
   for (const DeformerRow& r : c.rows) {
     const auto or_null = [](double x) { return x > 0 ? ordered_json(x) : ordered_json(); };
     rows.push_back({{"deformer", r.deformer},
@@ -67,7 +74,8 @@ ordered_json report(const CompareArguments& a, const Study& study, const Deforme
           {"held_poses", c.held},
           {"diagonal", c.diagonal_m},
           {"rows", rows},
-          {"range_of_motion", motion_report(study, c, motion)}};
+          {"range_of_motion", motion_report(study, c, motion)},
+          {"between_frames", frames}};
 }
 
 #ifdef MARROW_HAS_GLES
@@ -119,6 +127,34 @@ void expect_shown(const CompareArguments& a, const cook::LearnOptions& options) 
   }
 }
 
+void expect_sensible(const CompareArguments& a, const cook::LearnOptions& options) {
+  constexpr std::size_t kMostRates = 16;
+  if (a.frames_hz.size() > kMostRates)
+    throw Failure(Exit::usage, "--frames", "", fmt::format("more than {} rates", kMostRates), "give fewer");
+  for (const double hz : a.frames_hz)
+    if (!(hz >= kLeastFrames_hz && hz <= kMostFrames_hz))
+      throw Failure(Exit::usage, "--frames", "", "not a rate",
+                    fmt::format("give {} to {} frames a second", kLeastFrames_hz, kMostFrames_hz));
+  if (!a.sample.empty() && !a.frames_hz.empty())
+    throw Failure(Exit::usage, "--frames", "", "the cylinder has no clips", "give IN.glb");
+  if (!a.sample.empty() && options.wide_poses)
+    throw Failure(Exit::usage, "--wide-poses", "", "the cylinder's poses are wide", "leave it out");
+  if (!a.sample.empty() && options.truth == cook::Truth::examples)
+    throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
+  expect_shown(a, options);
+}
+
+void print_frames(const std::vector<FramesRow>& between) {
+  if (between.empty()) fmt::print("\nNo clip moves it, so nothing is between frames.\n");
+  for (const FramesRow& r : between) {
+    if (&r == between.data())
+      fmt::print("\nBetween frames, from where the source has the surface, mm\n{:>8}{:>8}  {:<14}{:>10}{:>10}\n", "hz",
+                 "frames", "interpolation", "rms", "max");
+    fmt::print("{:>8.4g}{:>8}  {:<14}{:>10.4f}{:>10.3f}\n", r.hz, r.frames, name_of(deform::kBetweenFrames, r.kind),
+               1e3 * r.rms, 1e3 * r.most);
+  }
+}
+
 void print_warnings(const std::string& file, const cook::Notes& notes) {
   std::vector<Warning> warnings;
   for (const cook::RawWarning& w : notes.warnings) warnings.push_back({w.pointer, w.rule, w.text});
@@ -156,14 +192,10 @@ void run_compare(const CompareArguments& a) {
   cook::Given given = a.given;
   given["as"] = {{"fit", {"--as", ""}}};
   cook::LearnOptions options = cook::to_options(given).learn;
-  if (!a.sample.empty() && options.wide_poses)
-    throw Failure(Exit::usage, "--wide-poses", "", "the cylinder's poses are wide", "leave it out");
+  expect_sensible(a, options);
   if (!a.given.contains("helpers")) options.helpers = cook::kAutoHelpers;
   if (a.thesis) return run_thesis(a, options);
   if (!a.sample.empty() && !a.given.contains("delta-mush")) options.delta_mush = kCylinderDeltaMush;
-  if (!a.sample.empty() && options.truth == cook::Truth::examples)
-    throw Failure(Exit::usage, "--truth", "", "the cylinder has no examples", "give another truth");
-  expect_shown(a, options);
   Study study = a.sample.empty() ? study_scene(cook::read_gltf(a.in), a.holdout, options) : study_cylinder();
   cook::Notes notes;
   options = cook::with_gentle_steps(std::move(options), study.source.mesh, "/meshes", notes);
@@ -178,11 +210,13 @@ void run_compare(const CompareArguments& a) {
   }();
   const deform::Deformer truth = cook::make_truth(study.source, options);
   const MotionStudy motion = study_motion(study, comparison, truth);
+  const std::vector<FramesRow> between = study_frames(study, a.frames_hz);
   if (a.json) {
-    fmt::print("{}\n", report(a, study, comparison, motion).dump(2));
+    fmt::print("{}\n", report(a, study, comparison, motion, between).dump(2));
   } else {
     print_table(study, a, comparison);
     print_motion(study, comparison, motion);
+    if (!a.frames_hz.empty()) print_frames(between);
   }
   if (a.out.empty() && a.pictures.empty()) return;
   PageContent content{a.in.empty() ? study.name : std::filesystem::path(a.in).filename().string(),

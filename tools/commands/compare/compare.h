@@ -19,7 +19,8 @@ struct CompareArguments {
   bool json = false;
   bool thesis = false, full = false;  // the thesis's comparison instead; with every path and normals
   int eigen_fields = kEigenFields;
-  cook::Given given;  // --truth, --delta-mush, --keep-bind-pose, as for `cook`
+  std::vector<double> frames_hz;  // for each: how far clips are off between so many frames a second
+  cook::Given given;              // --truth, --delta-mush, --keep-bind-pose, as for `cook`
 };
 
 // Throws Failure.

@@ -21,15 +21,23 @@ void add_compare(CLI::App& app, int&) {
       ->type_name("N")
       ->check(CLI::Range(1, kMostEigenFields))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--frames", a.frames_hz,
+          "also how far clips are off that are played from so many frames a second, with linear, quadratic and "
+          "cubic interpolation between them")
+      ->type_name("HZ,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_flag(
       "--json", a.json,
       "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
       "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, blended_normal_deg, bytes_per_vertex, "
       "ns_per_vertex, instructions_per_vertex, displacements_per_vertex, influences, palette_entries, mali_cycles, "
       "adreno_instructions, videocore_instructions}], "
-      "range_of_motion: {poses, folding_poses, deformers, joints, left_out}}, lengths in metres; docs/deformers.md "
-      "says "
-      "what is in the last");
+      "range_of_motion: {poses, folding_poses, deformers, joints, left_out}, between_frames: [{hz, interpolation, "
+      "frames, rms, max}]}, lengths in metres; docs/deformers.md says "
+      "what is in the last two");
   auto* const thesis = command->add_flag(
       "--thesis", a.thesis,
       "instead, the comparison of the thesis of animation space made anew: speed, labour and smoothness of every "

@@ -136,6 +136,7 @@ Study study_scene(RawScene of, Holdout holdout, const LearnOptions& learn) {
   const RawSkin& skin = scene.skins[static_cast<std::size_t>(instance->skin)];
   study.scene.instances = {*instance};  // what is cooked and drawn is this mesh alone
   study.source = deform_source(mesh, skin, bind_to_skin(mesh, notes), built);
+  study.built = built;
   study.name = mesh.name;
   study.wide_poses = learn.wide_poses;
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];

@@ -28,8 +28,9 @@ struct Round {
 };
 
 struct Study {
-  std::string name;      // of the mesh
-  cook::RawScene scene;  // with nothing but the mesh
+  std::string name;        // of the mesh
+  cook::RawScene scene;    // with nothing but the mesh
+  cook::BuiltScene built;  // skeletons, and clips as the source has them; none of the cylinder
   cook::DeformSource source;
   deform::Pose rest;
   std::vector<Round> rounds;
