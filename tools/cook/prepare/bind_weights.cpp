@@ -201,8 +201,14 @@ std::string pointer_of(const RawMesh& mesh) {
   return pointer.substr(0, pointer.find("/primitives"));
 }
 
-void say_bound(const RawMesh& mesh, const std::string& how, std::size_t vertices, std::size_t unreached, Notes& notes) {
+struct Bound {
+  std::size_t vertices, unlit, unreached;
+};
+
+void say_bound(const RawMesh& mesh, const std::string& how, const Bound& bound, Notes& notes) {
+  const auto [vertices, unlit, unreached] = bound;
   std::string text = fmt::format("{} vertices got weights, {}", vertices, how);
+  if (unlit > 0) text += fmt::format("; no bone lights {} of them, which go by geodesic distance", unlit);
   if (unreached > 0)
     text += fmt::format("; no way through the mesh leads to {} of them, which go by plain distance", unreached);
   notes.warnings.push_back({pointer_of(mesh), "weights-made", text});
@@ -252,8 +258,9 @@ std::vector<RawInfluence> to_raw(const std::vector<deform::Influence>& influence
 std::string how_of(deform::WeightMethod method, const deform::AutoWeights& made) {
   if (method == deform::WeightMethod::nearest) return "by the nearest bones";
   if (method == deform::WeightMethod::gaussian) return "by a Gaussian of the distance to bones";
-  return fmt::format("by geodesic distance to bones through {} x {} x {} voxels", made.voxels.x, made.voxels.y,
-                     made.voxels.z);
+  return fmt::format("by {} through {} x {} x {} voxels",
+                     method == deform::WeightMethod::glow ? "the light of bones" : "geodesic distance to bones",
+                     made.voxels.x, made.voxels.y, made.voxels.z);
 }
 
 using Made = std::set<std::pair<std::size_t, std::size_t>>;  // mesh, primitive
@@ -274,8 +281,11 @@ void bind(RawScene& scene, const Group& group, deform::WeightMethod method, Made
         primitive.influences.push_back(to_raw(made.influences[end]));
       done.emplace(number, slots[s].primitive);
     }
-    const auto unreached = std::ranges::count_if(made.unreached, [&](std::size_t v) { return v >= first && v < end; });
-    say_bound(mesh, how_of(method, made), end - first, static_cast<std::size_t>(unreached), notes);
+    const auto among = [&](const std::vector<std::size_t>& vertices) {
+      const auto own = [&](std::size_t v) { return v >= first && v < end; };
+      return static_cast<std::size_t>(std::ranges::count_if(vertices, own));
+    };
+    say_bound(mesh, how_of(method, made), {end - first, among(made.unlit), among(made.unreached)}, notes);
   }
   // It was read as one that is drawn rigidly.
   for (const std::size_t i : group.instances) {

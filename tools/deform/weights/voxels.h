@@ -40,6 +40,8 @@ class Voxels {
   }
   std::size_t cells() const { return solid_.size(); }
   bool solid(std::size_t cell) const { return solid_[cell] != 0; }
+  // Whether the straight line between two places in grid coordinates stays in solid voxels.
+  bool sees(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
   std::size_t fill(const Positions& positions, std::span<const std::uint32_t> indices);
