@@ -35,6 +35,17 @@ void set_paint(CookOptions& options, const Value& given) {
 }
 
 constexpr Option kWeightOptions[] = {
+    {"auto-skeleton",
+     OptionKind::text,
+     "TEMPLATE",
+     "a skeleton for meshes without, or in place of the file's, bound as --auto-weights says: humanoid, quadruped, or "
+     "a "
+     "TEMPLATE.toml; none: the file's own",
+     {},
+     [](CookOptions& options, const Value& value) {
+       if (value.text.empty()) refuse(value, "no template", "give humanoid, quadruped or a TEMPLATE.toml");
+       options.auto_skeleton = value.text == "none" ? "" : value.text;
+     }},
     {"auto-weights", OptionKind::text, "TEXT",
      "skin weights for meshes that come without; geodesic: by the way to the bones through the mesh, which is "
      "recommended; glow: by the light of bones that shine within the mesh; gaussian and nearest: straight through the "

@@ -31,6 +31,7 @@ class Voxels {
   glm::ivec3 size() const { return size_; }
   double side() const { return side_; }  // of a voxel, in the mesh's units
   glm::dvec3 to_grid(const glm::dvec3& p) const { return (p - origin_) / side_; }
+  glm::dvec3 from_grid(const glm::dvec3& grid) const { return origin_ + grid * side_; }
   // Whether the voxel at grid coordinates is there and not one of the outermost.
   bool is_inner(const glm::dvec3& grid) const;
   std::size_t cell_at(const glm::dvec3& grid) const;  // is_inner() must hold
