@@ -23,8 +23,8 @@ namespace {
 using deform::kNoJoint;
 using deform::SkeletonTemplate;
 
-constexpr std::size_t kLargest = 64 * 1024;
-constexpr double kFarthest = 1e6;  // of a coordinate
+constexpr std::size_t kLargestTemplate = 64 * 1024;
+constexpr double kFarthestInTemplate = 1e6;  // of a coordinate
 
 std::string place_in(const toml::source_region& region) {
   return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
@@ -75,7 +75,7 @@ class TemplateReader {
     glm::dvec3 out(0);
     for (int i = 0; i < 3; ++i) {
       const auto number = numbers->get(static_cast<std::size_t>(i))->value<double>();
-      if (!number || !(std::abs(*number) <= kFarthest)) refuse();
+      if (!number || !(std::abs(*number) <= kFarthestInTemplate)) refuse();
       out[i] = *number;
     }
     return out;
@@ -164,7 +164,7 @@ class TemplateReader {
 
 SkeletonTemplate parse_template(const std::string& path, std::string_view text) {
   TemplateReader reader(path);
-  if (text.size() > kLargest) reader.fail("", "too large", "64 KiB is the limit");
+  if (text.size() > kLargestTemplate) reader.fail("", "too large", "64 KiB is the limit");
   if (const std::size_t line = tools::line_of_deep_key(text))
     reader.fail(std::to_string(line) + ":1", "a key of too many parts", "a template has [[joint]] alone");
   toml::table root;
@@ -180,7 +180,7 @@ SkeletonTemplate read_template(const std::string& name, std::vector<RawRead>& re
   const std::string_view builtin = builtin_template(name);
   if (!builtin.empty()) return parse_template(name, builtin);
   std::error_code error;
-  if (std::filesystem::file_size(name, error) > kLargest && !error)
+  if (std::filesystem::file_size(name, error) > kLargestTemplate && !error)
     throw tools::Failure(tools::Exit::usage, name, "", "too large", "64 KiB is the limit");
   const tools::AlignedBytes bytes = tools::read_file(name);
   reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(name), error).string(), bytes.size(),

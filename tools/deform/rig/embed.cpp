@@ -22,7 +22,7 @@ constexpr double kTooClose = 4;     // of leaves with less than half the way bet
 constexpr double kTipReach = 0.12;  // heights in which nothing is further out than a tip
 constexpr double kMiddleReach = 0.06, kTipSlack = 0.06;  // heights: what is no candidate any more
 constexpr std::size_t kMostLeafCandidates = 60, kMostCandidates = 160;
-constexpr std::size_t kMostSteps = 400'000;  // of the search, which then keeps the best that it found
+constexpr std::size_t kMostWork = 60'000'000;  // pairs of knots compared; the search then keeps the best that it found
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -203,12 +203,12 @@ class Search {
       }
       if (!best_.empty() && sum + rest >= least_sum_) continue;
       sum += between(knot, own[c].sphere);
+      work_ += knot + 1;
       if (sum + rest < kNever) all.push_back({sum + rest, sum, rest, c});
     }
     std::ranges::stable_sort(all, {}, &Next::bound);
     for (const Next& next : all) {
-      if (!best_.empty() && (next.bound >= least_sum_ || steps_ >= kMostSteps)) return;
-      ++steps_;
+      if (!best_.empty() && (next.bound >= least_sum_ || work_ >= kMostWork)) return;
       chosen_[knot] = next.candidate;
       descend(knot + 1, next.so_far, next.open);
     }
@@ -224,7 +224,7 @@ class Search {
   std::vector<std::vector<double>> least_;          // a knot, by the candidate of the knot above
   std::vector<std::size_t> chosen_, best_;
   double least_sum_ = kNever;
-  std::size_t steps_ = 0;
+  std::size_t work_ = 0;
 };
 
 }  // namespace

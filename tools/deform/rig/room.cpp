@@ -19,7 +19,7 @@ constexpr double kLeastSpacing = 0.5;  // of centres, shares of the wider sphere
 constexpr double kCorner = 1.75,
                  kNarrow = 0.15;  // of a box's corners: how far out they are, and how wide they count as
 constexpr double kReach = 1.3;    // of neighbours, likewise
-constexpr double kGap = 0.04;     // that separates parts, shares of the height
+constexpr double kGap = 0.06;     // that separates parts, shares of the height
 
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
 

@@ -1,4 +1,4 @@
-#include "cook/rig/add_skeleton.h"
+#include "cook/prepare/add_skeleton.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@
 namespace marrow::cook {
 namespace {
 
-constexpr std::size_t kMostVertices = 20'000'000;  // of all that is drawn
+constexpr std::size_t kMostDrawn = 20'000'000;  // of all that is drawn
 
 struct Drawn {
   deform::Positions positions;  // in the scene
@@ -33,9 +33,9 @@ glm::dmat4 scene_from_mesh(const RawScene& scene, const RawInstance& instance, c
 void draw(const RawScene& scene, const RawMesh& mesh, const glm::dmat4& matrix, Drawn& out) {
   for (const RawPrimitive& primitive : mesh.primitives) {
     const std::size_t first = out.positions.size();
-    if (first + primitive.positions.size() > kMostVertices)
+    if (first + primitive.positions.size() > kMostDrawn)
       throw tools::Failure(tools::Exit::unsupported, scene.source, primitive.pointer, "too-many-vertices",
-                           fmt::format("--auto-skeleton takes at most {} in all", kMostVertices));
+                           fmt::format("--auto-skeleton takes at most {} in all", kMostDrawn));
     for (const glm::vec3& v : primitive.positions) {
       out.positions.emplace_back(matrix * glm::dvec4(glm::dvec3(v), 1));
       const glm::dvec3 far = glm::abs(out.positions.back());
@@ -109,13 +109,16 @@ RiggedScene add_skeleton(RawScene scene, const std::string& name, Notes& notes) 
   RiggedScene out;
   Drawn drawn;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    RawInstance& instance = scene.instances[i];
-    if (!scene.nodes[to_index(instance.node)].in_scene) continue;
-    RawMesh& mesh = scene.meshes[to_index(instance.mesh)];
+    const RawInstance& instance = scene.instances[i];
+    const RawMesh& mesh = scene.meshes[to_index(instance.mesh)];
+    if (!scene.nodes[to_index(instance.node)].in_scene || mesh.primitives.empty()) continue;
     out.made.instances.push_back(i);
     out.made.scene_from_mesh.push_back(scene_from_mesh(scene, instance, rest));
     draw(scene, mesh, out.made.scene_from_mesh.back(), drawn);
   }
+  if (out.made.instances.empty())
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes",
+                         "--auto-skeleton needs a mesh that the scene draws");
   const deform::AutoSkeleton made = deform::auto_skeleton(drawn.positions, drawn.indices, skeleton);
   refuse(scene, made.failure, name);
   strip(scene, notes);
