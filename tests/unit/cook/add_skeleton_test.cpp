@@ -274,7 +274,7 @@ TEST(SkeletonTemplate, OfAFileIsAnInput) {
   EXPECT_EQ(read_template("humanoid", reads).size(), 27U);
   EXPECT_EQ(reads.size(), 1U);
   fs::remove(path);
-  EXPECT_THROW(read_template(path, reads), Failure);
+  expect_failure([&] { read_template(path, reads); }, Exit::usage, "", "neither built in nor a file");
 }
 
 TEST(SkeletonOptions, AsText) {

@@ -180,6 +180,10 @@ SkeletonTemplate read_template(const std::string& name, std::vector<RawRead>& re
   const std::string_view builtin = builtin_template(name);
   if (!builtin.empty()) return parse_template(name, builtin);
   std::error_code error;
+  if (!std::filesystem::exists(name, error))
+    throw tools::Failure(tools::Exit::usage, "--auto-skeleton", "",
+                         "\"" + tools::printable(name) + "\" is neither built in nor a file",
+                         "give humanoid, quadruped or a TEMPLATE.toml");
   if (std::filesystem::file_size(name, error) > kLargestTemplate && !error)
     throw tools::Failure(tools::Exit::usage, name, "", "too large", "64 KiB is the limit");
   const tools::AlignedBytes bytes = tools::read_file(name);
