@@ -86,6 +86,8 @@ fit-helpers $golden/elbow.gltf --as fit --truth dqs --helpers 2
 fit-all $golden/elbow.gltf --as fit --mwe --psd 4 --mesh-codec none
 smooth $golden/elbow.gltf --as smooth --delta-mush 5,0.25,cotangent --subdivide 1
 geodesic $out/bare.gltf --auto-weights geodesic --smooth-weights 2 --mesh-codec none
+rigged $newt --auto-skeleton humanoid --mesh-codec none
+glow $out/bare.gltf --auto-weights glow --mesh-codec none
 gaussian $out/bare.gltf --auto-weights gaussian --mesh-codec none
 END
   asset() { [ ! -e "$assets/$2" ] || echo "$1 $assets/${*:2}"; }

@@ -86,6 +86,32 @@ TEST_F(CliCache, CountsTheSkeleton) {
   EXPECT_TRUE(read_text(out()) != first);
 }
 
+// The skeleton of --auto-skeleton: its template is an input, of the cache and of --depfile.
+TEST_F(CliCache, CountsTheTemplate) {
+  const std::string bar = folder_ / "bar.toml", depfile = folder_ / "a.d";
+  const std::string before =
+      "[[joint]]\nname = \"low\"\nplace = [0, 0, 0]\n[[joint]]\nname = \"high\"\n"
+      "parent = \"low\"\nend = [0, 2, 0]\nplace = ";
+  const auto from_cache = [&](const std::string& place) {
+    write_text(bar, before + place);
+    const Ran ran = run_marrow({"cook", in_golden("elbow.gltf"), "-o", out(), "--cache", cache(), "--depfile", depfile,
+                                "--auto-skeleton", bar});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("skeleton-made: 2 joints of"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.out.find("2 joints, 1 meshes"), std::string::npos) << ran.out;
+    EXPECT_NE(read_text(depfile).find("bar.toml"), std::string::npos);
+    return ran.out.find("from the cache") != std::string::npos;
+  };
+  EXPECT_FALSE(from_cache("[0, 1, 0]"));
+  EXPECT_TRUE(from_cache("[0, 1, 0]"));
+  EXPECT_FALSE(from_cache("[0, 1.2, 0]"));
+  write_text(bar, before + "[0, 1]");
+  const Ran bad = run_marrow({"cook", in_golden("elbow.gltf"), "-o", out(), "--auto-skeleton", bar});
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.err.find("bar.toml: 8:9: \"place\" must be three numbers"), std::string::npos) << bad.err;
+  EXPECT_EQ(run_marrow({"cook", in_golden("elbow.gltf"), "-o", out(), "--auto-skeleton", "humanoit"}).code, 1);
+}
+
 TEST_F(CliCache, GoesByContentsNotByName) {
   EXPECT_FALSE(cook());
   fs::create_directory(folder_ / "b");

@@ -42,6 +42,8 @@ std::vector<Cooking> cookings(const TemporaryFolder& folder) {
       {"learnt", elbow, {"--as", "fit", "--mwe", "--psd", "4", "--mesh-codec", "none"}},
       {"mush", elbow, {"--as", "smooth", "--delta-mush", "5,0.25,cotangent", "--subdivide", "1"}},
       {"geodesic", bare, {"--auto-weights", "geodesic", "--smooth-weights", "2"}},
+      {"rigged", newt, {"--auto-skeleton", "humanoid", "--mesh-codec", "none"}},
+      {"glow", bare, {"--auto-weights", "glow", "--mesh-codec", "none"}},
   };
   all.insert(all.end(), slow.begin(), slow.end());
   return all;

@@ -54,6 +54,15 @@ void refuse_with_subdivide(const CookOptions& options, const Given& given) {
   refuse_if(options.keep_vertex_order, "keep-vertex-order");
 }
 
+// A skeleton is made for meshes, and not for what is for another.
+void refuse_with_skeleton(const CookOptions& options, const Given& given) {
+  if (options.auto_skeleton.empty()) return;
+  const Value& value = given.at("auto-skeleton").front();
+  if (options.clips_only) refuse(value, "--auto-skeleton with --clips-only", "clips have no mesh; leave out one");
+  if (!options.skeleton_file.empty())
+    refuse(value, "--auto-skeleton with --skeleton", "the skeleton is made or that of a character; leave out one");
+}
+
 }  // namespace
 
 const std::vector<Option>& option_table() {
@@ -95,6 +104,7 @@ CookOptions to_options(const Given& given) {
     learn.helpers = kAutoHelpers;
   refuse_idle(options, given);
   refuse_with_subdivide(options, given);
+  refuse_with_skeleton(options, given);
   return options;
 }
 

@@ -7,6 +7,7 @@
 
 #include "common/failure.h"
 #include "common/files.h"
+#include "text/deep_key.h"
 #include "text/nearest.h"
 #include "text/pattern.h"
 #include "text/printable.h"
@@ -21,37 +22,6 @@ constexpr const char* kName = "marrow.toml";
 
 std::string place(const toml::source_region& region) {
   return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
-}
-
-// The line, from 1, on which keys are dotted more than kMostDots times, or 0. Each dot nests a table, and neither
-// toml++ 3.3 nor the stack is prepared for thousands; lists and inline tables end at 256.
-std::size_t line_of_deep_key(std::string_view text) {
-  constexpr std::size_t kMostDots = 16;
-  std::size_t line = 1, dots = 0;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '\n') {
-      ++line;
-      dots = 0;
-    } else if (c == '#') {
-      at = std::min(text.find('\n', at), text.size()) - 1;
-    } else if (c == '.' && ++dots > kMostDots) {
-      return line;
-    } else if (c == '"' || c == '\'') {
-      // A string, to its closing quote; one of a single quote ends with its line even if it is not closed.
-      const bool multiline = text.substr(at, 3) == std::string(3, c);
-      const std::string_view close = text.substr(at, multiline ? 3 : 1);
-      for (at += close.size(); at < text.size() && text.substr(at, close.size()) != close; ++at) {
-        if (text[at] == '\n' && !multiline) break;
-        if (text[at] == '\n') ++line;
-        if (text[at] == '\\' && c == '"' && text.substr(at + 1, 1) != "\n") ++at;
-      }
-      if (at >= text.size()) return 0;
-      at = text[at] == '\n' ? at - 1 : at + close.size() - 1;
-      for (int more = 0; multiline && more < 2 && text.substr(at + 1, 1) == close.substr(0, 1); ++more) ++at;
-    }
-  }
-  return 0;
 }
 
 class Reader {
@@ -141,7 +111,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 Settings parse_settings(const std::string& path, std::string_view text) {
   const Reader reader(path);
   if (text.size() > kLargest) reader.fail("", "too large", "64 KiB is the limit; write patterns in place of names");
-  if (const std::size_t line = line_of_deep_key(text))
+  if (const std::size_t line = tools::line_of_deep_key(text))
     reader.fail(std::to_string(line) + ":1", "a key of too many parts", "options stand at the top or in [[file]]");
   toml::table root;
   try {

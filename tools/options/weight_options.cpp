@@ -8,6 +8,7 @@ namespace {
 
 constexpr Named<std::optional<deform::WeightMethod>> kWeightMethods[] = {{"none", std::nullopt},
                                                                          {"geodesic", deform::WeightMethod::geodesic},
+                                                                         {"glow", deform::WeightMethod::glow},
                                                                          {"gaussian", deform::WeightMethod::gaussian},
                                                                          {"nearest", deform::WeightMethod::nearest}};
 
@@ -34,9 +35,21 @@ void set_paint(CookOptions& options, const Value& given) {
 }
 
 constexpr Option kWeightOptions[] = {
+    {"auto-skeleton",
+     OptionKind::text,
+     "TEMPLATE",
+     "a skeleton for meshes without, or in place of the file's, bound as --auto-weights says: humanoid, quadruped, or "
+     "a "
+     "TEMPLATE.toml; none: the file's own",
+     {},
+     [](CookOptions& options, const Value& value) {
+       if (value.text.empty()) refuse(value, "no template", "give humanoid, quadruped or a TEMPLATE.toml");
+       options.auto_skeleton = value.text == "none" ? "" : value.text;
+     }},
     {"auto-weights", OptionKind::text, "TEXT",
      "skin weights for meshes that come without; geodesic: by the way to the bones through the mesh, which is "
-     "recommended; gaussian and nearest: straight through the air",
+     "recommended; glow: by the light of bones that shine within the mesh; gaussian and nearest: straight through the "
+     "air",
      names_in<kWeightMethods>, set_auto_weights},
     {"rebind", OptionKind::flag, "", "with --auto-weights: the file's own skin weights are replaced", {}, set_rebind},
     {"smooth-weights",

@@ -107,7 +107,7 @@ void bind(RawScene& scene, const WeightOptions& options) {
 }
 
 TEST(BindWeights, AMeshWithASkinGetsItsWeights) {
-  for (const WeightMethod method : {WeightMethod::geodesic, WeightMethod::gaussian}) {
+  for (const WeightMethod method : {WeightMethod::geodesic, WeightMethod::glow, WeightMethod::gaussian}) {
     SceneDocument d;
     bones(d);
     const int at = d.node("body", -1, {5, 6, 7});  // which a skin makes no difference to
@@ -437,6 +437,7 @@ TEST(WeightOptions, AsText) {
   };
   EXPECT_FALSE(given("auto-weights", "none").weights.any());
   EXPECT_EQ(given("auto-weights", "geodesic").weights.make, WeightMethod::geodesic);
+  EXPECT_EQ(given("auto-weights", "glow").weights.make, WeightMethod::glow);
   EXPECT_THROW(given("rebind", "true"), Failure) << "of nothing";
   EXPECT_TRUE(
       to_options({{"auto-weights", {{"nearest", {"--auto-weights", ""}}}}, {"rebind", {{"true", {"--rebind", ""}}}}})

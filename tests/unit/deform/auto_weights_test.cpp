@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "deform/weights/smooth_weights.h"
+#include "deform/weights/voxels.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {
@@ -70,7 +71,8 @@ void expect_sound(const AutoWeights& weights, std::size_t vertices, std::size_t 
   }
 }
 
-constexpr WeightMethod kAll[] = {WeightMethod::nearest, WeightMethod::gaussian, WeightMethod::geodesic};
+constexpr WeightMethod kAll[] = {WeightMethod::nearest, WeightMethod::gaussian, WeightMethod::geodesic,
+                                 WeightMethod::glow};
 
 TEST(AutoWeights, NearestIsByInverseDistance) {
   // From (0, 0, 0): 1 to the first bone's side, 3 to the second's end, 4 to the third, a point.
@@ -106,8 +108,11 @@ TEST(AutoWeights, AHandDoesNotBindToTheThighBesideIt) {
   const std::vector<Bone> bones = {{0, {0.5, 9.5, 0.5}, {0.5, 0.5, 0.5}}, {1, {2, 9.5, 0.5}, {2, 0.5, 0.5}}};
   const AutoWeights near = auto_weights(shape.positions, shape.indices, bones, {.method = WeightMethod::nearest});
   const AutoWeights through = auto_weights(shape.positions, shape.indices, bones);
+  const AutoWeights lit = auto_weights(shape.positions, shape.indices, bones, {.method = WeightMethod::glow});
   expect_sound(through, shape.positions.size());
+  expect_sound(lit, shape.positions.size());
   EXPECT_TRUE(through.unreached.empty());
+  EXPECT_TRUE(lit.unreached.empty());
   std::size_t seen = 0;
   for (std::size_t v = 0; v < shape.positions.size(); ++v) {
     const glm::dvec3& p = shape.positions[v];
@@ -119,6 +124,7 @@ TEST(AutoWeights, AHandDoesNotBindToTheThighBesideIt) {
     }
     // 4 to where the bars meet and back down, against less than 1: (1/8)² even where weights fall off with d⁻² only.
     EXPECT_LT(weight_of(through.influences[v], other), 1.0 / 64) << p.x << ' ' << p.y << ' ' << p.z;
+    EXPECT_LT(weight_of(lit.influences[v], other), 1.0 / 64) << p.x << ' ' << p.y << ' ' << p.z;
   }
   EXPECT_GT(seen, 500u);
 }
@@ -147,6 +153,108 @@ TEST(AutoWeights, ASymmetricMeshGetsSymmetricWeights) {
       }
     }
   }
+}
+
+// ∫ sine × cosine / r² ds by small steps: how the paper's idea reads, without anything in the way.
+double light_by_steps(const Bone& bone, const glm::dvec3& p, const glm::dvec3& normal) {
+  constexpr int kSteps = 20000;
+  const glm::dvec3 along = bone.to - bone.from;
+  const double length = glm::length(along);
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const glm::dvec3 way = bone.from + along * ((i + 0.5) / kSteps) - p;
+    const double r = glm::length(way);
+    const double sine = glm::length(glm::cross(along, way)) / (length * r);
+    sum += sine * std::max(-glm::dot(normal, way) / r, 0.0) / (r * r) * (length / kSteps);
+  }
+  return sum;
+}
+
+// Vertices in the middles of faces, bones in the mesh at will; one joint has two of them.
+TEST(AutoWeights, GlowIsTheLightThatReachesAVertex) {
+  Shape shape;
+  add_box({-4, -4, -4}, {4, 4, 4}, 2, shape);
+  const std::vector<Bone> bones = {{3, {-1, 1, 2}, {2, 0, -1}}, {1, {0, 3, 1}, {1, -3, 2}}, {1, {2, 2, 2}, {3, 3, 0}}};
+  const AutoWeights weights = auto_weights(shape.positions, shape.indices, bones, {.method = WeightMethod::glow});
+  expect_sound(weights, shape.positions.size());
+  EXPECT_TRUE(weights.unlit.empty());
+  int checked = 0;
+  for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+    const glm::dvec3 p = shape.positions[v], normal = p / 4.0;
+    if (std::abs(glm::length(p) - 4) > 1e-9) continue;
+    const double a = light_by_steps(bones[0], p, normal);
+    const double b = light_by_steps(bones[1], p, normal) + light_by_steps(bones[2], p, normal);
+    EXPECT_NEAR(weight_of(weights.influences[v], 3), a * a / (a * a + b * b), 2e-3);
+    ++checked;
+  }
+  EXPECT_EQ(checked, 6);
+}
+
+// A mesh whose triangles all face inwards is as if they did not.
+TEST(AutoWeights, GlowTakesAMeshInsideOut) {
+  Shape shape;
+  add_box({0, 0, 0}, {1, 4, 1}, 8, shape);
+  const std::vector<Bone> bones = {{0, {0.5, 0.5, 0.5}, {0.5, 2, 0.5}}, {1, {0.5, 2, 0.5}, {0.5, 3.5, 0.5}}};
+  const AutoWeightOptions options = {.method = WeightMethod::glow, .resolution = 64};
+  const AutoWeights expected = auto_weights(shape.positions, shape.indices, bones, options);
+  for (std::size_t i = 0; i + 2 < shape.indices.size(); i += 3) std::swap(shape.indices[i], shape.indices[i + 1]);
+  const AutoWeights weights = auto_weights(shape.positions, shape.indices, bones, options);
+  EXPECT_TRUE(expected.unlit.empty());
+  EXPECT_TRUE(weights.unlit.empty());
+  for (std::size_t v = 0; v < shape.positions.size(); ++v)
+    EXPECT_NEAR(weight_of(weights.influences[v], 0), weight_of(expected.influences[v], 0), 1e-6);
+}
+
+// Round two corners from a bone, at the far end of a U, nothing shines; the way through the mesh leads there.
+TEST(AutoWeights, DarkVerticesGoByTheWayThroughTheMesh) {
+  Shape shape;
+  add_box({0, 0, 0}, {1, 10, 1}, 10, shape);
+  add_box({3, 0, 0}, {4, 10, 1}, 10, shape);
+  add_box({0, 9, 0}, {4, 10, 1}, 10, shape);
+  const std::vector<Bone> bones = {{0, {0.5, 0.5, 0.5}, {0.5, 2, 0.5}}, {1, {0.5, 2, 0.5}, {0.5, 4, 0.5}}};
+  const AutoWeights weights = auto_weights(shape.positions, shape.indices, bones, {.method = WeightMethod::glow});
+  const AutoWeights geodesic = auto_weights(shape.positions, shape.indices, bones);
+  expect_sound(weights, shape.positions.size());
+  EXPECT_TRUE(weights.unreached.empty());
+  for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+    if (shape.positions[v].x < 3 || shape.positions[v].y > 8) continue;
+    EXPECT_TRUE(std::ranges::binary_search(weights.unlit, v));
+    EXPECT_EQ(weight_of(weights.influences[v], 1), weight_of(geodesic.influences[v], 1));
+  }
+}
+
+// Voxels that a line goes through: the ones at the middles of its parts between planes of faces.
+TEST(Voxels, SeeAlongLinesThatStayInside) {
+  std::mt19937 random(11);
+  const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  Shape shape;
+  add_box({0, 0, 0}, {1, 1, 4}, 1, shape);
+  add_box({0, 0, 3}, {4, 1, 4}, 1, shape);
+  const Voxels voxels(shape.positions, shape.indices, 24);
+  std::array<int, 2> counts = {};
+  for (int i = 0; i < 4000; ++i) {
+    const auto place = [&] {
+      const bool upper = share() < 0.5;
+      return voxels.to_grid(upper ? glm::dvec3(4 * share(), share(), 3 + share())
+                                  : glm::dvec3(share(), share(), 4 * share()));
+    };
+    const glm::dvec3 from = place(), to = place();
+    std::vector<double> cuts = {0, 1};
+    for (int axis = 0; axis < 3; ++axis)
+      for (double plane = 0; plane < voxels.size()[axis]; ++plane)
+        if ((plane - from[axis]) * (plane - to[axis]) < 0)
+          cuts.push_back((plane - from[axis]) / (to[axis] - from[axis]));
+    std::ranges::sort(cuts);
+    bool expected = true;
+    for (std::size_t c = 1; c < cuts.size(); ++c)
+      expected &= voxels.solid(voxels.cell_at(from + (to - from) * ((cuts[c - 1] + cuts[c]) / 2)));
+    EXPECT_EQ(voxels.sees(from, to), expected);
+    ++counts[expected ? 1 : 0];
+  }
+  EXPECT_GT(counts[0], 200);
+  EXPECT_GT(counts[1], 200);
+  EXPECT_FALSE(voxels.sees({-5, 3, 3}, {3, 3, 3}));
+  EXPECT_FALSE(voxels.sees({3, 3, 3}, {3, 3, 1e30}));
 }
 
 // In a convex mesh the way through it is the straight one: which joint is nearest is as measured by brute force, but

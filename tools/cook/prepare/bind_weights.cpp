@@ -125,6 +125,31 @@ bool rests_in_bind_pose(const RawSkin& skin, const std::vector<glm::dmat4>& rest
   return true;
 }
 
+// Instances get skins that leave them where they are at rest; the group is in the scene's space.
+Group bound_to(const MadeSkeleton& skeleton, const std::string& name, const std::vector<glm::dmat4>& rest,
+               RawScene& scene) {
+  Group group;
+  std::vector<glm::dmat4> scene_from_joint;
+  for (const int joint : skeleton.joints) scene_from_joint.push_back(rest[to_index(joint)]);
+  group.bones = bones_of(scene, skeleton.joints, scene_from_joint);
+  group.instances = skeleton.instances;
+  group.space_from_mesh = skeleton.scene_from_mesh;
+  for (std::size_t i = 0; i < skeleton.instances.size(); ++i) {
+    RawSkin skin{name, skeleton.joints, {}};
+    for (const glm::dmat4& m : scene_from_joint)
+      skin.inverse_bind.push_back(glm::inverse(m) * skeleton.scene_from_mesh[i]);
+    scene.instances[skeleton.instances[i]].skin = static_cast<int>(scene.skins.size());
+    scene.skins.push_back(std::move(skin));
+  }
+  return group;
+}
+
+void expect_few(const RawScene& scene, std::size_t instances) {
+  if (instances > kMostSkins)
+    throw tools::Failure(tools::Exit::unsupported, scene.source, "/nodes", "too-many-meshes",
+                         fmt::format("{} would be bound; the most is {}", instances, kMostSkins));
+}
+
 // Meshes that have none: in the scene's space, each with a skin of its own that leaves it where it is at rest.
 void add_free_group(RawScene& scene, std::vector<Group>& groups, Left& left, Notes& notes) {
   const std::vector<char> moving = moving_nodes(scene);
@@ -143,28 +168,14 @@ void add_free_group(RawScene& scene, std::vector<Group>& groups, Left& left, Not
   const std::vector<glm::dmat4> rest = rest_of_nodes(scene);
   const std::vector<int> joints = free_joints(scene, rest, left);
   if (joints.empty()) return;
-  if (instances.size() > kMostSkins)
-    throw tools::Failure(tools::Exit::unsupported, scene.source, "/nodes", "too-many-meshes",
-                         fmt::format("--auto-weights would bind {}; the most is {}", instances.size(), kMostSkins));
+  expect_few(scene, instances.size());
   if (scene.skins.size() == 1 && !rests_in_bind_pose(scene.skins.front(), rest))
     notes.warnings.push_back({"/skins/0", "bound-at-rest",
                               "the nodes do not rest in the skin's bind pose; meshes without a skin are bound as they "
                               "rest"});
-  const std::string name = scene.skins.empty() ? "" : scene.skins.front().name;
-  Group group;
-  std::vector<glm::dmat4> scene_from_joint;
-  for (const int joint : joints) scene_from_joint.push_back(rest[to_index(joint)]);
-  group.bones = bones_of(scene, joints, scene_from_joint);
-  group.instances = instances;
-  for (const std::size_t i : instances) {
-    const glm::dmat4& scene_from_mesh = rest[to_index(scene.instances[i].node)];
-    RawSkin skin{name, joints, {}};
-    for (const glm::dmat4& m : scene_from_joint) skin.inverse_bind.push_back(glm::inverse(m) * scene_from_mesh);
-    scene.instances[i].skin = static_cast<int>(scene.skins.size());
-    scene.skins.push_back(std::move(skin));
-    group.space_from_mesh.push_back(scene_from_mesh);
-  }
-  groups.push_back(std::move(group));
+  MadeSkeleton skeleton{joints, instances, {}};
+  for (const std::size_t i : instances) skeleton.scene_from_mesh.push_back(rest[to_index(scene.instances[i].node)]);
+  groups.push_back(bound_to(skeleton, scene.skins.empty() ? "" : scene.skins.front().name, rest, scene));
 }
 
 std::size_t vertices_of(const RawMesh& mesh) {
@@ -201,8 +212,14 @@ std::string pointer_of(const RawMesh& mesh) {
   return pointer.substr(0, pointer.find("/primitives"));
 }
 
-void say_bound(const RawMesh& mesh, const std::string& how, std::size_t vertices, std::size_t unreached, Notes& notes) {
+struct Bound {
+  std::size_t vertices, unlit, unreached;
+};
+
+void say_bound(const RawMesh& mesh, const std::string& how, const Bound& bound, Notes& notes) {
+  const auto [vertices, unlit, unreached] = bound;
   std::string text = fmt::format("{} vertices got weights, {}", vertices, how);
+  if (unlit > 0) text += fmt::format("; no bone lights {} of them, which go by geodesic distance", unlit);
   if (unreached > 0)
     text += fmt::format("; no way through the mesh leads to {} of them, which go by plain distance", unreached);
   notes.warnings.push_back({pointer_of(mesh), "weights-made", text});
@@ -252,8 +269,9 @@ std::vector<RawInfluence> to_raw(const std::vector<deform::Influence>& influence
 std::string how_of(deform::WeightMethod method, const deform::AutoWeights& made) {
   if (method == deform::WeightMethod::nearest) return "by the nearest bones";
   if (method == deform::WeightMethod::gaussian) return "by a Gaussian of the distance to bones";
-  return fmt::format("by geodesic distance to bones through {} x {} x {} voxels", made.voxels.x, made.voxels.y,
-                     made.voxels.z);
+  return fmt::format("by {} through {} x {} x {} voxels",
+                     method == deform::WeightMethod::glow ? "the light of bones" : "geodesic distance to bones",
+                     made.voxels.x, made.voxels.y, made.voxels.z);
 }
 
 using Made = std::set<std::pair<std::size_t, std::size_t>>;  // mesh, primitive
@@ -274,8 +292,11 @@ void bind(RawScene& scene, const Group& group, deform::WeightMethod method, Made
         primitive.influences.push_back(to_raw(made.influences[end]));
       done.emplace(number, slots[s].primitive);
     }
-    const auto unreached = std::ranges::count_if(made.unreached, [&](std::size_t v) { return v >= first && v < end; });
-    say_bound(mesh, how_of(method, made), end - first, static_cast<std::size_t>(unreached), notes);
+    const auto among = [&](const std::vector<std::size_t>& vertices) {
+      const auto own = [&](std::size_t v) { return v >= first && v < end; };
+      return static_cast<std::size_t>(std::ranges::count_if(vertices, own));
+    };
+    say_bound(mesh, how_of(method, made), {end - first, among(made.unlit), among(made.unreached)}, notes);
   }
   // It was read as one that is drawn rigidly.
   for (const std::size_t i : group.instances) {
@@ -341,11 +362,19 @@ void smooth_all(RawScene& scene, const WeightOptions& options, const Made& made,
   notes.warnings.push_back({"/meshes", "rule-fits-nothing", "smooth-weights: no mesh has weights"});
 }
 
+RawScene bind_groups(RawScene scene, const std::vector<Group>& groups, const WeightOptions& options, Notes& notes) {
+  Made made;
+  separate_meshes(scene);
+  for (const Group& group : groups)
+    bind(scene, group, options.make.value_or(deform::WeightMethod::geodesic), made, notes);
+  if (options.smooth_steps > 0) smooth_all(scene, options, made, notes);
+  return options.paint.empty() ? std::move(scene) : paint_weights(std::move(scene), options.paint, notes);
+}
+
 }  // namespace
 
 RawScene bind_weights(RawScene scene, const WeightOptions& options, Notes& notes) {
   std::vector<Group> groups;
-  Made made;
   Left left;
   if (options.make) {
     if (options.rebind) forget_weights(scene);
@@ -353,10 +382,18 @@ RawScene bind_weights(RawScene scene, const WeightOptions& options, Notes& notes
     add_free_group(scene, groups, left, notes);
     if (groups.empty()) say_nothing_bound(left, options.make_origin, notes);
   }
-  separate_meshes(scene);
-  for (const Group& group : groups) bind(scene, group, *options.make, made, notes);
-  if (options.smooth_steps > 0) smooth_all(scene, options, made, notes);
-  return options.paint.empty() ? std::move(scene) : paint_weights(std::move(scene), options.paint, notes);
+  return bind_groups(std::move(scene), groups, options, notes);
+}
+
+RawScene bind_to(const MadeSkeleton& made, RawScene scene, const WeightOptions& options, Notes& notes) {
+  expect_few(scene, made.instances.size());
+  for (const std::size_t i : made.instances) {
+    scene.instances[i].skin = scene.instances[i].unused_skin = kNone;
+    for (RawPrimitive& primitive : scene.meshes[to_index(scene.instances[i].mesh)].primitives)
+      primitive.influences.clear();
+  }
+  const Group group = bound_to(made, "", rest_of_nodes(scene), scene);
+  return bind_groups(std::move(scene), {group}, options, notes);
 }
 
 }  // namespace marrow::cook

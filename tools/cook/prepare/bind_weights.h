@@ -1,6 +1,11 @@
 // Skin weights that the source does not have: made from bones, smoothed, painted.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
 #include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"
 
@@ -16,5 +21,14 @@ namespace marrow::cook {
 // tools::Failure: usage if an option fits nothing, invalid for nothing to bind to or a bad mask, unsupported for too
 // many vertices.
 RawScene bind_weights(RawScene scene, const WeightOptions& options, Notes& notes);
+
+// Joints that were made for what is drawn.
+struct MadeSkeleton {
+  std::vector<int> joints;                  // nodes
+  std::vector<std::size_t> instances;       // of the scene
+  std::vector<glm::dmat4> scene_from_mesh;  // one an instance, where it is drawn at rest
+};
+// Binds all of it to them, whatever skin or weights it has, and goes on as bind_weights() does.
+RawScene bind_to(const MadeSkeleton& made, RawScene scene, const WeightOptions& options, Notes& notes);
 
 }  // namespace marrow::cook

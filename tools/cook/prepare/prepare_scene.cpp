@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
+#include "cook/prepare/add_skeleton.h"
 #include "cook/prepare/bind_weights.h"
 #include "cook/skeleton/group_trees.h"
 
@@ -87,7 +88,12 @@ void check_subdivision(const RawScene& scene, int steps) {
 
 RawScene prepare_scene(RawScene scene, const CookOptions& options, Notes& notes) {
   if (scene.instances.empty()) scene = place_unplaced_meshes(std::move(scene), notes);
-  if (options.weights.any()) scene = bind_weights(std::move(scene), options.weights, notes);
+  if (!options.auto_skeleton.empty()) {
+    RiggedScene rigged = add_skeleton(std::move(scene), options.auto_skeleton, notes);
+    scene = bind_to(rigged.made, std::move(rigged.scene), options.weights, notes);
+  } else if (options.weights.any()) {
+    scene = bind_weights(std::move(scene), options.weights, notes);
+  }
   check_something_to_cook(scene, notes);
   if (options.subdivide > 0) check_subdivision(scene, options.subdivide);
   return scene;

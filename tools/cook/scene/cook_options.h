@@ -124,6 +124,7 @@ struct CookOptions {
   Images images = Images::reference;
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
   WeightOptions weights;
+  std::string auto_skeleton;       // a template's name, see read_template(); empty: the file's own skeletons
   deform::Progress clip_progress;  // of clips that are compressed
 };
 

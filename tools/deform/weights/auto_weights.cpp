@@ -10,6 +10,7 @@
 #include "common/elementary.h"
 #include "common/parallel.h"
 #include "deform/weights/geodesic.h"
+#include "deform/weights/glow.h"
 #include "deform/weights/voxels.h"
 
 namespace marrow::deform {
@@ -105,6 +106,41 @@ void for_each_vertex(std::size_t count, const F& f) {
   });
 }
 
+// Of vertices that have no weights yet.
+void add_geodesic(const Voxels& voxels, const Positions& positions, std::span<const Bone> bones, double size,
+                  const AutoWeightOptions& options, AutoWeights& out) {
+  const Geodesic geodesic(voxels, bones, options.most);
+  for_each_vertex(positions.size(), [&](std::size_t v) {
+    if (out.influences[v].empty()) out.influences[v] = by_power(geodesic.at(positions[v]), size, kGeodesicPower);
+  });
+}
+
+std::vector<std::size_t> without_weights(const AutoWeights& weights) {
+  std::vector<std::size_t> out;
+  for (std::size_t v = 0; v < weights.influences.size(); ++v)
+    if (weights.influences[v].empty()) out.push_back(v);
+  return out;
+}
+
+void add_through_voxels(const Positions& positions, std::span<const std::uint32_t> indices, std::span<const Bone> bones,
+                        double size, const AutoWeightOptions& options, AutoWeights& out) {
+  const Voxels voxels(positions, indices, options.resolution);
+  out.voxels = voxels.size();
+  if (options.method == WeightMethod::glow) {
+    const Glow glow(voxels, positions, indices, bones);
+    for_each_vertex(positions.size(), [&](std::size_t v) {
+      out.influences[v] = glow.at(positions[v], v, options.most);
+      // Relative to the brightest, so that no square is too small a number.
+      const double brightest = out.influences[v].empty() ? 1 : out.influences[v].front().weight;
+      for (Influence& i : out.influences[v]) i.weight = i.weight / brightest * (i.weight / brightest);
+    });
+    out.unlit = without_weights(out);
+    if (out.unlit.empty()) return;
+  }
+  add_geodesic(voxels, positions, bones, size, options, out);
+  out.unreached = without_weights(out);
+}
+
 }  // namespace
 
 glm::dvec3 closest_on(const Bone& bone, const glm::dvec3& p) {
@@ -147,26 +183,15 @@ AutoWeights auto_weights(const Positions& positions, std::span<const std::uint32
   out.influences.resize(positions.size());
   const std::vector<BonesOfJoint> joints = by_joint(bones);
   const double size = size_of(positions, indices), length = mean_length(joints, size);
-  if (options.method == WeightMethod::geodesic) {
-    const Voxels voxels(positions, indices, options.resolution);
-    const Geodesic geodesic(voxels, bones, options.most);
-    out.voxels = voxels.size();
-    for_each_vertex(positions.size(), [&](std::size_t v) {
-      out.influences[v] = by_power(geodesic.at(positions[v]), size, kGeodesicPower);
-    });
-  }
+  if (options.method == WeightMethod::geodesic || options.method == WeightMethod::glow)
+    add_through_voxels(positions, indices, bones, size, options, out);
   for_each_vertex(positions.size(), [&](std::size_t v) {
-    if (options.method == WeightMethod::gaussian) out.influences[v] = by_gaussian(joints, length, positions[v]);
+    std::vector<Influence>& vertex = out.influences[v];
+    if (options.method == WeightMethod::gaussian) vertex = by_gaussian(joints, length, positions[v]);
+    // All of `nearest`, and what no voxel reached.
+    if (vertex.empty()) vertex = by_power(euclidean(joints, positions[v], options.most), size, 1);
+    keep_largest(vertex, options.most, kLeastWeight);
   });
-  // What is left: all of `nearest`, and what no voxel reached.
-  std::vector<char> left(positions.size(), 0);
-  for_each_vertex(positions.size(), [&](std::size_t v) {
-    left[v] = out.influences[v].empty();
-    if (left[v] != 0) out.influences[v] = by_power(euclidean(joints, positions[v], options.most), size, 1);
-    keep_largest(out.influences[v], options.most, kLeastWeight);
-  });
-  for (std::size_t v = 0; options.method == WeightMethod::geodesic && v < left.size(); ++v)
-    if (left[v] != 0) out.unreached.push_back(v);
   return out;
 }
 

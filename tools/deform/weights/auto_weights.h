@@ -26,6 +26,7 @@ enum class WeightMethod {
   // meshes", SCA 2013, whose falloff (1 / ((1 - α) d + α d²))² is d⁻⁴ for α = 1; squared once more it comes closer to
   // artists' weights, see docs/cooking.md.
   geodesic,
+  glow,  // the light of bones, see glow.h
 };
 
 // α of `gaussian`.
@@ -34,13 +35,14 @@ inline constexpr double kGaussianAlpha = 20;
 struct AutoWeightOptions {
   WeightMethod method = WeightMethod::geodesic;
   std::size_t most = 4;  // influences that a vertex gets, the largest
-  int resolution = 192;  // of geodesic: voxels on the mesh's longest side; fewer where they would be too many
+  int resolution = 192;  // of geodesic and glow: voxels on the mesh's longest side; fewer where they would be too many
 };
 
 struct AutoWeights {
   std::vector<std::vector<Influence>> influences;  // a vertex: by ascending joint; they sum to 1 exactly
-  glm::ivec3 voxels{0};                            // of geodesic: the grid
-  // Of geodesic: vertices that no way through the mesh leads to, bound as by `nearest`; ascending.
+  glm::ivec3 voxels{0};                            // of geodesic and glow: the grid
+  std::vector<std::size_t> unlit;                  // of glow: dark vertices, bound as by `geodesic`; ascending
+  // Of geodesic and of what is unlit: vertices that no way through the mesh leads to, bound as by `nearest`; ascending.
   std::vector<std::size_t> unreached;
 };
 

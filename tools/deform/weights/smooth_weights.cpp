@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <tuple>
 
 #include "common/parallel.h"
 #include "deform/surface.h"
 #include "deform/weights/auto_weights.h"
+#include "deform/weights/places.h"
 
 namespace marrow::deform {
 namespace {
@@ -18,26 +17,6 @@ constexpr double kLeastOnTheWay = 1e-6;
 constexpr std::size_t kChunk = 1024;  // vertices that a thread takes at a time
 
 using Influences = std::vector<std::vector<Influence>>;
-
-// For each vertex the number of its place.
-struct Places {
-  std::vector<std::uint32_t> of_vertex;
-  Positions positions;
-};
-
-Places places_of(const Positions& positions) {
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) { return std::tie(positions[v].x, positions[v].y, positions[v].z); };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  Places out;
-  out.of_vertex.resize(positions.size());
-  for (const std::uint32_t v : order) {
-    if (out.positions.empty() || out.positions.back() != positions[v]) out.positions.push_back(positions[v]);
-    out.of_vertex[v] = static_cast<std::uint32_t>(out.positions.size() - 1);
-  }
-  return out;
-}
 
 // Adds up what names a joint twice.
 void merge(std::vector<Influence>& influences) {
@@ -79,7 +58,7 @@ void smooth_weights(const Positions& positions, std::span<const std::uint32_t> i
   const Places places = places_of(positions);
   SkinnedMesh mesh;
   mesh.positions = places.positions;
-  for (const std::uint32_t i : indices) mesh.indices.push_back(places.of_vertex[i]);
+  mesh.indices = indices_of(places, indices);
   Influences now(places.positions.size()), next(places.positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
     keep_largest(influences[v], influences[v].size(), 0);

@@ -179,6 +179,38 @@ glm::ivec3 Voxels::voxel_of(std::size_t cell) const {
   return {i % size_.x, i / size_.x % size_.y, i / (size_.x * size_.y)};
 }
 
+// From voxel to voxel across the faces that the line goes through, as Amanatides and Woo, "A fast voxel traversal
+// algorithm for ray tracing", Eurographics 1987.
+bool Voxels::sees(const glm::dvec3& from, const glm::dvec3& to) const {
+  if (!is_inner(from) || !is_inner(to)) return false;
+  auto cell = static_cast<std::ptrdiff_t>(cell_at(from));
+  if (!solid(static_cast<std::size_t>(cell))) return false;
+  const glm::ivec3 first(glm::floor(from)), last(glm::floor(to));
+  std::array<int, 3> left{};             // faces to cross
+  std::array<double, 3> next{}, each{};  // shares of the line: to the next face, from one to another
+  std::array<std::ptrdiff_t, 3> step = {offset(1, 0, 0), offset(0, 1, 0), offset(0, 0, 1)};
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    left[axis] = std::abs(last[i] - first[i]);
+    if (left[axis] == 0) continue;
+    const double along = std::abs(to[i] - from[i]);
+    const bool forward = last[i] > first[i];
+    each[axis] = 1 / along;
+    next[axis] = (forward ? first[i] + 1 - from[i] : from[i] - first[i]) / along;
+    if (!forward) step[axis] = -step[axis];
+  }
+  while (left[0] + left[1] + left[2] > 0) {
+    std::size_t axis = left[0] > 0 ? 0 : left[1] > 0 ? 1 : 2;
+    for (std::size_t i = axis + 1; i < 3; ++i)
+      if (left[i] > 0 && next[i] < next[axis]) axis = i;
+    cell += step[axis];
+    next[axis] += each[axis];
+    --left[axis];
+    if (!solid(static_cast<std::size_t>(cell))) return false;
+  }
+  return true;
+}
+
 // What can be reached from the first voxel through voxels' faces.
 static void flood(const Voxels& voxels, std::vector<std::uint8_t>& state) {
   std::vector<std::size_t> stack = {0};

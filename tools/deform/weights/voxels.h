@@ -31,6 +31,7 @@ class Voxels {
   glm::ivec3 size() const { return size_; }
   double side() const { return side_; }  // of a voxel, in the mesh's units
   glm::dvec3 to_grid(const glm::dvec3& p) const { return (p - origin_) / side_; }
+  glm::dvec3 from_grid(const glm::dvec3& grid) const { return origin_ + grid * side_; }
   // Whether the voxel at grid coordinates is there and not one of the outermost.
   bool is_inner(const glm::dvec3& grid) const;
   std::size_t cell_at(const glm::dvec3& grid) const;  // is_inner() must hold
@@ -40,6 +41,8 @@ class Voxels {
   }
   std::size_t cells() const { return solid_.size(); }
   bool solid(std::size_t cell) const { return solid_[cell] != 0; }
+  // Whether the straight line between two places in grid coordinates stays in solid voxels.
+  bool sees(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
   std::size_t fill(const Positions& positions, std::span<const std::uint32_t> indices);

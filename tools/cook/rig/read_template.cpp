@@ -1,0 +1,195 @@
+#include "cook/rig/read_template.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <toml++/toml.h>
+
+#include <fmt/format.h>
+
+#include "common/failure.h"
+#include "common/files.h"
+#include "common/hash.h"
+#include "text/deep_key.h"
+#include "text/printable.h"
+
+namespace marrow::cook {
+namespace {
+
+using deform::kNoJoint;
+using deform::SkeletonTemplate;
+
+constexpr std::size_t kLargestTemplate = 64 * 1024;
+constexpr double kFarthestInTemplate = 1e6;  // of a coordinate
+
+std::string place_in(const toml::source_region& region) {
+  return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
+}
+
+class TemplateReader {
+ public:
+  explicit TemplateReader(const std::string& path) : path_(path) {}
+
+  [[noreturn]] void fail(const std::string& where, const std::string& rule, const std::string& advice) const {
+    throw tools::Failure(tools::Exit::usage, path_, where, tools::printable(rule), tools::printable(advice));
+  }
+
+  SkeletonTemplate read(const toml::table& root) {
+    for (const auto& [key, node] : root)
+      if (key.str() != "joint")
+        fail(place_in(key.source()), "unknown key \"" + std::string(key.str()) + "\"", "a template has [[joint]]");
+    const toml::array* const joints = root.get_as<toml::array>("joint");
+    if (joints == nullptr || joints->empty()) fail("", "the template has no joints", "write [[joint]]");
+    for (const toml::node& node : *joints) {
+      const toml::table* const joint = node.as_table();
+      if (joint == nullptr) fail(place_in(node.source()), "a joint must be a table", "write [[joint]]");
+      read_joint(*joint);
+    }
+    check_whole();
+    return std::move(out_);
+  }
+
+ private:
+  std::string name_in(const toml::table& joint, const char* key) const {
+    const toml::node* const node = joint.get(key);
+    if (node == nullptr) return "";
+    const auto* const text = node->as_string();
+    if (text == nullptr || text->get().empty())
+      fail(place_in(node->source()), fmt::format("\"{}\" must be a name", key), "quote it");
+    return text->get();
+  }
+
+  std::optional<glm::dvec3> place_of(const toml::table& joint, const char* key) const {
+    const toml::node* const node = joint.get(key);
+    if (node == nullptr) return std::nullopt;
+    const toml::array* const numbers = node->as_array();
+    const auto refuse = [&] {
+      fail(place_in(node->source()), fmt::format("\"{}\" must be three numbers, none above a million", key),
+           "write [x, y, z]");
+    };
+    if (numbers == nullptr || numbers->size() != 3) refuse();
+    glm::dvec3 out(0);
+    for (int i = 0; i < 3; ++i) {
+      const auto number = numbers->get(static_cast<std::size_t>(i))->value<double>();
+      if (!number || !(std::abs(*number) <= kFarthestInTemplate)) refuse();
+      out[i] = *number;
+    }
+    return out;
+  }
+
+  int add(const std::string& where, const std::string& name, int parent, const glm::dvec3& place, bool is_end) {
+    if (out_.size() >= deform::kMostTemplateJoints)
+      fail(where, "too many joints", fmt::format("{} with ends are the most", deform::kMostTemplateJoints));
+    const auto index = static_cast<int>(out_.size());
+    if (!is_end && !index_of_.emplace(name, index).second)
+      fail(where, "two joints are called \"" + name + "\"", "rename one");
+    if (parent != kNoJoint && out_[static_cast<std::size_t>(parent)].place == place)
+      fail(where, "a joint at the place of the one above it", "move it: bones have lengths");
+    out_.push_back({name, parent, place, kNoJoint, is_end});
+    return index;
+  }
+
+  // Both of them where the joint has a mirror; the second is kNoJoint else.
+  std::pair<int, int> add_pair(const std::string& where, const std::string& name, const std::string& mirror, int parent,
+                               const glm::dvec3& place, bool is_end) {
+    const int other_parent = parent == kNoJoint ? kNoJoint : out_[static_cast<std::size_t>(parent)].mirror;
+    if (mirror.empty()) {
+      if (place.x != 0) fail(where, "a joint that stands aside without a mirror", "give mirror, or x = 0");
+      if (other_parent != kNoJoint) fail(where, "a joint without a mirror below one that has one", "give mirror");
+      return {add(where, name, parent, place, is_end), kNoJoint};
+    }
+    if (!(place.x > 0)) fail(where, "a joint with a mirror that is not on the left", "give x > 0");
+    const int left = add(where, name, parent, place, is_end);
+    const int right = add(where, is_end ? "" : mirror, other_parent == kNoJoint ? parent : other_parent,
+                          glm::dvec3(-place.x, place.y, place.z), is_end);
+    out_[static_cast<std::size_t>(left)].mirror = right;
+    out_[static_cast<std::size_t>(right)].mirror = left;
+    return {left, right};
+  }
+
+  void read_joint(const toml::table& joint) {
+    constexpr std::string_view kKeys[] = {"name", "parent", "mirror", "place", "end"};
+    for (const auto& [key, node] : joint)
+      if (std::ranges::find(kKeys, key.str()) == std::end(kKeys))
+        fail(place_in(key.source()), "unknown key \"" + std::string(key.str()) + "\"",
+             fmt::format("a joint has {}", fmt::join(kKeys, ", ")));
+    const std::string where = place_in(joint.source());
+    const std::string name = name_in(joint, "name"), parent_name = name_in(joint, "parent"),
+                      mirror = name_in(joint, "mirror");
+    const std::optional<glm::dvec3> place = place_of(joint, "place"), end = place_of(joint, "end");
+    if (name.empty()) fail(where, "a joint without a name", "give name = \"Hips\"");
+    if (!place) fail(where, "a joint without a place", "give place = [x, y, z]");
+    int parent = kNoJoint;
+    if (!parent_name.empty()) {
+      const auto found = index_of_.find(parent_name);
+      if (found == index_of_.end())
+        fail(place_in(joint.get("parent")->source()), "no joint above is called \"" + parent_name + "\"",
+             "joints come after their parents");
+      parent = found->second;
+    }
+    if ((parent == kNoJoint) != out_.empty())
+      fail(where, out_.empty() ? "the first joint has a parent" : "a second joint without a parent",
+           "one joint, the first, is above all others");
+    if (out_.empty() && !mirror.empty()) fail(where, "the first joint has a mirror", "leave it out");
+    if (parent != kNoJoint && has_end_.contains(parent))
+      fail(where, "\"" + parent_name + "\" has both an end and a joint below it", "leave out its end");
+    const auto [left, right] = add_pair(where, name, mirror, parent, *place, false);
+    if (!end) return;
+    add_pair(where, "", mirror, left, *end, true);
+    has_end_.insert({left, right});
+  }
+
+  void check_whole() const {
+    double low = out_.front().place.y, high = low;
+    for (const deform::TemplateJoint& joint : out_) {
+      low = std::min(low, joint.place.y);
+      high = std::max(high, joint.place.y);
+    }
+    if (!(high > low)) fail("", "all joints are at one height", "+Y is up");
+    if (deform::knots_of(out_).size() > deform::kMostTemplateKnots)
+      fail("", "too many joints that branch or end chains", fmt::format("{} are the most", deform::kMostTemplateKnots));
+  }
+
+  std::string path_;
+  SkeletonTemplate out_;
+  std::map<std::string, int> index_of_;
+  std::set<int> has_end_;
+};
+
+}  // namespace
+
+SkeletonTemplate parse_template(const std::string& path, std::string_view text) {
+  TemplateReader reader(path);
+  if (text.size() > kLargestTemplate) reader.fail("", "too large", "64 KiB is the limit");
+  if (const std::size_t line = tools::line_of_deep_key(text))
+    reader.fail(std::to_string(line) + ":1", "a key of too many parts", "a template has [[joint]] alone");
+  toml::table root;
+  try {
+    root = toml::parse(text);
+  } catch (const toml::parse_error& e) {
+    reader.fail(place_in(e.source()), "no TOML", std::string(e.description()));
+  }
+  return reader.read(root);
+}
+
+SkeletonTemplate read_template(const std::string& name, std::vector<RawRead>& reads) {
+  const std::string_view builtin = builtin_template(name);
+  if (!builtin.empty()) return parse_template(name, builtin);
+  std::error_code error;
+  if (!std::filesystem::exists(name, error))
+    throw tools::Failure(tools::Exit::usage, "--auto-skeleton", "",
+                         "\"" + tools::printable(name) + "\" is neither built in nor a file",
+                         "give humanoid, quadruped or a TEMPLATE.toml");
+  if (std::filesystem::file_size(name, error) > kLargestTemplate && !error)
+    throw tools::Failure(tools::Exit::usage, name, "", "too large", "64 KiB is the limit");
+  const tools::AlignedBytes bytes = tools::read_file(name);
+  reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(name), error).string(), bytes.size(),
+                   tools::hash_of({bytes.data(), bytes.size()})});
+  return parse_template(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace marrow::cook
