@@ -11,7 +11,7 @@
 #include "deform/deformers.h"
 #include "deform/dense.h"
 #include "deform/fit/correction.h"
-#include "deform/fit/pose_space.h"
+#include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
 namespace {
