@@ -154,6 +154,37 @@ TEST(Compare, SaysHowFarClipsAreOffBetweenFrames) {
   EXPECT_EQ(run_marrow({"compare", "--sample", "cylinder", "--frames", "5"}).code, 1);
 }
 
+// The lower arm goes along x by t², as a CUBICSPLINE of two keys, 0 and 2 s.
+std::string elbow_on_a_parabola() {
+  nlohmann::json elbow = nlohmann::json::parse(read_text(in_golden("elbow.gltf")));
+  elbow["buffers"].push_back({{"byteLength", 80},
+                              {"uri",
+                               "data:application/octet-stream;base64,AAAAAAAAAEAAAAAAAAAAAAAAAAAAAAAAAACAPwAAAAA"
+                               "AAAAAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBAAACAPwAAAAAAAIBAAAAAAAAAAAA="}});
+  elbow["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 8}});
+  elbow["bufferViews"].push_back({{"buffer", 1}, {"byteOffset", 8}, {"byteLength", 72}});
+  elbow["accessors"].push_back(
+      {{"bufferView", 7}, {"componentType", 5126}, {"count", 2}, {"type", "SCALAR"}, {"min", {0}}, {"max", {2}}});
+  elbow["accessors"].push_back({{"bufferView", 8}, {"componentType", 5126}, {"count", 6}, {"type", "VEC3"}});
+  elbow["animations"] = {{{"samplers", {{{"input", 7}, {"output", 8}, {"interpolation", "CUBICSPLINE"}}}},
+                          {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}};
+  return elbow.dump();
+}
+
+// Lines are off by h²/4 in the middle of h = half a second; parabolas are met by all else.
+TEST(Compare, MeetsAParabolaBetweenFrames) {
+  const TemporaryFolder folder;
+  write_text(folder / "elbow.gltf", elbow_on_a_parabola());
+  const Ran ran = run_marrow({"compare", folder / "elbow.gltf", "--frames", "2", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json between = nlohmann::json::parse(ran.out).at("between_frames");
+  ASSERT_EQ(between.size(), 3u);
+  EXPECT_EQ(between[0].at("frames"), 5);
+  EXPECT_NEAR(between[0].at("max").get<double>(), 0.0625, 1e-5);
+  EXPECT_LT(between[1].at("max"), 1e-5);
+  EXPECT_LT(between[2].at("max"), 1e-5);
+}
+
 TEST(Compare, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_marrow({"compare"}).code, 1);

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "deform/fit/pose_space.h"
+#include "deform/rotation_of_matrix.h"
 #include "deform/slerp.h"
 
 namespace marrow::deform {

@@ -57,4 +57,15 @@ glm::dquat quaternion_of(const glm::dmat3& rotation) {
   return q.w < 0 ? -q : q;
 }
 
+std::vector<glm::dquat> local_rotations(const Pose& pose, const std::vector<int>& parents) {
+  std::vector<glm::dmat3> rotations;
+  for (const Matrix& m : pose) rotations.push_back(rotation_of(linear_of(m)));
+  std::vector<glm::dquat> out;
+  for (std::size_t j = 0; j < pose.size(); ++j)
+    out.push_back(parents[j] < 0
+                      ? glm::dquat(1, 0, 0, 0)
+                      : quaternion_of(glm::transpose(rotations[static_cast<std::size_t>(parents[j])]) * rotations[j]));
+  return out;
+}
+
 }  // namespace marrow::deform

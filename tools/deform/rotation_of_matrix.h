@@ -1,8 +1,12 @@
 // Rotations out of matrices.
 #pragma once
 
+#include <vector>
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
+
+#include "deform/mesh.h"
 
 namespace marrow::deform {
 
@@ -21,5 +25,9 @@ glm::dmat3 nearest_rotation(const glm::dmat3& m);
 
 // The quaternion of a rotation, w ≥ 0.
 glm::dquat quaternion_of(const glm::dmat3& rotation);
+
+// For each joint rotation_of(M_p)ᵀ rotation_of(M_j), p its parent, which is the identity in the bind pose; also where
+// there is no p, below 0.
+std::vector<glm::dquat> local_rotations(const Pose& pose, const std::vector<int>& parents);
 
 }  // namespace marrow::deform

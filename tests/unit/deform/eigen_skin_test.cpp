@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
-#include "deform/fit/pose_space.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
+#include "deform/rotation_of_matrix.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

@@ -11,7 +11,7 @@
 #include "deform/deformers.h"
 #include "deform/dense.h"
 #include "deform/fit/correction.h"
-#include "deform/fit/pose_space.h"
+#include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
 namespace {
@@ -59,8 +59,8 @@ Pose turned(const std::vector<char>& branch, const glm::dvec3& centre, const glm
 std::vector<glm::dquat> spread(const std::vector<glm::dquat>& turns, std::size_t most) {
   constexpr double kLeast = 1e-4;  // a turn of one degree
   std::vector<glm::dquat> out;
-  std::vector<double> nearest;
-  for (const glm::dquat& q : turns) nearest.push_back(distance(q, kUnturned));
+  std::vector<double> nearest(turns.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) nearest[i] = distance(turns[i], kUnturned);
   while (out.size() < most && !turns.empty()) {
     const auto farthest = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
     if (!(nearest[farthest] > kLeast)) break;

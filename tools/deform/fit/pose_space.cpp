@@ -255,17 +255,6 @@ FitQuality quality_of(const Examples& t, const std::vector<double>& errors) {
 
 }  // namespace
 
-Rotations local_rotations(const Pose& pose, const std::vector<int>& parents) {
-  std::vector<glm::dmat3> rotations;
-  for (const Matrix& m : pose) rotations.push_back(rotation_of(linear_of(m)));
-  Rotations out;
-  for (std::size_t j = 0; j < pose.size(); ++j)
-    out.push_back(parents[j] < 0
-                      ? glm::dquat(1, 0, 0, 0)
-                      : quaternion_of(glm::transpose(rotations[static_cast<std::size_t>(parents[j])]) * rotations[j]));
-  return out;
-}
-
 Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space) {
   return [&mesh, &space](const Pose& pose, Positions& out) {
     std::vector<const Rotations*> examples;

@@ -27,9 +27,6 @@ struct PoseSpace {
   std::vector<PoseSpaceExample> examples;
 };
 
-// For each joint rotation_of(M_p)ᵀ rotation_of(M_j), which is the identity in the bind pose; also where there is no p.
-std::vector<glm::dquat> local_rotations(const Pose& pose, const std::vector<int>& parents);
-
 Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space);
 
 struct PoseSpaceOptions {
