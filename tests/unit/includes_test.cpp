@@ -136,6 +136,7 @@ TEST(Includes, LibrariesOfTheToolsPointOneWayAndToNoCommand) {
       {"sample", {"text", "common", "glb"}},
       {"bench", {"text", "common", "cook", "pose", "sample"}},
       {"render", {"text", "common", "cook", "image", "pose"}},
+      {"gpu_bench", {"common", "terminal", "bench", "pose", "render"}},
       {"sizes", {}},
       {"gpu_cost", {"text", "common"}},
       {"phone", {"common"}},

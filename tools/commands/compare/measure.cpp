@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "commands/compare/hinges.h"
 #include "commands/compare/instructions.h"
-#include "commands/compare/shape.h"
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"

@@ -1,5 +1,5 @@
-#include "commands/bench/gpu.h"
 #include "commands/compare/thesis/frame_rates.h"
+#include "gpu_bench/gpu_rows.h"
 
 namespace marrow::tools {
 namespace {

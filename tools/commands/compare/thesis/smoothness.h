@@ -1,8 +1,8 @@
 // How smooth a surface stays where joints meet.
 #pragma once
 
+#include "commands/compare/hinges.h"
 #include "commands/compare/measure.h"
-#include "commands/compare/shape.h"
 
 namespace marrow::tools {
 

@@ -1,4 +1,4 @@
-#include "commands/bench/gpu_work.h"
+#include "gpu_bench/gpu_work.h"
 
 #include <algorithm>
 #include <array>

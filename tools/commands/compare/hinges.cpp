@@ -1,4 +1,4 @@
-#include "commands/compare/shape.h"
+#include "commands/compare/hinges.h"
 
 #include <algorithm>
 #include <cmath>

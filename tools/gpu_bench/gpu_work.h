@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "commands/bench/gpu.h"
+#include "gpu_bench/gpu_rows.h"
 #include "marrow/file.h"
 #include "render/gl.h"
 
