@@ -23,7 +23,7 @@ namespace {
 using deform::kNoJoint;
 using deform::SkeletonTemplate;
 
-constexpr std::size_t kLargestTemplate = 64 * 1024;
+constexpr std::size_t kLargestTemplate = std::size_t{64} * 1024;
 constexpr double kFarthestInTemplate = 1e6;  // of a coordinate
 
 std::string place_in(const toml::source_region& region) {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kCentre = 1, kProportion = 0.3, kSymmetry = 60, kStay = 12;  // of squares of heights the last two
 constexpr int kSamples = 6;                                                   // along a bone
-constexpr double kFirstStep = 0.02, kLastStep = 0.001;                        // heights
+constexpr double kFirstStep = 0.02;                                           // heights
+constexpr int kHalvings = 5, kRounds = 8;
 constexpr double kSymmetric = 0.85;  // share of voxels with one opposite, from which on sides are to be alike
 
 // The point at `share` of a polyline's length.
@@ -53,9 +54,10 @@ class Refinement {
   }
 
   void run() {
-    for (double step = kFirstStep; step >= kLastStep; step /= 2)
-      for (int round = 0; round < 8; ++round)
-        if (!move_all(step * height_)) break;
+    double step = kFirstStep * height_;
+    for (int halving = 0; halving < kHalvings; ++halving, step /= 2)
+      for (int round = 0; round < kRounds; ++round)
+        if (!move_all(step)) break;
   }
 
  private:
