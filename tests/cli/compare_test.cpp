@@ -296,7 +296,7 @@ TEST(Compare, WritesThePagesPicturesAlone) {
   EXPECT_GT(errors, 0u);
   EXPECT_TRUE(std::filesystem::exists(pictures + "/1-1-truth.png"));
   EXPECT_TRUE(std::filesystem::exists(pictures + "/1-2-ssd.png"));
-  EXPECT_TRUE(std::filesystem::exists(pictures + "/1-3-joint_local.png"));
+  EXPECT_TRUE(std::filesystem::exists(pictures + "/1-4-joint_local.png"));
   EXPECT_TRUE(std::filesystem::exists(pictures + "/joint-1-1-truth.png"));
   write_text(folder / "file", "");
   EXPECT_EQ(run_marrow({"compare", tiny_gltf(), "--pictures", folder / "file"}).code, 2);
