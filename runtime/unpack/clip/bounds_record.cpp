@@ -20,7 +20,8 @@ std::uint64_t measure_bounds_record(Span<const std::byte> record) {
   ByteReader reader(record.data, record.size);
   const format::BoundsHeader h = take_bounds_header(reader);
   const std::uint64_t count = std::uint64_t{h.clip_count} * h.mesh_count;
-  return count > UINT32_MAX / sizeof(format::BoundsCodes) ? 0 : format::layout(h).bytes;
+  // Without a mesh, clips would take time and no room.
+  return count == 0 || count > UINT32_MAX / sizeof(format::BoundsCodes) ? 0 : format::layout(h).bytes;
 }
 
 const char* unpack_bounds(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes) {

@@ -369,6 +369,12 @@ TEST(Bounds, Damaged) {
   changed = Bytes().varint(0).varint(0xFFFFFFFF).varint(0x80000000).all;
   EXPECT_EQ(measure_bounds_record(span(changed)), 0u) << "more than a file holds";
   EXPECT_NE(run(changed), nullptr);
+  // Billions of clips of nothing, which would go on for minutes.
+  for (const auto& [clips, meshes] : {std::pair(0xFFFFFFFFu, 0u), std::pair(0u, 0xFFFFFFFFu), std::pair(0u, 0u)}) {
+    changed = Bytes().varint(0).varint(clips).varint(meshes).all;
+    EXPECT_EQ(measure_bounds_record(span(changed)), 0u);
+    EXPECT_NE(run(changed), nullptr);
+  }
 }
 
 TEST(Names, ByHand) {
