@@ -6,6 +6,7 @@
 #include "draco/skin_codec.h"
 
 namespace marrow {
+
 void SkinModels::begin() {
   begin_near(3, distances);
   for (std::uint32_t size = 0; size < kSizes; ++size) begin_near(size, weights[size]);

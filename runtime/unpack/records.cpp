@@ -11,8 +11,8 @@ constexpr std::uint64_t kLeastJointBytes = 10;  // of a section that stands as i
 // Of a joint: masks and constants, which may be as in the clip before and take hardly a bit.
 constexpr std::uint64_t kStillBytes = sizeof(GroupMasks) + 3 * sizeof(format::Constant);
 
-// Of a compact record's section, but for a clip's payload, times and constants. Nothing grows more than a skeleton, by
-// 46 bytes for a joint's one and 48 for a root's; a name by 64 for two.
+// Of a compact record's section, but for a clip's payload, lists, times and constants. Nothing grows more than a
+// skeleton, by 46 bytes for a joint's one and 48 for a root's; a name by 64 for two.
 std::uint64_t most_compact_bytes(std::uint64_t record_bytes) {
   return 256 + 96 * record_bytes;
 }

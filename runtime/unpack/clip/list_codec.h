@@ -1,4 +1,4 @@
-// Tracks without loss, channels and their values as symbols: one text for the cooker, which writes them, and for
+// Tracks that are keys, channels and their values as symbols: one text for the cooker, which writes them, and for
 // unpacking. A value is a whole number of its list's steps, guessed from the key before.
 #pragma once
 

@@ -71,6 +71,14 @@ TEST(Channels, KeysOnALineAreLeftOut) {
   EXPECT_EQ(times_of(bent, 0), (std::vector<float>{0, 1, 2}));
 }
 
+// Numbers may stand for something; and a spline of zeros has nothing but its tangents to be rounded by.
+TEST(Channels, WhatIsNotRounded) {
+  const std::vector<float> numbers = {7, 1000001, 3, 123457};
+  EXPECT_EQ(build({scalar(RawInterpolation::step, {0, 1, 2, 3}, numbers)}).values, numbers);
+  const std::vector<float> tangents = {0, 0, 0.1f, -0.3f, 0, 0};
+  EXPECT_EQ(build({scalar(RawInterpolation::cubic_spline, {0, 1}, tangents)}).values, tangents);
+}
+
 TEST(Channels, RawKeepsEveryKey) {
   const BuiltClip clip = build(
       {scalar(RawInterpolation::linear, kFour, {0, 1, 2, 4}), scalar(RawInterpolation::linear, kFour, {3, 3, 3, 3})},

@@ -162,6 +162,8 @@ TEST(RoundKeys, ByHand) {
   EXPECT_EQ(rounded_within(0.4, 2.4f), 2.5f) << "in halves";
   EXPECT_EQ(rounded_within(0.1, -0.7f), -0.75f) << "in eighths";
   EXPECT_EQ(std::signbit(rounded_within(1, -0.1f)), false);
+  EXPECT_EQ(rounded_within(0, 0.3f), 0.3f) << "no slack";
+  EXPECT_EQ(rounded_within(1e-33, 1e-32f), 1e-32f) << "less than any step";
   const float times_s[] = {0, 0.25f, 1};
   EXPECT_DOUBLE_EQ(tangent_lever(times_s), 0.75 * 8 / 27);
 }

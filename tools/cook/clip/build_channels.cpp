@@ -37,7 +37,9 @@ double largest_of(const RawScalar& scalar) {
   return out;
 }
 
+// What jumps from key to key may be a number that stands for something, and stays.
 RawScalar rounded(const RawScalar& scalar) {
+  if (scalar.interpolation == RawInterpolation::step) return scalar;
   const std::size_t parts = parts_of(scalar);
   const double slack = largest_of(scalar) * kKeySlack, lever = tangent_lever(scalar.times_s);
   RawScalar out = scalar;

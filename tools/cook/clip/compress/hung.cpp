@@ -124,7 +124,7 @@ std::vector<double> strictness_of(const Mesh& mesh, const Promise& promise) {
       for_each_joint(mesh, i.entry, [&](std::uint16_t joint, const Affine&, double share) {
         sum += i.weight * share * promise.error[joint];
       });
-    out[slot] = 1 / square(sum);
+    out[slot] = sum != 0 ? 1 / square(sum) : 0;
   });
   return out;
 }

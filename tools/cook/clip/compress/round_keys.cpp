@@ -20,9 +20,11 @@ double slack_of(const Track& track, const Rig& rig, const Promise& promise) {
 }  // namespace
 
 float rounded_within(double slack, float value) {
+  constexpr int kFinest = -100, kCoarsest = 80;
   int exponent = 0;
   std::frexp(2 * slack, &exponent);  // the power of two is at most that much
-  const double step = std::ldexp(0.5, std::clamp(exponent, -100, 80));
+  if (!(slack > 0) || exponent < kFinest) return value;
+  const double step = std::ldexp(0.5, std::min(exponent, kCoarsest));
   const double steps = std::round(static_cast<double>(value) / step);
   return static_cast<float>(steps * step) + 0.0f;  // no -0
 }

@@ -8,7 +8,7 @@
 
 namespace marrow::cook {
 
-// The nearest whole number of the largest power of two that keeps it within the slack.
+// The nearest whole number of the largest power of two that keeps it within the slack; itself where there is none.
 float rounded_within(double slack, float value);
 
 // What a tangent of such keys adds to a value at most, for each unit that it is off.
