@@ -328,23 +328,22 @@ void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& ri
                    const Hung& hung, Effort effort) {
   if (clip.tracks.empty()) return;
   std::string why = "its curves are STEP, or all at one time";
-  std::optional<BuiltClip> as_keys;
+  std::optional<Compressor> compressor;
   Strayed strayed;
   for (const Grid& grid : grids(clip)) {
     why = "it has more than a million joints times moments";
     if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) break;
-    const Compressor compressor(clip, skeleton, rig, grid, promise, hung, effort);
-    std::optional<BuiltClip> made = compress_on(compressor, clip, promise, strayed);
+    compressor.emplace(clip, skeleton, rig, grid, promise, hung, effort);
+    std::optional<BuiltClip> made = compress_on(*compressor, clip, promise, strayed);
     if (made && bytes_of(*made) < bytes_of(clip)) {
       clip = std::move(*made);
       return;
     }
-    as_keys = compressor.keep_keys(promise);
     why = made ? fmt::format("in segments its curves would be {} bytes and not {}", bytes_of(*made), bytes_of(clip))
                : why_it_strays(strayed);
     if (made) break;
   }
-  if (as_keys) clip = std::move(*as_keys);
+  if (compressor) clip = compressor->keep_keys(promise);
   clip.raw_because = std::move(why);
 }
 
