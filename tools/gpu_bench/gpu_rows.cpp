@@ -90,7 +90,7 @@ void measure_gpu(const Gl& gl, std::vector<GpuRow>& rows) {
   }
 }
 
-const char* path_name(std::optional<SkinningPath> path) {
+const char* path_name(std::optional<gles3::SkinningPath> path) {
   return path ? gles3::to_string(*path) : "crowd";
 }
 
