@@ -76,6 +76,12 @@ TEST(Smoothness, JumpsByHand) {
   // Of 4 × 4 squares of two triangles, 40 edges have two: 16 diagonals and 24 between squares, 4 of them on the fold.
   ASSERT_EQ(shape.hinges.size(), 40u);
   EXPECT_NEAR(s.rms_jump_deg, 40 * std::sqrt(4.0 / 40), 1e-6);
+  // Where the fold is nobody meets: it does not count.
+  SkinnedMesh apart = mesh;
+  for (std::size_t v = 0; v < apart.influences.size(); ++v)
+    if (mesh.positions[v].x >= 1) apart.influences[v] = {{1, 1.0}};
+  const Shape shape_apart(apart);
+  EXPECT_EQ(smoothness(shape_apart, motion, true, folded).largest_jump_deg, 0);
   const deform::Deformer still = [&](const deform::Pose&, deform::Positions& out) { out = mesh.positions; };
   EXPECT_EQ(smoothness(shape, motion, false, still).largest_jump_deg, 0);
   motion.poses.resize(1);

@@ -285,29 +285,30 @@ TEST_F(Structure, ClipByHand) {
   EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.payload, payload, sizeof payload), 0);
 }
 
-// A spline of two keys, a rotation that stays, whose numbers are whole ones of nothing coarser than their bits, and a
-// channel, all at the same two times; behind them a value that none has.
+// A spline of two keys, a rotation that stays, whose numbers are whole ones of nothing coarser than their bits, a scale
+// that has the spline's values, and a channel, all in the same list of times; behind them a value that none has.
 TEST_F(Structure, ListsByHand) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
   Bytes record;
   record.u8(packed::kClipHasLists).u8(6).u8(0).u8(30).u8(30);
-  record.u8(2).u8(1).u8(2).u8(25).u8(0).u8(0);
+  record.u8(3).u8(1).u8(2).u8(25).u8(0).u8(0);
   // By a program apart, from docs/format.md.
   for (const unsigned symbols :
-       {0x02u, 0x00u, 0x00u, 0x00u, 0xECu, 0xFFu, 0xB1u, 0x43u, 0x00u, 0x80u, 0x00u, 0x64u, 0xADu, 0x73u, 0xE0u,
-        0x00u, 0xFEu, 0x47u, 0xC3u, 0xE0u, 0xFBu, 0x7Fu, 0xD1u, 0x3Fu, 0x00u, 0x00u, 0x94u, 0x9Bu, 0x75u, 0x07u,
-        0x4Au, 0x0Au, 0x3Eu, 0x3Eu, 0x5Au, 0xA5u, 0x2Au, 0x3Du, 0x5Cu, 0xDBu, 0x10u, 0x01u, 0xE6u, 0x82u, 0x20u,
-        0xFAu, 0x7Fu, 0x80u, 0x99u, 0x19u, 0x0Eu, 0xBFu, 0x99u, 0x99u, 0x30u, 0xDFu, 0x66u, 0xFAu, 0x99u, 0x59u,
-        0x16u, 0x7Du, 0x31u, 0xCCu, 0xA8u, 0xFDu, 0xBEu, 0x57u, 0xC7u, 0x56u, 0x75u, 0x7Du})
+       {0x28u, 0x0Du, 0x00u, 0x00u, 0xCCu, 0xFFu, 0x1Au, 0xD6u, 0x00u, 0x80u, 0x00u, 0x0Cu, 0x83u, 0xC7u, 0x8Fu, 0xD7u,
+        0x93u, 0xACu, 0xA1u, 0x43u, 0xFFu, 0x33u, 0xEBu, 0x9Bu, 0x6Cu, 0xF0u, 0xAFu, 0x91u, 0xD1u, 0x3Fu, 0x20u, 0x40u,
+        0x00u, 0x00u, 0x17u, 0xFAu, 0xD7u, 0xACu, 0x6Bu, 0x62u, 0x3Eu, 0x3Eu, 0x5Au, 0xA5u, 0x2Au, 0x3Du, 0x5Cu, 0xDBu,
+        0x10u, 0x01u, 0xE6u, 0x82u, 0x20u, 0xFAu, 0x7Fu, 0x80u, 0x99u, 0x19u, 0x0Eu, 0xBFu, 0x99u, 0x99u, 0x30u, 0xDFu,
+        0x66u, 0xFAu, 0x99u, 0x59u, 0x16u, 0x7Du, 0x31u, 0xCCu, 0xA8u, 0xFDu, 0xBEu, 0x57u, 0xC7u, 0x56u, 0x75u, 0x7Du})
     record.u8(symbols);
   ASSERT_STREQ(clip(record.span()), nullptr);
   EXPECT_EQ(codec_, format::kCodecRaw);
-  const format::ClipHeader h{6, 0, 1.0f, 2, 2, 25, 1, 0, 0};
+  const format::ClipHeader h{6, 0, 1.0f, 3, 2, 25, 1, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
   const format::ClipLayout l = layout(h);
   EXPECT_EQ(bytes_, l.bytes);
   const Track tracks[] = {{1, TrackPath::translation, Interpolation::cubic_spline, 2, 0, 0},
-                          {2, TrackPath::rotation, Interpolation::step, 1, 0, 18}};
+                          {2, TrackPath::rotation, Interpolation::step, 1, 0, 18},
+                          {2, TrackPath::scale, Interpolation::linear, 6, 0, 0}};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.tracks, tracks, sizeof tracks), 0);
   const Channel channel{7, -1.0f, 2, 0, 22, Interpolation::linear, {}};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh + l.channels, &channel, sizeof channel), 0);
