@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include <glm/geometric.hpp>
-
 #include "common/elementary.h"
 
 namespace marrow::deform {
@@ -49,13 +47,6 @@ Pose cylinder_pose(double bend_rad, double twist_rad) {
                sx = tools::sine(twist_rad);
   const Matrix still{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   return {still, {{cz, sz, 0}, {-sz * cx, cz * cx, sx}, {sz * sx, -cz * sx, cx}, {0, 0, 0}}};
-}
-
-double volume(const Positions& p, const std::vector<std::uint32_t>& indices) {
-  double six = 0;
-  for (std::size_t t = 0; t + 2 < indices.size(); t += 3)
-    six += glm::dot(p[indices[t]], glm::cross(p[indices[t + 1]], p[indices[t + 2]]));
-  return six / 6;
 }
 
 }  // namespace marrow::deform

@@ -12,7 +12,4 @@ SkinnedMesh cylinder();
 // Joint 1 turned by Rz(bend) · Rx(twist).
 Pose cylinder_pose(double bend_rad, double twist_rad);
 
-// What closed surfaces enclose.
-double volume(const Positions& positions, const std::vector<std::uint32_t>& indices);
-
 }  // namespace marrow::deform

@@ -78,6 +78,13 @@ Surface::Surface(const SkinnedMesh& mesh, EdgeWeights kind) {
   }
 }
 
+double volume(const Positions& p, std::span<const std::uint32_t> indices) {
+  double six = 0;
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3)
+    six += glm::dot(p[indices[t]], glm::cross(p[indices[t + 1]], p[indices[t + 2]]));
+  return six / 6;
+}
+
 double area(const Positions& p, std::span<const std::uint32_t> indices) {
   double twice = 0;
   for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {

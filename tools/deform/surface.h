@@ -46,6 +46,9 @@ class Surface {
 // Of all triangles.
 double area(const Positions& positions, std::span<const std::uint32_t> indices);
 
+// What closed surfaces enclose; below 0 where triangles face inwards.
+double volume(const Positions& positions, std::span<const std::uint32_t> indices);
+
 // Area-weighted vertex normals, unit; 0 where all triangles round a vertex have no area.
 std::vector<glm::dvec3> vertex_normals(const Positions& positions, std::span<const std::uint32_t> indices);
 

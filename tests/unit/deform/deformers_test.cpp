@@ -1,5 +1,6 @@
 // The offline deformers, against what their papers promise and hand arithmetic.
 #include "deform/deformers.h"
+#include "deform/surface.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "commands/compare/thesis/thesis.h"
-#include "deform/cylinder.h"
 
 namespace marrow::tools {
 namespace {

@@ -12,7 +12,6 @@
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"
-#include "deform/cylinder.h"
 #include "deform/surface.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"

@@ -8,6 +8,7 @@
 
 #include "common/elementary.h"
 #include "common/parallel.h"
+#include "deform/branch.h"
 #include "deform/deformers.h"
 #include "deform/dense.h"
 #include "deform/fit/correction.h"
@@ -33,26 +34,6 @@ double phi(const glm::dquat& a, const glm::dquat& b, double sigma) {
 // 0 in the bind pose, almost 1 far away.
 double lift(const glm::dquat& turn, double sigma) {
   return -tools::exponential_less_1(-distance(turn, kUnturned) / (2 * sigma * sigma));
-}
-
-std::vector<char> branch_of(std::uint32_t joint, const std::vector<int>& parents) {
-  std::vector<char> out(parents.size(), 0);
-  for (std::size_t j = 0; j < parents.size(); ++j) {
-    int at = static_cast<int>(j);
-    for (std::size_t steps = 0; at >= 0 && at != static_cast<int>(joint) && steps < parents.size(); ++steps)
-      at = parents[static_cast<std::size_t>(at)];
-    out[j] = at == static_cast<int>(joint);
-  }
-  return out;
-}
-
-// The joint alone turned, with all that hangs on it.
-Pose turned(const std::vector<char>& branch, const glm::dvec3& centre, const glm::dquat& turn) {
-  const glm::dmat3 r = glm::mat3_cast(turn);
-  Pose out(branch.size(), Matrix(1.0));
-  for (std::size_t j = 0; j < out.size(); ++j)
-    if (branch[j] != 0) out[j] = {r[0], r[1], r[2], centre - r * centre};
-  return out;
 }
 
 // Of `turns` those that are farthest from each other and from none, one after the other.
@@ -91,7 +72,7 @@ Examples make_examples(const SkinnedMesh& mesh, const std::vector<char>& branch,
   Examples out;
   Positions wanted;
   for (const glm::dquat& turn : turns) {
-    const Pose pose = turned(branch, centre, turn);
+    const Pose pose = turned(branch, centre, glm::mat3_cast(turn));
     truth(pose, wanted);
     if (!is_finite(wanted)) continue;
     out.turns.push_back(turn);
@@ -300,7 +281,7 @@ EigenSkin fit_eigen_skin(const SkinnedMesh& mesh, const std::vector<int>& parent
   tools::for_each_in_parallel(parents.size(), [&](std::size_t j) {
     const auto joint = static_cast<std::uint32_t>(j);
     const Examples examples =
-        make_examples(mesh, branch_of(joint, parents), centres[j], spread(turns[j], options.most_examples), truth);
+        make_examples(mesh, turned_along(joint, parents), centres[j], spread(turns[j], options.most_examples), truth);
     joints[j] = fit_joint(mesh, examples, joint, options);
   });
   EigenSkin out{parents, {}};

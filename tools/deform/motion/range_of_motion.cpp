@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/elementary.h"
+#include "deform/branch.h"
 
 namespace marrow::deform {
 namespace {
@@ -37,12 +38,7 @@ struct Branch {
   std::vector<double> shares;                      // of vertices
 
   Branch(const SkinnedMesh& mesh, const std::vector<int>& parents, std::uint32_t joint) {
-    std::vector<char> below(parents.size(), 0);
-    for (std::size_t j = 0; j < parents.size(); ++j) {
-      std::size_t up = j;
-      while (up != joint && parents[up] >= 0) up = static_cast<std::size_t>(parents[up]);
-      below[j] = up == joint;
-    }
+    std::vector<char> below = turned_along(joint, parents);
     shares = turned_shares(mesh, below);
     turns = std::make_shared<const std::vector<char>>(std::move(below));
   }
@@ -193,11 +189,7 @@ const char* text_of(LeftOut::Why why) {
 }
 
 Pose MotionPose::pose() const {
-  const glm::dmat3 linear = glm::mat3_cast(turn_about(axis, angle_rad));
-  Pose out(turns->size(), Matrix(1.0));
-  for (std::size_t j = 0; j < out.size(); ++j)
-    if ((*turns)[j] != 0) out[j] = {linear[0], linear[1], linear[2], centre - linear * centre};
-  return out;
+  return turned(*turns, centre, glm::mat3_cast(turn_about(axis, angle_rad)));
 }
 
 std::vector<double> turned_shares(const SkinnedMesh& mesh, const std::vector<char>& turns) {

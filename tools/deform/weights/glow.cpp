@@ -15,24 +15,19 @@ namespace {
 constexpr std::size_t kRays = 16;     // from a vertex to a bone
 constexpr double kLeastHeight = 0.5;  // voxels: nearer, voxels say nothing of what is between
 
-// Six times what triangles enclose; below 0 where most of them face inwards.
-double signed_volume(const Positions& positions, std::span<const std::uint32_t> indices) {
+// Whether most triangles face inwards, seen from the middle, so that a mesh that is open does not depend on its place.
+bool is_inside_out(Positions positions, std::span<const std::uint32_t> indices) {
   const Box box = box_of(positions, indices);
   const glm::dvec3 middle = (box.low + box.high) * 0.5;
-  double sum = 0;
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    const glm::dvec3 a = positions[indices[i]] - middle, b = positions[indices[i + 1]] - middle,
-                     c = positions[indices[i + 2]] - middle;
-    sum += glm::dot(a, glm::cross(b, c));
-  }
-  return sum;
+  for (glm::dvec3& p : positions) p -= middle;
+  return volume(positions, indices) < 0;
 }
 
 std::vector<glm::dvec3> outward_normals(const Positions& positions, std::span<const std::uint32_t> indices) {
   const Places places = places_of(positions);
   const std::vector<std::uint32_t> triangles = indices_of(places, indices);
   const std::vector<glm::dvec3> normals = vertex_normals(places.positions, triangles);
-  const double sign = signed_volume(places.positions, triangles) < 0 ? -1 : 1;
+  const double sign = is_inside_out(places.positions, triangles) ? -1 : 1;
   std::vector<glm::dvec3> out;
   for (const std::uint32_t place : places.of_vertex) out.push_back(normals[place] * sign);
   return out;
