@@ -1,6 +1,7 @@
 // Weights from bones: by hand arithmetic, by symmetry, against distances measured without the code under test.
 #include "deform/weights/auto_weights.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
