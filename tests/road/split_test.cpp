@@ -267,12 +267,11 @@ TEST(Split, LevelsOfDetailStayClosed) {
   const cook::RawScene newt = cook::read_gltf(kNewt);
   const CookedParts whole(newt, options, kWhole), parts(newt, options, 24);
   for (std::uint32_t level = 0; level < 4; ++level) {
-    std::size_t triangles[2] = {}, without_area = 0;
+    std::size_t triangles[2] = {};
     for (const CookedParts* const cooked : {&whole, &parts})
       for (std::uint32_t m = 0; m < cooked->file.mesh_count(); ++m) {
         const std::uint32_t count = cooked->file.mesh(m, level).geometry.index_count / 3;
         triangles[cooked == &parts ? 1 : 0] += count;
-        without_area += count == 1 ? 1 : 0;
       }
     std::printf("  level %u: %zu triangles, in parts %zu; open edges %zu and %zu\n", level, triangles[0], triangles[1],
                 open_edges(whole.file, level), open_edges(parts.file, level));

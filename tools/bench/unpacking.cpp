@@ -202,7 +202,9 @@ RowGroup unpacking_rows() {
     group.rows.push_back({name, model, {}, [=](Models& from) { return make(from.packed(*model, codec)); }, false});
   };
   std::vector<std::string> models;
-  for (const auto& [name, model] : kPackedSources) {
+  for (const PackedSource& source : kPackedSources) {
+    const char* const name = source.name;
+    const ModelSource* const model = source.model;
     models.emplace_back(name);
     for (const char* codec : {"draco", "meshopt"}) {
       const auto row = [&](const char* part) { return fmt::format("unpack/{}/{}/{}", codec, part, name); };

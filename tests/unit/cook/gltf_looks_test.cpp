@@ -364,7 +364,7 @@ TEST(GltfLooks, LightAndNoLight) {
   EXPECT_EQ(material.emissive[0], 8);
   EXPECT_EQ(material.emissive[1], 4);
   EXPECT_EQ(material.emissive[2], 0);
-  EXPECT_EQ(cooked.result.report["materials"][0]["emissive"], Json({8, 4, 0}));
+  EXPECT_EQ(cooked.result.report["materials"][0]["emissive"].get<std::vector<int>>(), (std::vector<int>{8, 4, 0}));
   b.root["materials"][0]["emissiveFactor"] = {-1, 0, 0};
   const Cooked dark(read(b));
   EXPECT_TRUE(dark.warns("emission-negative"));

@@ -99,7 +99,7 @@ TEST(GltfMorphs, FaultsAreMendedOrRefused) {
   const auto document = [](const std::function<Json(Builder&)>& target) {
     auto b = std::make_shared<Builder>();
     Json& primitive = b->primitive({{"POSITION", b->curve(3)}});
-    primitive["targets"] = {target(*b)};
+    primitive["targets"] = Json::array({target(*b)});
     return b;
   };
   const auto targets = [](const RawScene& scene) { return scene.meshes[0].primitives[0].targets; };

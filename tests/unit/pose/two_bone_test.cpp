@@ -210,8 +210,9 @@ Chain plain_arm(double scale = 1) {
 
 bool all_finite(const Chain& c) {
   for (const Affine& a : c.scene)
-    for (const float* x = a.rows[0]; x != a.rows[0] + 12; ++x)
-      if (!std::isfinite(*x)) return false;
+    for (const auto& row : a.rows)
+      for (const float x : row)
+        if (!std::isfinite(x)) return false;
   for (std::size_t i = 0; i < c.skeleton.joint_count; ++i) {
     const test::Quat q = joint_of(c.local.data(), i).rotation;
     if (!(std::fabs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) < 1e-5)) return false;

@@ -163,8 +163,8 @@ std::vector<FrameRate> processor_rates(const cook::LearnOptions& options) {
     deform::Positions positions;
     const deform::Deformer by_seams = deform::ssd(stitched);
     add("stitched", "double", frames_per_s([&] { by_seams(pose, positions); }), out);
-    for (const auto& [name, deformer] : offline(chain, options))
-      add(name, "double", frames_per_s([&] { deformer(pose, positions); }), out);
+    for (const auto& named : offline(chain, options))
+      add(named.first, "double", frames_per_s([&] { named.second(pose, positions); }), out);
   }
   return out;
 }

@@ -77,7 +77,8 @@ ThesisStudy judge(const Study& study, const cook::LearnOptions& options, const D
     if (at != comparison.rows.end()) shown.push_back(static_cast<std::size_t>(at - comparison.rows.begin()));
   }
   // Which pose is worst is said by the first one shown; it is SSD.
-  std::ranges::rotate(shown, std::ranges::find(shown, static_cast<std::size_t>(ssd - comparison.rows.begin())));
+  const auto first = std::ranges::find(shown, static_cast<std::size_t>(ssd - comparison.rows.begin()));
+  std::rotate(shown.begin(), first, shown.end());
   out.pictures = draw_worst_poses(study, comparison, cook::make_truth(study.source, options), shown, 2);
 #endif
   return out;

@@ -50,8 +50,7 @@ void add_wireframe(const Geometry& g, const PosedMesh& posed, Strokes& strokes) 
   for (std::size_t i = 0; i + 2 < g.index_count; i += 3)
     for (std::size_t k = 0; k < 3; ++k) edges.push_back(std::minmax({index(g, i + k), index(g, i + (k + 1) % 3)}));
   std::ranges::sort(edges);
-  const auto repeated = std::ranges::unique(edges);
-  edges.erase(repeated.begin(), repeated.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const auto& [a, b] : edges) strokes.line(at(posed.positions, a), at(posed.positions, b), kWire);
 }
 
