@@ -35,7 +35,6 @@ bool Checker::spring_chain(const format::SpringHeader& h, const format::SpringRe
     if (j->joint >= skeleton.joint_count) return fail(j, "a joint outside the skeleton");
     if (j != joints && !is_below(parents, j->joint, j[-1].joint))
       return fail(j, "each joint of a chain is below the one before it, by 255 generations at most");
-    if (j->reserved != 0) return fail(j, "reserved must be 0");
     if (!good_settings(*j)) return fail(j, "a setting out of its range");
   }
   return true;

@@ -168,7 +168,7 @@ SAME_MEMBER(mrw_joint_limit, JointLimit, rate, rate);
 static_assert(MRW_MAX_SPRING_COLLIDERS == kMaxSpringColliders);
 SAME(mrw_spring_joint, SpringJoint);
 SAME_MEMBER(mrw_spring_joint, SpringJoint, joint, joint);
-SAME_MEMBER(mrw_spring_joint, SpringJoint, reserved, reserved);
+SAME_MEMBER(mrw_spring_joint, SpringJoint, most_pull, most_pull);
 SAME_MEMBER(mrw_spring_joint, SpringJoint, frequency_hz, frequency_hz);
 SAME_MEMBER(mrw_spring_joint, SpringJoint, damping_ratio, damping_ratio);
 SAME_MEMBER(mrw_spring_joint, SpringJoint, gravity, gravity);

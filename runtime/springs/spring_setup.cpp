@@ -59,6 +59,7 @@ void set_bone(const SpringJoint& from, SpringGroup& to, std::size_t lane) {
   to.gravity[lane] = from.gravity;
   to.radius_m[lane] = from.radius_m;
   to.weight[lane] = from.weight;
+  to.most_pull[lane] = from.most_pull != 0 ? static_cast<float>(from.most_pull) : kAnyPull;
 }
 
 // Calls f(bone, its chain's number, its joint, its end or null) for every bone.

@@ -7,6 +7,8 @@ namespace marrow {
 
 inline constexpr std::uint16_t kNoBone = 0xFFFF;
 
+inline constexpr float kAnyPull = 1e18f;  // more than any spring's
+
 // Four bones in the order of their chains, one lane each. Everything is in the world, but for the settings.
 struct alignas(16) SpringGroup {
   // Motion.
@@ -21,6 +23,7 @@ struct alignas(16) SpringGroup {
   float gravity[4];
   float radius_m[4];
   float weight[4];
+  float most_pull[4];  // 1/s²; kAnyPull: without a limit
   // Places.
   std::uint16_t joint[4];  // kNoBone: the lane is empty
   std::uint16_t end[4];    // joint at the bone's end; kNoBone: the chain's tip

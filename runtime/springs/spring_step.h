@@ -43,7 +43,7 @@ inline SpringStrengths spring_strengths(f32x4 damping, f32x4 field, float step_s
 // What pulls four bones in this frame, linear in time from its beginning (u = 0) to its end (1).
 struct SpringPull {
   Vector<f32x4> animated, animated_change;  // the animated direction, up to its length
-  f32x4 stiffness;
+  f32x4 stiffness, most_pull;
   Vector<f32x4> dragged;              // 2 ζ ω dt'/dt
   Vector<f32x4> field, field_change;  // gravity, inertia, wind
 };
@@ -54,11 +54,18 @@ inline Vector<f32x4> animated_at(const SpringPull& pull, f32x4 u) {
   return normalised(a);
 }
 
-// The whole field, the bones above being bent as they are.
+// The same way, no harder across the direction than `most`. Without a limit the bits stay.
+inline Vector<f32x4> no_harder(const Vector<f32x4>& spring, const Vector<f32x4>& direction, f32x4 most) {
+  const Vector<f32x4> across = spring - direction * dot(spring, direction);
+  const f32x4 squared = dot(across, across), one = splat(1.0f);
+  return spring * select(most * most < squared, most / sqrt(squared), one);
+}
+
+// The whole field on bones that point in `direction`, the bones above being bent as they are.
 inline Vector<f32x4> field_at(const SpringPull& pull, const Vector<f32x4>& animated, f32x4 u,
-                              const Quaternion<f32x4>& bent) {
-  const Vector<f32x4> spring = animated * pull.stiffness + pull.dragged;
-  return rotate_by_any(bent, two_over_squared(bent), spring) + pull.field + pull.field_change * u;
+                              const Quaternion<f32x4>& bent, const Vector<f32x4>& direction) {
+  const Vector<f32x4> spring = rotate_by_any(bent, two_over_squared(bent), animated * pull.stiffness + pull.dragged);
+  return no_harder(spring, direction, pull.most_pull) + pull.field + pull.field_change * u;
 }
 
 struct SpringMotion {

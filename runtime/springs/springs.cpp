@@ -244,6 +244,7 @@ SpringPull pull_of(const SpringCall& call, const SpringGroup& group, const FourB
   pull.animated = was;
   pull.animated_change = bones.animated - was;
   pull.stiffness = load_aligned(group.stiffness);
+  pull.most_pull = load_aligned(group.most_pull);
   const f32x4 rate = load_aligned(group.damping) * splat(1.0f / call.frame_s);
   pull.dragged = no_longer(pull.animated_change * rate, kMostField);
   pull.field = field(of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.air[0]; }),
@@ -292,7 +293,7 @@ void step_four(const SpringCall& call, const FourBones& bones, SpringGroup& grou
   const SpringPull pull = pull_of(call, group, bones);
   SpringMotion m = {load_vectors(group.direction), load_vectors(group.velocity)};
   Quaternion<f32x4> bent = load_rotations(group.bent);
-  const Vector<f32x4> field = field_at(pull, animated_at(pull, splat(0.0f)), splat(0.0f), bent);
+  const Vector<f32x4> field = field_at(pull, animated_at(pull, splat(0.0f)), splat(0.0f), bent, m.direction);
   const SpringStrengths s =
       spring_strengths(load_aligned(group.damping) + load_aligned(group.drag), sqrt(dot(field, field)), call.step_s);
   SpringForce force = force_on(field, m.direction);
@@ -311,7 +312,7 @@ void step_four(const SpringCall& call, const FourBones& bones, SpringGroup& grou
     NearestRotation nearest;
     nearest_rotation(animated, m.direction, nearest);
     bent = bend(nearest, bones.begins, descents[step].bent);
-    const SpringForce next = force_on(field_at(pull, animated, u, bent), m.direction);
+    const SpringForce next = force_on(field_at(pull, animated, u, bent, m.direction), m.direction);
     m.velocity = (m.velocity + next.across * s.last_kick) * s.decay;
     f32x4 work = twice_work(force, next, way);
     if (may_touch) work = select(zero < dot(outwards, outwards), twice_work(force, next, from, m.direction), work);

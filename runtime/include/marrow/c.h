@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xfbe80d61u
+#define MRW_ABI 0x28e7d9b6u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -426,7 +426,7 @@ void mrw_joint_limit_init(mrw_joint_limit* out);
 typedef struct mrw_spring_joint mrw_spring_joint;
 struct mrw_spring_joint {
   uint16_t joint;
-  uint16_t reserved;
+  uint16_t most_pull;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
   float frequency_hz;  // 0 … 15: of small swings about the animated direction, without damping and gravity
   float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
   float gravity;  // -10 … 10, times SpringFrame::gravity
@@ -1891,7 +1891,7 @@ struct mrw_spring_frame {
 };
 void mrw_spring_frame_init(mrw_spring_frame* out);
 
-// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+// What make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
 size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count);
 
 // Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
@@ -1918,7 +1918,8 @@ void mrw_reset_springs(mrw_springs* springs);
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
 // of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
 // with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
-// the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+// the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
+// harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in proportion to the sine of
 // the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
 // not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
 // upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is

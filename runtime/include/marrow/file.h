@@ -71,13 +71,13 @@ MARROW_API bool is_valid(const JointLimit& limit);
 // A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
 struct SpringJoint {
   std::uint16_t joint = 0;
-  std::uint16_t reserved = 0;
-  float frequency_hz = 2.0f;   // 0 … 15: of small swings about the animated direction, without damping and gravity
-  float damping_ratio = 0.5f;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-  float gravity = 1.0f;        // -10 … 10, times SpringFrame::gravity
-  float drag = 0.0f;           // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-  float radius_m = 0.0f;       // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-  float weight = 1.0f;         // 0 … 1, of what is shown; the motion itself goes on
+  std::uint16_t most_pull = 0;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
+  float frequency_hz = 2.0f;    // 0 … 15: of small swings about the animated direction, without damping and gravity
+  float damping_ratio = 0.5f;   // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+  float gravity = 1.0f;         // -10 … 10, times SpringFrame::gravity
+  float drag = 0.0f;            // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
+  float radius_m = 0.0f;        // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
+  float weight = 1.0f;          // 0 … 1, of what is shown; the motion itself goes on
 };
 static_assert(sizeof(SpringJoint) == 28);
 

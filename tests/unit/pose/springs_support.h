@@ -111,6 +111,7 @@ class Rod {
 // A pendulum as springs.h states it: of a bone whose animated direction and whose joint move as they please.
 struct Pendulum {
   double frequency_hz = 2, damping_ratio = 0.5, drag = 0, length_m = 0.25;
+  double most_pull = 0;  // 1/s²; 0: without a limit
   std::function<Vec3(double)> animated = [](double) { return Vec3{1, 0, 0}; };
   std::function<Vec3(double)> joint = [](double) { return Vec3{0, 0, 0}; };
   Vec3 gravity{0, 0, 0}, wind{0, 0, 0};
@@ -124,15 +125,17 @@ struct Pendulum {
     const double e = 1e-4;
     return times(plus(minus(f(t + e), times(f(t), 2)), f(t - e)), 1 / (e * e));
   }
-  Vec3 pull(double t) const {
+  Vec3 pull(double t, const Vec3& at) const {
     const double omega = 2 * M_PI * frequency_hz;
     Vec3 f = plus(times(animated(t), omega * omega), derivative(animated, t), 2 * damping_ratio * omega);
+    const double across = length(minus(f, times(at, dot(f, at))));
+    if (most_pull > 0 && across > most_pull) f = times(f, most_pull / across);
     const Vec3 air = minus(wind, derivative(joint, t));
     return plus(f, plus(minus(gravity, second(joint, t)), air, drag), 1 / length_m);
   }
   Vec3 acceleration(double t, const Vec3& at, const Vec3& v) const {
     const double omega = 2 * M_PI * frequency_hz;
-    const Vec3 f = pull(t);
+    const Vec3 f = pull(t, at);
     const Vec3 across = minus(f, times(at, dot(f, at)));
     return plus(plus(across, v, -(2 * damping_ratio * omega + drag)), at, -dot(v, v));
   }

@@ -250,6 +250,58 @@ TEST(Springs, HangsWhereTheForcesBalance) {
   }
 }
 
+// A bone held out level against 98.1 / s² of gravity. Where the spring yields, the sine of the angle to the plumb line
+// is its limit over that.
+TEST(Springs, YieldsToWhatIsMoreThanItMayPull) {
+  const double length = 0.1, field = 9.81 / length, omega = kTurn * 1.5;
+  for (const int most : {20, 50, 80}) {
+    SpringJoint settings = spring(1.5, 0.7, 1);
+    settings.most_pull = static_cast<std::uint16_t>(most);
+    Rod rod(1, settings, length);
+    for (int i = 0; i < 60 * 30; ++i) {
+      rod.pose();
+      ASSERT_EQ(rod.step(1.0f / 60), Status::ok);
+    }
+    // At 80 it does not yield: the balance is at 88.8 to 98.1, where it pulls by 65.8.
+    const double sine = most == 80 ? omega * omega / std::hypot(omega * omega, field) : most / field;
+    EXPECT_LT(distance(rod.direction(0), {sine, -std::sqrt(1 - sine * sine), 0}), 2e-4) << most;
+  }
+}
+
+// A ride that asks the spring for up to three times what it may.
+TEST(Springs, RidesAlongWithALimitLikeThePendulum) {
+  for (const int most : {10, 30}) {
+    for (const int hz : {30, 60, 240}) {
+      const Ride ride{1.5, 0.5};
+      Rod rod = ride.rod();
+      rod.settings()[0].most_pull = static_cast<std::uint16_t>(most);
+      ASSERT_EQ(set_springs(rod.skeleton, {&rod.chain(), 1}, rod.springs), Status::ok);
+      Pendulum limited = ride.pendulum(), free = limited;
+      limited.most_pull = most;
+      const double dt = 1.0 / hz;
+      double t = 0, worst = 0, swing = 0, apart = 0;
+      const auto step = [&] {
+        ride.pose(rod, t += dt);
+        ASSERT_EQ(rod.step(static_cast<float>(dt)), Status::ok);
+      };
+      while (t < 0.25) step();
+      limited.d = free.d = rod.direction(0);
+      limited.u = free.u = velocity(rod, 0);
+      while (t < 3) {
+        const double before = t;
+        step();
+        limited.advance(before, dt);
+        free.advance(before, dt);
+        worst = std::max(worst, distance(rod.direction(0), limited.d));
+        swing = std::max(swing, distance(limited.d, limited.animated(t)));
+        apart = std::max(apart, distance(limited.d, free.d));
+      }
+      EXPECT_LT(worst, 0.02 * swing) << most << " at " << hz << " Hz";
+      EXPECT_GT(apart, 0.2) << "the limit matters";
+    }
+  }
+}
+
 TEST(Springs, WindBendsAndStillAirBrakes) {
   SpringJoint s = spring(1, 1);
   s.drag = 4;

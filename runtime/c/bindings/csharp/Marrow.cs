@@ -408,7 +408,10 @@ public unsafe struct JointLimit {
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SpringJoint {
     public ushort joint;
-    public ushort reserved;
+    /// <summary>
+    /// 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
+    /// </summary>
+    public ushort most_pull;
     /// <summary>
     /// 0 … 15: of small swings about the animated direction, without damping and gravity
     /// </summary>
@@ -3502,9 +3505,9 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xfbe80d61;
+    public const uint AbiNumber = 0x28e7d9b6;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0xc46ce8bc;
+    public const uint Gles3AbiNumber = 0xd42fe40d;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -4646,7 +4649,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_spring_frame_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void SpringFrameInit(SpringFrame* @out);
     /// <summary>
-    /// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+    /// What make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_springs_bytes", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr SpringsBytes(Skeleton* skeleton, SpringChain* chains, UIntPtr chain_count);
@@ -4679,7 +4682,8 @@ public static unsafe class Marrow {
     ///   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
     /// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
     /// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
-    /// the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+    /// the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
+    /// harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in proportion to the sine of
     /// the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
     /// not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
     /// upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is

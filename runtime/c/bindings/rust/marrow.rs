@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xfbe80d61;
+pub const ABI: u32 = 0x28e7d9b6;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0xc46ce8bc;
+pub const GLES3_ABI: u32 = 0xd42fe40d;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -484,7 +484,8 @@ pub const MAX_SPRING_COLLIDERS: usize = 64;
 #[derive(Clone, Copy)]
 pub struct SpringJoint {
     pub joint: u16,
-    pub reserved: u16,
+    /// 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
+    pub most_pull: u16,
     /// 0 … 15: of small swings about the animated direction, without damping and gravity
     pub frequency_hz: f32,
     /// 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
@@ -4285,7 +4286,7 @@ extern "C" {
     pub fn springs_init(out: *mut Springs);
     #[link_name = "mrw_spring_frame_init"]
     pub fn spring_frame_init(out: *mut SpringFrame);
-    /// What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+    /// What make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
     #[link_name = "mrw_springs_bytes"]
     pub fn springs_bytes(skeleton: *const Skeleton, chains: *const SpringChain, chain_count: usize) -> usize;
     /// Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
@@ -4310,7 +4311,8 @@ extern "C" {
     ///   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
     /// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
     /// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
-    /// the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+    /// the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
+    /// harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in proportion to the sine of
     /// the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
     /// not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
     /// upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is

@@ -757,7 +757,10 @@ export interface JointLimit extends View {
  */
 export interface SpringJoint extends View {
   joint: number;
-  reserved: number;
+  /**
+   * 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
+   */
+  most_pull: number;
   /**
    * 0 … 15: of small swings about the animated direction, without damping and gravity
    */
@@ -3842,7 +3845,7 @@ export class Marrow {
    */
   place_feet(skeleton: Skeleton | null, feet: Feet | null, frame: FeetFrame | null, ground: List<FootGround> | null, motion: List<FootMotion> | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null): Status;
   /**
-   * What make_springs needs: 336 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+   * What make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
    */
   springs_bytes(skeleton: Skeleton | null, chains: List<SpringChain> | null): number;
   /**
@@ -3871,7 +3874,8 @@ export class Marrow {
    *   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
    * of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
    * with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
-   * the chain's first joint, from a parabola through its last three places. The pull ω² t is in proportion to the sine of
+   * the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
+   * harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in proportion to the sine of
    * the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
    * not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
    * upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is

@@ -1,8 +1,8 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0xfbe80d61;
-export const GLES3_ABI = 0xc46ce8bc;
+export const ABI = 0x28e7d9b6;
+export const GLES3_ABI = 0xd42fe40d;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -106,7 +106,7 @@ export const structs = {
   AngleRange: { size: 8, align: 4, init: "", fields: {"middle": [0, "value", "f32"], "half_width": [4, "value", "f32"]} },
   RateLimit: { size: 8, align: 4, init: "rate_limit_init", fields: {"speed": [0, "value", "f32"], "acceleration": [4, "value", "f32"]} },
   JointLimit: { size: 68, align: 4, init: "joint_limit_init", fields: {"joint": [0, "value", "u16"], "kind": [2, "value", "u8"], "order": [3, "value", "u8"], "limit_from_parent": [4, "array", "f32", 4], "joint_from_limit": [20, "array", "f32", 4], "angles": [36, "structs", "AngleRange", 3], "rate": [60, "struct", "RateLimit"]} },
-  SpringJoint: { size: 28, align: 4, init: "spring_joint_init", fields: {"joint": [0, "value", "u16"], "reserved": [2, "value", "u16"], "frequency_hz": [4, "value", "f32"], "damping_ratio": [8, "value", "f32"], "gravity": [12, "value", "f32"], "drag": [16, "value", "f32"], "radius_m": [20, "value", "f32"], "weight": [24, "value", "f32"]} },
+  SpringJoint: { size: 28, align: 4, init: "spring_joint_init", fields: {"joint": [0, "value", "u16"], "most_pull": [2, "value", "u16"], "frequency_hz": [4, "value", "f32"], "damping_ratio": [8, "value", "f32"], "gravity": [12, "value", "f32"], "drag": [16, "value", "f32"], "radius_m": [20, "value", "f32"], "weight": [24, "value", "f32"]} },
   SpringChain: { size: 32, align: 8, init: "spring_chain_init", fields: {"joints": [0, "list", "SpringJoint"], "tip": [8, "array", "f32", 3], "colliders": [24, "value", "u64"]} },
   SpringCollider: { size: 32, align: 4, init: "spring_collider_init", fields: {"joint": [0, "value", "u16"], "reserved": [2, "value", "u16"], "from": [4, "array", "f32", 3], "to": [16, "array", "f32", 3], "radius_m": [28, "value", "f32"]} },
   SpringColliderList: { size: 8, align: 4, init: "", fields: {"data": [0, "pointer", "SpringCollider"], "size": [4, "value", "u32"]} },
