@@ -34,6 +34,34 @@ void set_paint(CookOptions& options, const Value& given) {
   options.weights.paint.push_back({given.text.substr(0, divide), given.text.substr(divide + 1), given.origin});
 }
 
+// "CHANNEL=FROM,TO", and behind a comma a count of splines or a radius.
+void set_weights_over_time(CookOptions& options, const Value& given) {
+  const auto fail = [&](const std::string& why) {
+    refuse(given, "\"" + given.text + "\" " + why,
+           "give CHANNEL=FROM,TO or CHANNEL=FROM,TO,BASIS, as in swell=arm,biceps,8cm");
+  };
+  const std::size_t divide = given.text.find('=');
+  if (divide == std::string::npos || divide == 0) fail("names no channel");
+  std::vector<std::string> parts;
+  for (std::size_t begin = divide + 1, end = 0; end != std::string::npos; begin = end + 1) {
+    end = given.text.find(',', begin);
+    parts.push_back(given.text.substr(begin, end == std::string::npos ? end : end - begin));
+  }
+  if (parts.size() < 2 || parts.size() > 3 || parts[0].empty() || parts[1].empty()) fail("does not name two joints");
+  WeightsOverTime rule{given.text.substr(0, divide), parts[0], parts[1], 1, 0, given.origin};
+  if (parts.size() == 3) {
+    Amount radius;
+    if (!parts[2].empty() && parts[2].find_first_not_of("0123456789") == std::string::npos) {
+      rule.splines = whole_number({parts[2], given.origin}, 1, kMostWeightSplines);
+    } else if (read_amount(parts[2], radius) && !radius.is_share) {
+      rule.radius_m = radius.value;
+    } else {
+      fail("has neither a count of splines nor a radius behind the joints");
+    }
+  }
+  options.weights_over_time.push_back(std::move(rule));
+}
+
 constexpr Option kWeightOptions[] = {
     {"auto-skeleton",
      OptionKind::text,
@@ -65,6 +93,14 @@ constexpr Option kWeightOptions[] = {
      "repeatable",
      {},
      set_paint},
+    {"weights-over-time",
+     OptionKind::list,
+     "CHANNEL=FROM,TO[,BASIS]",
+     "the weights of the joint FROM go over to the joint TO as CHANNEL, a number that clips move, goes from 0 to 1; "
+     "BASIS: a count of splines over the distance from FROM, each with a number of its own, or a radius round TO, as "
+     "8cm; repeatable",
+     {},
+     set_weights_over_time},
 };
 
 }  // namespace

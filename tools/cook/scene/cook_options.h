@@ -51,6 +51,16 @@ struct PaintRule {
   RuleOrigin origin = {"--paint", ""};
 };
 
+// Weights of a joint that go over to another by a number that clips move.
+struct WeightsOverTime {
+  std::string channel;   // the number: 0 … 1
+  std::string from, to;  // names of joints
+  int splines = 1;       // linear B-splines over the distance from the joint `from`; each has a number of its own
+  double radius_m = 0;   // above 0: of a bump about the joint `to`, in place of splines
+  RuleOrigin origin = {"--weights-over-time", ""};
+};
+inline constexpr int kMostWeightSplines = 16;
+
 // Weights for meshes that come without, and changes to weights.
 struct WeightOptions {
   std::optional<deform::WeightMethod> make;
@@ -124,6 +134,7 @@ struct CookOptions {
   Images images = Images::reference;
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
   WeightOptions weights;
+  std::vector<WeightsOverTime> weights_over_time;
   std::string auto_skeleton;       // a template's name, see read_template(); empty: the file's own skeletons
   deform::Progress clip_progress;  // of clips that are compressed
 };
