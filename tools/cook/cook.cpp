@@ -9,6 +9,7 @@
 #include "common/failure.h"
 #include "common/hash.h"
 #include "cook/clip/build_clips.h"
+#include "cook/learn/eigen_targets.h"
 #include "cook/mesh/build_materials.h"
 #include "cook/mesh/build_meshes.h"
 #include "cook/mesh/derive_binds.h"
@@ -123,6 +124,7 @@ BuiltScene build_scene(RawScene scene, const CookOptions& options, Notes& notes)
   // What has no meshes and is for a character, as motion capture, can be nothing else.
   if (options.clips_only || (options.onto && scene.meshes.empty())) return build_pack(std::move(scene), options, notes);
   scene = prepare_scene(std::move(scene), options, notes);
+  if (options.learn.eigen_targets > 0) scene = add_eigen_targets(std::move(scene), options.learn, notes);
   if (!options.onto) return build_whole(scene, build_skeletons(scene), options, notes);
   Matched matched = match_outfit(*options.onto, std::move(scene), notes);
   return build_whole(matched.scene, std::move(matched.built), options, notes);

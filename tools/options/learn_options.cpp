@@ -104,6 +104,14 @@ constexpr Option kLearnOptions[] = {
      "up to 32; 8 is a good start; 0: none",
      {},
      set_pose_space},
+    {"eigenskin",
+     OptionKind::text,
+     "FIELDS",
+     "what linear blend skinning misses of --truth, as so many morph targets, up to 32, whose weights each clip "
+     "drives: "
+     "better in the clips, the same elsewhere; 8 is a good start; 0: none",
+     {},
+     [](CookOptions& o, const Value& v) { o.learn.eigen_targets = whole_number(v, 0, kMostEigenTargets); }},
 };
 
 }  // namespace

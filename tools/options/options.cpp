@@ -21,7 +21,13 @@ void refuse_idle(const CookOptions& options, const Given& given) {
   const bool fits = learn.animation_space == AnimationSpace::fit,
              beside = learn.multi_weights || learn.pose_examples > 0;
   const bool lifts = learn.animation_space == AnimationSpace::lift && learn.helpers != 0;
-  refuse_unless(fits || beside || lifts, "truth", "a fit", "give --as fit, --helpers, --mwe or --psd too");
+  const bool eigen = learn.eigen_targets > 0;
+  refuse_unless(fits || beside || lifts || eigen, "truth", "a fit",
+                "give --as fit, --helpers, --mwe, --psd or --eigenskin too");
+  refuse_unless(!eigen || !(fits || beside || learn.animation_space == AnimationSpace::smooth || learn.helpers != 0),
+                "eigenskin", "plain weights", "leave out --as, --helpers, --mwe and --psd: they mend the same twice");
+  refuse_unless(!eigen || learn.truth != Truth::examples, "eigenskin", "a truth in every pose",
+                "give --truth cor, dqs or delta-mush");
   refuse_unless(learn.truth == Truth::examples, "examples", "their truth", "give --truth examples too");
   refuse_unless(learn.truth != Truth::examples || !learn.examples_file.empty(), "truth", "its examples",
                 "give --examples FILE too");
@@ -29,8 +35,9 @@ void refuse_idle(const CookOptions& options, const Given& given) {
                 "give --as fit or --as smooth too");
   refuse_unless(fits, "keep-bind-pose", "a fit", "give --as fit too");
   refuse_unless(fits || lifts, "helpers", "what may follow them", "leave out --as smooth, or give --as fit");
-  refuse_unless(learn.animation_space != AnimationSpace::lift || (beside && learn.truth == Truth::delta_mush),
-                "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
+  refuse_unless(
+      learn.animation_space != AnimationSpace::lift || ((beside || eigen) && learn.truth == Truth::delta_mush),
+      "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
   refuse_unless((fits || beside) && learn.truth != Truth::examples, "wide-poses", "a fit to a deformer",
                 "give --as fit, --mwe or --psd too, and a truth that is not examples");
   const bool has_truth = fits || given.contains("truth");

@@ -72,6 +72,7 @@ struct WeightOptions {
   bool any() const { return make.has_value() || smooth_steps > 0 || !paint.empty(); }
 };
 
+inline constexpr int kMostEigenTargets = 32;
 enum class AnimationSpace { lift, smooth, fit };
 enum class Truth { dual_quaternions, centres_of_rotation, delta_mush, examples };
 
@@ -90,6 +91,7 @@ struct LearnOptions {
   bool wide_poses = false;  // learn from poses far beyond the clips' too
   bool multi_weights = false;
   int pose_examples = 0;      // of pose space, at most; 0: none
+  int eigen_targets = 0;      // morph targets by EigenSkin, at most; 0: none
   deform::Progress progress;  // of each fit
 };
 

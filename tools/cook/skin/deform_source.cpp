@@ -37,18 +37,17 @@ std::vector<int> nearest_above(const std::vector<std::uint16_t>& joints, const s
 
 }  // namespace
 
-DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding,
-                           const BuiltScene& built) {
-  DeformSource out;
+WeldedMesh welded(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding) {
+  WeldedMesh out;
   out.mesh.joint_count = static_cast<std::uint32_t>(skin.joints.size());
-  std::map<Key, std::uint32_t> welded;
+  std::map<Key, std::uint32_t> known;
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
     const RawPrimitive& primitive = mesh.primitives[p];
     std::vector<std::uint32_t>& vertex_of = out.vertex_of.emplace_back();
     for (std::size_t v = 0; v < binding.primitives[p].size(); ++v) {
       const BoundVertex& influences = binding.primitives[p][v];
-      const auto [at, is_new] = welded.try_emplace(key_of(primitive.positions[v], influences),
-                                                   static_cast<std::uint32_t>(out.mesh.positions.size()));
+      const auto [at, is_new] = known.try_emplace(key_of(primitive.positions[v], influences),
+                                                  static_cast<std::uint32_t>(out.mesh.positions.size()));
       if (is_new) {
         out.mesh.positions.emplace_back(primitive.positions[v]);
         std::vector<deform::Influence>& to = out.mesh.influences.emplace_back();
@@ -59,6 +58,13 @@ DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinB
     if (vertex_of.empty()) continue;  // not skinned
     for (const std::uint32_t i : primitive.indices) out.mesh.indices.push_back(vertex_of[i]);
   }
+  return out;
+}
+
+DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding,
+                           const BuiltScene& built) {
+  DeformSource out;
+  static_cast<WeldedMesh&>(out) = welded(mesh, skin, binding);
   out.inverse_bind = skin.inverse_bind;
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     out.joints.push_back(static_cast<std::uint16_t>(built.joint_of_node[static_cast<std::size_t>(skin.joints[j])]));

@@ -20,9 +20,14 @@ struct ShownPose {
   double share = 0;  // of the clip's duration
 };
 
-struct DeformSource {
+struct WeldedMesh {
   deform::SkinnedMesh mesh;                           // joints are the skin's; vertices that move alike are one
   std::vector<std::vector<std::uint32_t>> vertex_of;  // for each primitive and its vertices which of the mesh's
+};
+
+WeldedMesh welded(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding);
+
+struct DeformSource : WeldedMesh {
   // Of the skin's joints: the nearest one above (kNone: none), where it is in the bind pose, and which of the skeleton
   // it is.
   std::vector<int> parents;

@@ -12,6 +12,7 @@
 #include "deform/deformers.h"
 #include "deform/dense.h"
 #include "deform/fit/correction.h"
+#include "deform/fit/principal_fields.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
@@ -89,30 +90,16 @@ std::vector<std::uint32_t> support_of(const Examples& examples, std::size_t vert
   return out;
 }
 
-// Principal components without a mean, as there is no displacement in the bind pose. Returns what each example is of
-// the fields: a row an example.
+// The fields. Returns what each example is of them: a row an example.
 MatrixXd components(const Examples& examples, std::size_t most, EigenJoint& out) {
-  constexpr double kLeastPart = 1e-14;  // of the first one's squares: rounding
-  const std::size_t count = examples.turns.size();
-  MatrixXd gram = MatrixXd::Zero(index(count), index(count));
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b)
-      for (const std::uint32_t v : out.support)
-        gram(index(a), index(b)) += glm::dot(examples.missing[a][v], examples.missing[b][v]);
-  const Eigenvectors parts = eigenvectors_of_symmetric(gram);
-  MatrixXd coordinates(index(count), 0);
-  for (std::size_t n = 0; n < std::min(most, count); ++n) {
-    const Eigen::Index column = index(count - 1 - n);
-    const double squares = parts.values[column];
-    if (!(squares > kLeastPart * parts.values[index(count - 1)])) break;
-    const double length = std::sqrt(squares);
-    Positions& field = out.fields.emplace_back(out.support.size(), glm::dvec3(0));
-    for (std::size_t a = 0; a < count; ++a)
-      for (std::size_t i = 0; i < field.size(); ++i)
-        field[i] += examples.missing[a][out.support[i]] * (parts.vectors(index(a), column) / length);
-    coordinates.conservativeResize(Eigen::NoChange, index(n + 1));
-    coordinates.col(index(n)) = parts.vectors.col(column) * length;
-  }
+  std::vector<Positions> missing(examples.turns.size());
+  for (std::size_t a = 0; a < missing.size(); ++a)
+    for (const std::uint32_t v : out.support) missing[a].push_back(examples.missing[a][v]);
+  PrincipalFields found = principal_fields(missing, most);
+  out.fields = std::move(found.fields);
+  MatrixXd coordinates(index(missing.size()), index(out.fields.size()));
+  for (std::size_t a = 0; a < missing.size(); ++a)
+    for (std::size_t n = 0; n < out.fields.size(); ++n) coordinates(index(a), index(n)) = found.coordinates[a][n];
   return coordinates;
 }
 

@@ -1,0 +1,23 @@
+// Principal components of displacements.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "deform/mesh.h"
+
+namespace marrow::deform {
+
+struct PrincipalFields {
+  std::vector<Positions> fields;                 // orthogonal, of length 1 over all vertices; the first ones say most
+  std::vector<std::vector<double>> coordinates;  // an example: how much of each field
+};
+
+// Without a mean: no displacement is an example, too. examples: as many vertices in each. At most `most` fields, fewer
+// where the rest is rounding. On all cores; O(examples² · vertices).
+PrincipalFields principal_fields(const std::vector<Positions>& examples, std::size_t most);
+
+// Σ_v a_v · b_v.
+double dot(const Positions& a, const Positions& b);
+
+}  // namespace marrow::deform
