@@ -187,7 +187,8 @@ const std::vector<Room> kRooms = {
     {"cook/mesh", {"cook/learn", "cook/skin", "cook/geometry", "cook/scene"}},
     {"cook/write", {"cook/geometry", "cook/clip/compress", "cook/scene"}},
     {"cook",
-     {"cook/write", "cook/mesh", "cook/prepare", "cook/clip", "cook/skeleton", "cook/bvh", "cook/gltf", "cook/scene"}}};
+     {"cook/write", "cook/mesh", "cook/learn", "cook/prepare", "cook/clip", "cook/skeleton", "cook/bvh", "cook/gltf",
+      "cook/scene"}}};
 
 TEST(Includes, RoomsOfTheCookerPointOneWay) {
   std::set<std::string> above;
