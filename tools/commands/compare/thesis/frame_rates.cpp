@@ -4,11 +4,11 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <numbers>
 
 #include "bench/vertices.h"
+#include "commands/compare/thesis/tube.h"
 #include "common/check_status.h"
-#include "common/elementary.h"
+#include "cook/cook.h"
 #include "cook/learn/learn.h"
 #include "deform/before_ssd.h"
 #include "deform/deformers.h"
@@ -53,62 +53,6 @@ double kernel_rate(const ThesisSize& size, const std::string& algorithm) {
   });
 }
 
-// A tube along x of rings of twenty, on a chain of joints at even distances.
-struct Chain {
-  cook::DeformSource source;
-
-  explicit Chain(const ThesisSize& size) {
-    constexpr std::uint32_t kRound = 20;
-    deform::SkinnedMesh& mesh = source.mesh;
-    const std::uint32_t along = size.vertices / kRound;
-    mesh.joint_count = size.joints;
-    for (std::uint32_t j = 0; j < size.joints; ++j) {
-      source.parents.push_back(static_cast<int>(j) - 1);
-      source.centres.emplace_back(j, 0, 0);
-    }
-    for (std::uint32_t i = 0; i < along; ++i)
-      for (std::uint32_t k = 0; k < kRound; ++k) {
-        const double x = static_cast<double>(i) / along * size.joints, angle = 2 * std::numbers::pi * k / kRound;
-        mesh.positions.emplace_back(x, 0.3 * cosine(angle), 0.3 * sine(angle));
-        mesh.influences.push_back(influences_at(x));
-      }
-    const auto at = [](std::uint32_t i, std::uint32_t k) { return i * kRound + k % kRound; };
-    for (std::uint32_t i = 0; i + 1 < along; ++i)
-      for (std::uint32_t k = 0; k < kRound; ++k)
-        mesh.indices.insert(mesh.indices.end(),
-                            {at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i, k), at(i + 1, k + 1), at(i + 1, k)});
-  }
-
-  // As far as there are four joints, those within 1.5 of it.
-  std::vector<deform::Influence> influences_at(double x) const {
-    std::vector<deform::Influence> out;
-    double sum = 0;
-    for (std::uint32_t j = 0; j < source.mesh.joint_count; ++j) {
-      const double near = std::max(0.0, 1.5 - std::abs(x - 0.5 - j));
-      if (near <= 0) continue;
-      out.push_back({j, near * near});
-      sum += near * near;
-    }
-    for (deform::Influence& i : out) i.weight /= sum;
-    return out;
-  }
-
-  // All joints bend and twist alike.
-  deform::Pose pose(double bend_rad, double twist_rad) const {
-    deform::Pose out;
-    for (std::uint32_t j = 0; j < source.mesh.joint_count; ++j) {
-      const glm::dquat turn = angle_axis(bend_rad, {0, 0, 1}) * angle_axis(twist_rad, {1, 0, 0});
-      const glm::dmat3 linear = glm::mat3_cast(turn);
-      const deform::Matrix about(linear[0], linear[1], linear[2], source.centres[j] - linear * source.centres[j]);
-      out.push_back(j == 0 ? about : deform::Matrix(glm::dmat4(out.back()) * glm::dmat4(about)));
-    }
-    return out;
-  }
-  static glm::dquat angle_axis(double angle_rad, const glm::dvec3& axis) {
-    return {cosine(angle_rad / 2), axis * sine(angle_rad / 2)};
-  }
-};
-
 // A deformer with what it refers to.
 template <class Kept>
 deform::Deformer kept(std::shared_ptr<const Kept> what, deform::Deformer deformer) {
@@ -118,13 +62,13 @@ deform::Deformer kept(std::shared_ptr<const Kept> what, deform::Deformer deforme
 }
 
 // Name and deformer of all that there is offline. Learnt ones are from eight poses; what they cost a frame is the same
-// after any. `chain` outlives them.
-std::vector<std::pair<std::string, deform::Deformer>> offline(const Chain& chain, cook::LearnOptions options) {
+// after any. `tube` outlives them.
+std::vector<std::pair<std::string, deform::Deformer>> offline(const Tube& tube, cook::LearnOptions options) {
   constexpr int kPoses = 8;
   std::vector<deform::TrainingPose> poses;
   for (int i = 0; i < kPoses; ++i)
-    poses.push_back({chain.pose(0.1 * i, 0.15 * (i % 3)), static_cast<std::uint32_t>(i), true});
-  const cook::DeformSource& source = chain.source;
+    poses.push_back({tube.pose(0.1 * i, 0.15 * (i % 3)), static_cast<std::uint32_t>(i), true});
+  const cook::DeformSource& source = tube.source;
   const deform::SkinnedMesh& mesh = source.mesh;
   std::vector<std::pair<std::string, deform::Deformer>> out = {
       {"joint_local", deform::joint_operators(mesh, source.parents, source.centres)}, {"ssd", deform::ssd(mesh)}};
@@ -144,10 +88,76 @@ std::vector<std::pair<std::string, deform::Deformer>> offline(const Chain& chain
   return out;
 }
 
+// The runtime's kernels of what the cooker learns for a tube, in a pose that it has learnt from.
+class LearntKernels {
+ public:
+  LearntKernels(const Tube& tube, const cook::LearnOptions& learn) : bytes_(cooked(tube, learn)) {
+    check(load({bytes_.data(), bytes_.size()}, file_));
+    mesh_ = file_.mesh(0);
+    const Skeleton skeleton = file_.skeleton(0);
+    std::vector<SoaTransform> local(skeleton.soa_size());
+    std::vector<Affine> scene(skeleton.joint_count);
+    check(sample(skeleton, file_.clip(0), 1, local));
+    check(local_to_model(skeleton, local, scene));
+    palette_.resize(mesh_.palette_size());
+    check(build_palette(mesh_, scene, palette_));
+    positions_.resize(std::size_t{3} * mesh_.geometry.slot_count);
+    distances_.resize(psd_distance_count(mesh_.geometry));
+  }
+  double multi_weights() {
+    return frames_per_s([&] { check(skin_mwe(mesh_, palette_, {positions_})); });
+  }
+  double pose_space() {
+    return frames_per_s([&] {
+      check(psd_distances(mesh_.geometry, palette_, distances_));
+      check(skin_psd(mesh_, distances_, palette_, {positions_}));
+    });
+  }
+  // Morph targets as EigenSkin's fields, all of which move in each frame.
+  double eigen_targets() {
+    AlignedBytes memory(morphed_bytes(mesh_.geometry));
+    MorphedGeometry morphed;
+    check(make_morphed(mesh_.geometry, {memory.data(), memory.size()}, morphed));
+    Mesh moved = mesh_;
+    moved.geometry = morphed.geometry;
+    std::vector<float> weights(mesh_.targets.size, 0.5F);
+    return frames_per_s([&] {
+      check(morph(weights, morphed));
+      check(skin_ssd(moved, palette_, {positions_}));
+    });
+  }
+
+ private:
+  static AlignedBytes cooked(const Tube& tube, const cook::LearnOptions& learn) {
+    cook::CookOptions options;
+    options.learn = learn;
+    options.mesh_codec = cook::MeshCodec::none;
+    return AlignedBytes{std::span<const std::byte>(cook::cook_scene(tube.scene(), options).file)};
+  }
+
+  AlignedBytes bytes_;
+  File file_;
+  Mesh mesh_;
+  std::vector<Affine> palette_;
+  std::vector<float> positions_, distances_;
+};
+
 void add(const std::string& algorithm, const char* path, double rate, std::vector<FrameRate>& to) {
   auto row = std::ranges::find_if(to, [&](const FrameRate& r) { return r.algorithm == algorithm && r.path == path; });
   if (row == to.end()) row = to.insert(to.end(), {algorithm, path, false, {}});
   row->frames_per_s.push_back(rate);
+}
+
+void add_learnt_kernels(const Tube& tube, std::vector<FrameRate>& to) {
+  cook::LearnOptions learn;
+  learn.multi_weights = true;
+  learn.pose_examples = 8;
+  LearntKernels beside(tube, learn);
+  add("mwe", "kernel", beside.multi_weights(), to);
+  add("psd", "kernel", beside.pose_space(), to);
+  cook::LearnOptions fields;
+  fields.eigen_targets = 8;
+  add("eigenskin", "kernel", LearntKernels(tube, fields).eigen_targets(), to);
 }
 
 }  // namespace
@@ -157,13 +167,14 @@ std::vector<FrameRate> processor_rates(const cook::LearnOptions& options) {
   for (const ThesisSize& size : kThesisSizes) {
     for (const char* const algorithm : {"rigid", "ssd", "as", "as_helpers"})
       add(algorithm, "kernel", kernel_rate(size, algorithm), out);
-    const Chain chain(size);
-    const deform::SkinnedMesh stitched = deform::stitched(chain.source.mesh);
-    const deform::Pose pose = chain.pose(0.3, 0.4);
+    const Tube tube(size);
+    add_learnt_kernels(tube, out);
+    const deform::SkinnedMesh stitched = deform::stitched(tube.source.mesh);
+    const deform::Pose pose = tube.pose(0.3, 0.4);
     deform::Positions positions;
     const deform::Deformer by_seams = deform::ssd(stitched);
     add("stitched", "double", frames_per_s([&] { by_seams(pose, positions); }), out);
-    for (const auto& named : offline(chain, options))
+    for (const auto& named : offline(tube, options))
       add(named.first, "double", frames_per_s([&] { named.second(pose, positions); }), out);
   }
   return out;
