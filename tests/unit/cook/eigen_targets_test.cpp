@@ -76,7 +76,7 @@ deform::SkinnedMesh mesh_of(const RawScene& scene) {
 deform::Pose pose_at(const RawScene& scene, float time_s) {
   deform::Pose out;
   for (std::size_t j = 0; j < 2; ++j)
-    out.emplace_back(NodeMotion(scene, scene.clips[0], scene.skins[0].joints[j]).at(time_s) *
+    out.emplace_back(NodeMotion(scene, scene.clips[0], {scene.skins[0].joints[j]}).at(time_s)[0] *
                      scene.skins[0].inverse_bind[j]);
   return out;
 }

@@ -80,7 +80,7 @@ double weight_of(const RawScene& scene, std::size_t vertex, std::uint32_t joint)
 // scene_from_mesh of a joint of the skin at a moment of the clip.
 glm::dmat4 matrix(const RawScene& scene, std::size_t joint, float time_s) {
   const RawSkin& skin = scene.skins[0];
-  return NodeMotion(scene, scene.clips[0], skin.joints[joint]).at(time_s) * skin.inverse_bind[joint];
+  return NodeMotion(scene, scene.clips[0], {skin.joints[joint]}).at(time_s)[0] * skin.inverse_bind[joint];
 }
 
 double apart(const glm::dmat4& a, const glm::dmat4& b) {
@@ -162,7 +162,7 @@ TEST(WeightsOverTime, WhereNothingDrivesThem) {
   still.clips[1].scalars.clear();
   const RawScene second = weights_over_time(still, {rule()}, notes);
   const RawSkin& skin = second.skins[0];
-  const glm::dmat4 made = NodeMotion(second, second.clips[1], skin.joints[3]).at(1.5F) * skin.inverse_bind[3];
+  const glm::dmat4 made = NodeMotion(second, second.clips[1], {skin.joints[3]}).at(1.5F)[0] * skin.inverse_bind[3];
   EXPECT_LT(apart(made, matrix(second, 2, 1.5F)), 1e-6);
 }
 

@@ -22,11 +22,7 @@ constexpr double kRate_hz = 30;
 constexpr std::size_t kMostMoments = 320;         // that the basis is learnt from
 constexpr std::size_t kFewestMoments = 16;        // of a large mesh
 constexpr std::size_t kMostMissing = 10'000'000;  // displacements that are kept meanwhile
-constexpr std::size_t kMostKeys = 1'000'000;      // of all clips of a mesh
-
-std::size_t to_index(int i) {
-  return static_cast<std::size_t>(i);
-}
+constexpr std::size_t kMostWork = 500'000'000;    // vertices and nodes, times moments
 
 struct Moment {
   std::size_t clip;
@@ -38,33 +34,30 @@ struct Subject {
   const RawSkin* skin;
   DeformSource source;  // its mesh alone
   deform::Deformer truth;
-  std::vector<std::vector<NodeMotion>> motion;  // a clip, a joint
-  std::vector<Moment> moments;                  // clip by clip
+  std::vector<NodeMotion> motion;  // a clip
+  std::vector<Moment> moments;     // clip by clip
 };
 
 deform::Pose pose_at(const Subject& subject, const Moment& moment) {
   deform::Pose out;
-  for (std::size_t j = 0; j < subject.skin->joints.size(); ++j)
-    out.emplace_back(subject.motion[moment.clip][j].at(moment.time_s) * subject.skin->inverse_bind[j]);
+  const std::vector<glm::dmat4> joints = subject.motion[moment.clip].at(moment.time_s);
+  for (std::size_t j = 0; j < joints.size(); ++j) out.emplace_back(joints[j] * subject.skin->inverse_bind[j]);
   return out;
 }
 
 // Of every clip that moves a joint, ends included.
 void find_moments(Subject& subject) {
+  const std::size_t vertices = subject.source.mesh.positions.size();
   for (std::size_t c = 0; c < subject.scene->clips.size(); ++c) {
-    std::vector<NodeMotion>& joints = subject.motion.emplace_back();
-    float last_s = 0;
-    for (const int node : subject.skin->joints) {
-      joints.emplace_back(*subject.scene, subject.scene->clips[c], node);
-      last_s = std::max(last_s, joints.back().range().second);
-    }
+    const NodeMotion& motion =
+        subject.motion.emplace_back(*subject.scene, subject.scene->clips[c], subject.skin->joints);
+    const double last_s = static_cast<double>(motion.range().second), frames = std::ceil(last_s * kRate_hz);
     if (!(last_s > 0) || subject.scene->clips[c].additive) continue;
-    const double frames = std::ceil(static_cast<double>(last_s) * kRate_hz);
-    if (!(frames + static_cast<double>(subject.moments.size()) < static_cast<double>(kMostKeys)))
+    const auto most = static_cast<double>(kMostWork / (vertices + motion.step_count()));
+    if (!(frames + static_cast<double>(subject.moments.size()) < most))
       throw tools::Failure(tools::Exit::unsupported, subject.scene->source, "/animations", "too-many-keys",
                            "the clips are too long for --eigenskin, which gives them 30 keys a second");
-    for (double k = 0; k <= frames; ++k)
-      subject.moments.push_back({c, static_cast<float>(static_cast<double>(last_s) * (k / frames))});
+    for (double k = 0; k <= frames; ++k) subject.moments.push_back({c, static_cast<float>(last_s * (k / frames))});
   }
 }
 

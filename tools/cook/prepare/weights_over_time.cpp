@@ -22,7 +22,8 @@ namespace marrow::cook {
 namespace {
 
 constexpr double kKeysPerSecond = 60;
-constexpr std::size_t kMostKeys = 1'000'000;  // of all clips and new joints of a rule
+constexpr std::size_t kMostNewKeys = 1'000'000;  // of all clips and new joints of a rule
+constexpr std::size_t kMostKeys = 10'000'000;    // of a clip, times the nodes above its joints
 
 [[noreturn]] void refuse(const WeightsOverTime& rule, const std::string& why, const std::string& advice) {
   throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where, tools::printable(why), advice);
@@ -227,23 +228,22 @@ struct Keys {
 // The keys of a new joint in a clip; none if it stays with `from`.
 Keys keys_of(const RawScene& scene, const RawClip& clip, const Work& work, const RawScalar* scalar, double rest) {
   if (scalar == nullptr && rest == 0) return {};
-  const NodeMotion from(scene, clip, work.from), to(scene, clip, work.to);
-  const auto [from_first, from_last] = from.range();
-  const auto [to_first, to_last] = to.range();
-  float first = std::min(from_first, to_first), last = std::max(from_last, to_last);
+  const NodeMotion motion(scene, clip, {work.from, work.to});
+  auto [first, last] = motion.range();
   if (scalar != nullptr) {
     first = std::min(first, scalar->times_s.front());
     last = std::max(last, scalar->times_s.back());
   }
   const std::vector<float> times_s = key_times(scalar, first, last);
-  if (times_s.empty() || times_s.size() > kMostKeys)
+  if (times_s.empty() || times_s.size() > kMostKeys / motion.step_count())
     throw tools::Failure(tools::Exit::unsupported, scene.source, "/animations", "too-many-keys",
                          "a clip that moves weights is too long for 60 keys a second");
   Keys out;
   glm::dquat before(1, 0, 0, 0);
   for (const float time_s : times_s) {
     const double share = scalar != nullptr ? share_of(value_at(*scalar, time_s)) : rest;
-    out.add(time_s, part_of(whole_way(scene, work, from.at(time_s), to.at(time_s)), share, before));
+    const std::vector<glm::dmat4> at = motion.at(time_s);
+    out.add(time_s, part_of(whole_way(scene, work, at[0], at[1]), share, before));
   }
   return out;
 }
@@ -274,7 +274,7 @@ void animate(const std::vector<glm::dmat4>& rest_matrices, const Work& work, Raw
     for (RawClip& clip : scene.clips) {
       Keys keys = keys_of(scene, clip, work, scalar_of(clip, name), rest);
       keys_made += keys.times_s.size();
-      if (keys_made > kMostKeys)
+      if (keys_made > kMostNewKeys)
         throw tools::Failure(tools::Exit::unsupported, scene.source, "/animations", "too-many-keys",
                              "the clips that move weights are too long for 60 keys a second");
       if (keys.times_s.empty()) continue;

@@ -39,23 +39,33 @@ float value_at(const RawScalar& scalar, float time_s) {
   return out[0];
 }
 
-NodeMotion::NodeMotion(const RawScene& scene, const RawClip& clip, int node) {
-  bool moves = false;
-  for (int n = node; n != kNone; n = steps_.back().node->parent) {
-    Step step{&scene.nodes[static_cast<std::size_t>(n)], {}};
-    for (const RawChannel& channel : clip.channels) {
-      if (channel.node != n) continue;
-      step.paths[static_cast<int>(channel.path)] = &channel;
-      first_s_ = moves ? std::min(first_s_, channel.times_s.front()) : channel.times_s.front();
-      last_s_ = std::max(last_s_, channel.times_s.back());
-      moves = true;
+NodeMotion::NodeMotion(const RawScene& scene, const RawClip& clip, const std::vector<int>& nodes) {
+  constexpr std::size_t kUnknown = ~std::size_t{0};
+  std::vector<std::size_t> step_of(scene.nodes.size(), kUnknown);
+  std::vector<int> way;
+  for (const int asked : nodes) {
+    for (int n = asked; n != kNone && step_of[to_index(n)] == kUnknown; n = scene.nodes[to_index(n)].parent)
+      way.push_back(n);
+    for (; !way.empty(); way.pop_back()) {
+      const RawNode& node = scene.nodes[to_index(way.back())];
+      step_of[to_index(way.back())] = steps_.size();
+      steps_.push_back({&node, node.parent == kNone ? steps_.size() : step_of[to_index(node.parent)], {}});
     }
-    steps_.push_back(step);
+    asked_.push_back(step_of[to_index(asked)]);
+  }
+  bool moves = false;
+  for (const RawChannel& channel : clip.channels) {
+    const std::size_t step = step_of[to_index(channel.node)];
+    if (step == kUnknown) continue;
+    steps_[step].paths[static_cast<int>(channel.path)] = &channel;
+    first_s_ = moves ? std::min(first_s_, channel.times_s.front()) : channel.times_s.front();
+    last_s_ = std::max(last_s_, channel.times_s.back());
+    moves = true;
   }
 }
 
-glm::dmat4 NodeMotion::at(float time_s) const {
-  glm::dmat4 out(1);
+std::vector<glm::dmat4> NodeMotion::at(float time_s) const {
+  std::vector<glm::dmat4> all;
   for (const Step& step : steps_) {
     glm::dvec3 translation = step.node->translation, scale = step.node->scale;
     glm::dquat rotation = step.node->rotation;
@@ -67,8 +77,11 @@ glm::dmat4 NodeMotion::at(float time_s) const {
     }
     if (const RawChannel* const c = step.paths[static_cast<int>(RawPath::scale)])
       scale = glm::dvec3(value_at(*c, time_s));
-    out = local_matrix(translation, rotation, scale) * out;
+    const glm::dmat4 local = local_matrix(translation, rotation, scale);
+    all.push_back(step.above == all.size() ? local : all[step.above] * local);
   }
+  std::vector<glm::dmat4> out;
+  for (const std::size_t step : asked_) out.push_back(all[step]);
   return out;
 }
 
