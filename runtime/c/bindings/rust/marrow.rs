@@ -4312,11 +4312,11 @@ extern "C" {
     /// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
     /// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
     /// the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
-    /// harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in proportion to the sine of
-    /// the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone feels those above it, they do
-    /// not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the common frequency, less than the
-    /// upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A chain below another's joint is
-    /// carried by it, but does not feel its swing.
+    /// harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in
+    /// proportion to the sine of the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone
+    /// feels those above it, they do not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the
+    /// common frequency, less than the upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A
+    /// chain below another's joint is carried by it, but does not feel its swing.
     ///
     /// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
     /// before and half after. Drift and kicks have the strengths with which small swings have the exact frequency and decay,
