@@ -180,7 +180,7 @@ const std::vector<Room> kRooms = {
     {"cook/clip/compress", {"cook/scene"}},
     {"cook/clip", {"cook/clip/compress", "cook/skeleton", "cook/scene"}},
     {"cook/rig", {"cook/scene"}},
-    {"cook/prepare", {"cook/gltf", "cook/rig", "cook/skeleton", "cook/scene"}},
+    {"cook/prepare", {"cook/gltf/document", "cook/gltf", "cook/rig", "cook/skeleton", "cook/scene"}},
     {"cook/geometry", {"cook/scene"}},
     {"cook/skin", {"cook/geometry", "cook/scene"}},
     {"cook/learn", {"cook/skin", "cook/geometry", "cook/clip", "cook/skeleton", "cook/gltf", "cook/scene"}},
