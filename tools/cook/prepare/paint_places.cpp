@@ -43,23 +43,20 @@ std::vector<Painted> skinned_meshes(RawScene& scene, const std::string& name, st
   return out;
 }
 
-// Of each joint that was painted the skin's joint of that name.
-std::vector<std::uint32_t> joints_of(const RawScene& scene, const RawSkin& skin, const PaintedMesh& painted,
-                                     const std::string& path, const std::string& where) {
-  std::map<std::string, std::uint32_t> by_name;
-  std::vector<std::string> names;
-  for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-    names.push_back(scene.nodes[to_index(skin.joints[j])].name);
-    by_name.emplace(names.back(), static_cast<std::uint32_t>(j));
-  }
-  std::vector<std::uint32_t> out;
-  for (std::size_t j = 0; j < painted.joints.size(); ++j) {
-    const auto found = by_name.find(painted.joints[j]);
-    if (found == by_name.end())
-      throw tools::Failure(tools::Exit::invalid, path, fmt::format("{}/joints/{}", where, j),
-                           tools::printable("the mesh's skin has no joint \"" + painted.joints[j] + '"'),
-                           tools::suggestion(painted.joints[j], names));
-    out.push_back(found->second);
+std::vector<std::string> names_of(const RawScene& scene, const RawSkin& skin) {
+  std::vector<std::string> out;
+  for (const int joint : skin.joints) out.push_back(scene.nodes[to_index(joint)].name);
+  return out;
+}
+
+// Of each joint that was painted the skin's joint of that name; kNone: it has none.
+std::vector<int> joints_of(const std::vector<std::string>& names, const PaintedMesh& painted) {
+  std::map<std::string, int> by_name;
+  for (std::size_t j = 0; j < names.size(); ++j) by_name.emplace(names[j], static_cast<int>(j));
+  std::vector<int> out;
+  for (const std::string& name : painted.joints) {
+    const auto found = by_name.find(name);
+    out.push_back(found == by_name.end() ? kNone : found->second);
   }
   return out;
 }
@@ -82,43 +79,65 @@ double longest_side(const deform::Positions& positions) {
   return std::max({size.x, size.y, size.z});
 }
 
-std::vector<RawInfluence> to_raw(const PaintedVertex& vertex, const std::vector<std::uint32_t>& joints) {
+std::vector<RawInfluence> to_raw(const PaintedVertex& vertex, const std::vector<int>& joints) {
   std::vector<RawInfluence> out;
-  for (const deform::Influence& i : vertex.influences) out.push_back({joints[i.joint], static_cast<float>(i.weight)});
+  for (const deform::Influence& i : vertex.influences)
+    out.push_back({static_cast<std::uint32_t>(joints[i.joint]), static_cast<float>(i.weight)});
   return out;
 }
 
 // How many painted vertices are on no vertex of it.
-std::size_t paint(RawMesh& mesh, const PaintedMesh& painted, const std::vector<std::uint32_t>& joints) {
+std::size_t paint(RawMesh& mesh, const PaintedMesh& painted, const std::vector<int>& joints) {
   const deform::Places places = deform::places_of(weighted_positions(mesh));
-  if (places.positions.empty() || painted.vertices.empty()) return painted.vertices.size();
-  const double side = longest_side(places.positions), reach = kReach * side;
-  deform::Positions at;
-  for (const PaintedVertex& v : painted.vertices) at.emplace_back(v.place);
-  const deform::PlaceTree scene_tree(places.positions), painted_tree(at);
-  std::vector<double> nearest(at.size(), -1);  // below 0: none
-  std::size_t off = 0;
-  for (std::size_t v = 0; v < at.size(); ++v) {
-    const auto found = scene_tree.nearest(at[v], reach);
-    off += !found;
-    if (found) nearest[v] = found->distance;
-  }
-  std::vector<const PaintedVertex*> of_place(places.positions.size(), nullptr);
-  for (std::size_t p = 0; p < of_place.size(); ++p) {
-    const auto found = painted_tree.nearest(places.positions[p], reach);
-    if (found && found->distance <= nearest[found->index] + kStep * side) of_place[p] = &painted.vertices[found->index];
-  }
+  const PaintMatch match = match_painted(places.positions, painted.vertices);
   std::size_t vertex = 0;
   for (RawPrimitive& primitive : mesh.primitives) {
     for (std::vector<RawInfluence>& influences : primitive.influences) {
-      const PaintedVertex* const from = of_place[places.of_vertex[vertex++]];
+      const PaintedVertex* const from = match.of_place[places.of_vertex[vertex++]];
       if (from != nullptr) influences = to_raw(*from, joints);
     }
   }
-  return off;
+  return match.off;
+}
+
+[[noreturn]] void refuse_joint(const std::vector<std::string>& names, const PaintedMesh& painted,
+                               const std::string& path, const std::string& where) {
+  const std::vector<int> joints = joints_of(names, painted);
+  const auto unknown = static_cast<std::size_t>(std::ranges::find(joints, kNone) - joints.begin());
+  throw tools::Failure(tools::Exit::invalid, path, fmt::format("{}/joints/{}", where, unknown),
+                       tools::printable("the mesh's skin has no joint \"" + painted.joints[unknown] + '"'),
+                       tools::suggestion(painted.joints[unknown], names));
+}
+
+void say_off(const Painted& to, const PaintedMesh& painted, std::size_t off, Notes& notes) {
+  if (off > 0)
+    notes.warnings.push_back({to.pointer, "paint-off-the-mesh",
+                              fmt::format("{} of {} vertices that were painted are not there; was it changed since?",
+                                          off, painted.vertices.size())});
 }
 
 }  // namespace
+
+PaintMatch match_painted(const deform::Positions& places, std::span<const PaintedVertex> painted) {
+  PaintMatch out{std::vector<const PaintedVertex*>(places.size(), nullptr), painted.size()};
+  if (places.empty() || painted.empty()) return out;
+  const double side = longest_side(places), reach = kReach * side;
+  deform::Positions at;
+  for (const PaintedVertex& v : painted) at.emplace_back(v.place);
+  const deform::PlaceTree place_tree(places), painted_tree(at);
+  std::vector<double> nearest(at.size(), -1);  // below 0: none
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    const auto found = place_tree.nearest(at[v], reach);
+    if (!found) continue;
+    nearest[v] = found->distance;
+    --out.off;
+  }
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const auto found = painted_tree.nearest(places[p], reach);
+    if (found && found->distance <= nearest[found->index] + kStep * side) out.of_place[p] = &painted[found->index];
+  }
+  return out;
+}
 
 void paint_places(RawScene& scene, const std::string& path, std::span<const PaintedMesh> painted, bool must_fit,
                   Notes& notes) {
@@ -132,14 +151,14 @@ void paint_places(RawScene& scene, const std::string& path, std::span<const Pain
                            tools::printable("no mesh with skin weights is called \"" + painted[m].name + '"'),
                            tools::suggestion(painted[m].name, names));
     fits |= !meshes.empty();
+    bool known = meshes.empty();
     for (const Painted& to : meshes) {
-      const std::size_t off = paint(*to.mesh, painted[m], joints_of(scene, *to.skin, painted[m], path, where));
-      if (off > 0)
-        notes.warnings.push_back(
-            {to.pointer, "paint-off-the-mesh",
-             fmt::format("{} of {} vertices that were painted are not there; was it changed since?", off,
-                         painted[m].vertices.size())});
+      const std::vector<int> joints = joints_of(names_of(scene, *to.skin), painted[m]);
+      if (std::ranges::find(joints, kNone) != joints.end()) continue;
+      known = true;
+      say_off(to, painted[m], paint(*to.mesh, painted[m], joints), notes);
     }
+    if (!known) refuse_joint(names_of(scene, *meshes.front().skin), painted[m], path, where);
   }
   if (!fits) notes.warnings.push_back({"/meshes", "rule-fits-nothing", "paint: none of its meshes is in the scene"});
 }

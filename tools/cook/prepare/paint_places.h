@@ -1,13 +1,24 @@
 // Painted weights on their way to a scene's vertices.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cook/prepare/paint_file.h"
 #include "cook/scene/raw.h"
 
 namespace marrow::cook {
+
+// Which painted vertex each place of a mesh takes its weights from; null: from none. A painted vertex goes to the place
+// nearest to it, and to what cannot be told from that one after cooking, if it is no farther off than a thousandth of
+// the mesh's longest side. places: all different, mesh space.
+struct PaintMatch {
+  std::vector<const PaintedVertex*> of_place;
+  std::size_t off = 0;  // painted vertices that are on no place
+};
+PaintMatch match_painted(const deform::Positions& places, std::span<const PaintedVertex> painted);
 
 // Meshes that are drawn with a skin and have the name of a painted one get its weights. A painted vertex goes to the
 // scene's vertices nearest to it, if these are no farther than a thousandth of the mesh's longest side; what is that
