@@ -19,7 +19,8 @@ using gltf::under;
 
 constexpr int kVersion = 1;
 constexpr double kFarthestCoordinate = 1e29;
-constexpr double kMostOff = 1e-3;  // of a sum of weights from 1
+constexpr double kMostOff = 1e-3;   // of a sum of weights from 1
+constexpr double kRounding = 1e-6;  // of the sum of eight floats
 
 const Json& member(const Json& object, const std::string& where, const char* name, bool (Json::*is)() const noexcept,
                    const char* kind, const gltf::Report& report) {
@@ -55,7 +56,10 @@ std::vector<deform::Influence> read_influences(const Json& row, const std::strin
   }
   if (!(std::abs(sum - 1) <= kMostOff))
     report.invalid(where, fmt::format("weights sum to {:.4g}", sum), "a vertex's weights sum to 1");
-  deform::keep_largest(out, kMaxInfluences, 0);
+  std::erase_if(out, [](const deform::Influence& i) { return i.weight == 0; });
+  // What was written so is left so, to the bit.
+  if (out.size() > kMaxInfluences || std::abs(sum - 1) > kRounding) deform::keep_largest(out, kMaxInfluences, 0);
+  std::ranges::sort(out, {}, &deform::Influence::joint);
   return out;
 }
 

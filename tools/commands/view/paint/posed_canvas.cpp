@@ -6,6 +6,16 @@
 #include "marrow/glm.h"
 
 namespace marrow::tools {
+namespace {
+
+// Through the inverse transpose, but for its length.
+glm::vec3 turn_normal(const glm::mat3& m, const glm::vec3& n) {
+  const glm::vec3 first = glm::cross(m[1], m[2]);
+  const glm::vec3 turned = n.x * first + n.y * glm::cross(m[2], m[0]) + n.z * glm::cross(m[0], m[1]);
+  return glm::dot(m[0], first) < 0 ? -turned : turned;
+}
+
+}  // namespace
 
 void pose_canvas(const Canvas& canvas, std::span<const std::vector<glm::mat4>> binds,
                  std::span<const std::vector<Affine>> scene_from_joint, PosedCanvas& out) {
@@ -35,7 +45,7 @@ PosedMesh posed_mesh(const Mesh& mesh, std::span<const std::uint32_t> place_of_s
   const float* const normals = mesh.geometry.normals;
   for (std::size_t slot = 0; normals != nullptr && slot < place_of_slot.size(); ++slot) {
     const float* const n = normals + slot / 4 * 12 + slot % 4;
-    const glm::vec3 turned = glm::mat3(posed.matrices[place_of_slot[slot]]) * glm::vec3(n[0], n[4], n[8]);
+    const glm::vec3 turned = turn_normal(posed.matrices[place_of_slot[slot]], {n[0], n[4], n[8]});
     const float length = glm::length(turned);
     const glm::vec3 unit = length > 0 ? turned / length : glm::vec3(0, 1, 0);
     out.normals.insert(out.normals.end(), {unit.x, unit.y, unit.z});

@@ -21,7 +21,7 @@ struct PosedCanvas {
 void pose_canvas(const Canvas& canvas, std::span<const std::vector<glm::mat4>> binds,
                  std::span<const std::vector<Affine>> scene_from_joint, PosedCanvas& out);
 
-// Slots of a mesh of the file. Normals go through the blended matrix; there are no tangents.
+// Slots of a mesh of the file. As skin_ssd() does it, without tangents.
 PosedMesh posed_mesh(const Mesh& mesh, std::span<const std::uint32_t> place_of_slot, const PosedCanvas& posed);
 
 }  // namespace marrow::tools

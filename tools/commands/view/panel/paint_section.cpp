@@ -17,11 +17,11 @@ void brush_widgets(const Actor& actor, float scale, Settings& s) {
   }
   label("radius", scale);
   const float all = actor.performance().radius();
-  float share = 100 * s.brush.radius / all;
-  if (ImGui::SliderFloat("##radius", &share, 0.2f, 100, "%.3g % % of the figure",
+  float radius = s.brush.radius;
+  if (ImGui::SliderFloat("##radius", &radius, 0.002f * all, all, "%.3g m",
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic) &&
-      std::isfinite(share))
-    s.brush.radius = 0.01f * share * all;
+      std::isfinite(radius))
+    s.brush.radius = radius;
   label(s.brush.mode == BrushMode::set ? "weight" : "strength", scale);
   slider("##strength", s.brush.strength, 0, 1, "%.2f");
   ImGui::Checkbox("through, what is behind as well", &s.brush.through);
