@@ -1,5 +1,5 @@
 // Weights that were painted vertex by vertex: what is read, what is refused and where, and where they go.
-#include "cook/prepare/paint_file.h"
+#include "cook/paint/paint_file.h"
 
 #include <filesystem>
 #include <fstream>
@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "cook/cook.h"
-#include "cook/prepare/paint_places.h"
-#include "cook/prepare/paint_weights.h"
+#include "cook/paint/paint_places.h"
+#include "cook/paint/paint_weights.h"
 #include "options/options.h"
 #include "unit/cook/scene_document.h"
 
@@ -152,8 +152,8 @@ TEST_F(PaintPlaces, VerticesAreKnownByWhereTheyAre) {
   EXPECT_NEAR(weight_of(scene, 2, 0), 0.25, 1e-6);
   EXPECT_NEAR(weight_of(scene, 2, 1), 0.75, 1e-6);
   EXPECT_NEAR(weight_of(scene, 0, 1), 1, 1e-6);
-  for (const std::size_t other : {1, 3})
-    for (const std::uint32_t joint : {0, 1, 2, 3})
+  for (const std::size_t other : {1u, 3u})
+    for (const std::uint32_t joint : {0u, 1u, 2u, 3u})
       EXPECT_EQ(weight_of(scene, other, joint), weight_of(before, other, joint)) << "not painted";
   EXPECT_TRUE(notes_.warnings.empty());
 }

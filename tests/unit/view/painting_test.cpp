@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include <unistd.h>
 
@@ -45,6 +46,12 @@ class PaintingTest : public ::testing::Test {
   fs::path folder_;
 };
 
+// Cooked once for all tests.
+const File& newt() {
+  static const Source source = open_source(test::newt_glb(), "");
+  return source.loaded.file;
+}
+
 std::uint32_t joint_called(const File& file, const std::string& name) {
   const Skeleton skeleton = file.skeleton(0);
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j)
@@ -77,16 +84,24 @@ Brush wide(BrushMode mode, float strength) {
 // Weights by places of the bind pose: other files have other orders.
 class WeightsAt {
  public:
-  explicit WeightsAt(const Canvas& canvas)
-      : canvas_(canvas), tree_(deform::Positions(canvas.bind.begin(), canvas.bind.end())) {}
-  const Influences* operator()(const glm::vec3& place) const {
-    const auto found = tree_.nearest(glm::dvec3(place), 1e-3);
-    return found ? &canvas_.influences[found->index] : nullptr;
+  explicit WeightsAt(const Canvas& canvas) : canvas_(canvas) {
+    std::map<std::string, deform::Positions> positions;
+    for (std::uint32_t p = 0; p < canvas.bind.size(); ++p) {
+      const std::string& mesh = canvas.groups[canvas.group_of[p]].name;
+      places_[mesh].push_back(p);
+      positions[mesh].emplace_back(canvas.bind[p]);
+    }
+    for (auto& [mesh, all] : positions) trees_.emplace(mesh, std::move(all));
+  }
+  const Influences* operator()(const std::string& mesh, const glm::vec3& place) const {
+    const auto found = trees_.at(mesh).nearest(glm::dvec3(place), 1e-3);
+    return found ? &canvas_.influences[places_.at(mesh)[found->index]] : nullptr;
   }
 
  private:
   const Canvas& canvas_;
-  deform::PlaceTree tree_;
+  std::map<std::string, std::vector<std::uint32_t>> places_;
+  std::map<std::string, deform::PlaceTree> trees_;
 };
 
 // The largest difference of a joint's weight, over all vertices of `a`.
@@ -94,7 +109,7 @@ double largest_difference(const Canvas& a, const Canvas& b, std::uint32_t joints
   const WeightsAt others(b);
   double largest = 0;
   for (std::size_t p = 0; p < a.bind.size(); ++p) {
-    const Influences* const other = others(a.bind[p]);
+    const Influences* const other = others(a.groups[a.group_of[p]].name, a.bind[p]);
     if (other == nullptr) return 1;
     for (std::uint32_t j = 0; j < joints; ++j)
       largest = std::max(largest, std::abs(weight_of(a.influences[p], j) - weight_of(*other, j)));
@@ -104,8 +119,7 @@ double largest_difference(const Canvas& a, const Canvas& b, std::uint32_t joints
 
 // Weights are stored within 2.5e-4 (docs/cooking.md), here twice: as they were read, and as they were painted.
 TEST_F(PaintingTest, WhatIsSavedIsWhatIsCooked) {
-  const Source source = open_source(test::newt_glb(), "");
-  const File& file = source.loaded.file;
+  const File& file = newt();
   const std::uint32_t joints = file.skeleton(0).joint_count;
   Painting painting(file, at("newt.paint.json"));
   ASSERT_TRUE(painting.refusal().empty());
@@ -125,6 +139,7 @@ TEST_F(PaintingTest, WhatIsSavedIsWhatIsCooked) {
   EXPECT_TRUE(painting.saved());
 
   cook::CookOptions options;
+  options.raw_clips = true;
   options.weights.paint.push_back({"", at("newt.paint.json")});
   const LoadedFile cooked = cook(test::newt_glb(), options);
   const Painting again(cooked.file, at("none.paint.json"));
@@ -135,9 +150,10 @@ TEST_F(PaintingTest, WhatIsSavedIsWhatIsCooked) {
   for (std::size_t p = 0; p < again.canvas().bind.size(); ++p) {
     const glm::vec3& place = again.canvas().bind[p];
     if (place.x < 0.05f || place.x > 0.2f) continue;
+    const std::string& mesh = again.canvas().groups[again.canvas().group_of[p]].name;
     const double now = weight_of(again.canvas().influences[p], left);
-    const Influences* const was = at_first(place);
-    const Influences* const image = at_last({-place.x, place.y, place.z});
+    const Influences* const was = at_first(mesh, place);
+    const Influences* const image = at_last(mesh, {-place.x, place.y, place.z});
     if (was == nullptr || image == nullptr || now < weight_of(*was, left) + 0.1) continue;
     EXPECT_NEAR(now, weight_of(*image, right), 0.01);
     ++on_both;
@@ -153,8 +169,7 @@ TEST_F(PaintingTest, WhatIsSavedIsWhatIsCooked) {
 
 // By linear blend skinning, as the runtime does it.
 TEST_F(PaintingTest, ThePosedSurfaceIsTheRuntimes) {
-  const Source source = open_source(test::newt_glb(), "");
-  const File& file = source.loaded.file;
+  const File& file = newt();
   Painting painting(file, at("newt.paint.json"));
   Character character(file);
   const Play walk = play_together(file, file.find_clip("walk"));
@@ -203,6 +218,7 @@ TEST_F(PaintingTest, WhatCannotBePaintedSaysWhy) {
   EXPECT_NE(Painting(rigid.loaded.file, at("c.json")).refusal().find("without a skin"), std::string::npos);
   cook::CookOptions helpers;
   helpers.learn.helpers = 4;
+  helpers.raw_clips = true;
   const LoadedFile cooked = cook(test::newt_glb(), helpers);
   EXPECT_NE(Painting(cooked.file, at("h.json")).refusal().find("helpers"), std::string::npos);
 }
@@ -245,7 +261,7 @@ TEST_F(PaintingTest, MeshesOfOthersAreKept) {
   Painting painting(source.loaded.file, path);
   ASSERT_TRUE(painting.trouble().empty()) << painting.trouble();
   const std::uint32_t wrist = joint_called(source.loaded.file, "wrist");
-  const Influences* const corner = WeightsAt(painting.canvas())({0.25f, 0, 0});
+  const Influences* const corner = WeightsAt(painting.canvas())("arm", {0.25f, 0, 0});
   ASSERT_NE(corner, nullptr);
   EXPECT_EQ(weight_of(*corner, wrist), 1);
   painting.save();

@@ -240,9 +240,9 @@ class View {
     try {
       Chosen chosen = choose(source->path, source->loaded.file, choice);
       auto next = std::make_unique<Actor>(gl_, studio_.programs(), choice, std::move(*source), std::move(chosen));
+      if (same && !unsaved_paint().empty()) next->painting(settings_).add(unsaved_paint());
       carry_over(*actor_, *next, settings_);
       if (!same) settings_.paint_file.clear();
-      if (same && !unsaved_paint().empty()) next->painting(settings_).add(actor_->painting()->painted());
       actor_ = std::move(next);
     } catch (const ContextLost&) {
       throw;

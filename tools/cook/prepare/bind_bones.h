@@ -13,10 +13,6 @@ namespace marrow::cook {
 
 inline constexpr double kFarthestPlace = 1e29;  // of a coordinate: squares of it are finite
 
-inline std::size_t to_index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 // For each node the nearest at or above it for which `known` is set; the topmost if it is set for none.
 std::vector<std::size_t> nearest_known(const RawScene& scene, std::vector<char> known);
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,6 +24,10 @@
 namespace marrow::cook {
 
 inline constexpr int kNone = -1;
+// Of an index that is not kNone.
+inline std::size_t to_index(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 // Something in a node's `extras`.
 struct RawProperty {

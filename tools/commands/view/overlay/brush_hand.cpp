@@ -10,7 +10,7 @@ namespace {
 
 constexpr ImU32 kRing = IM_COL32(250, 246, 236, 255), kCore = IM_COL32(250, 246, 236, 150);
 constexpr int kSides = 40;
-constexpr int kMostSteps = 64;  // of one movement of the mouse
+constexpr int kMostSteps = 32;  // of one movement of the mouse
 
 std::optional<SurfaceHit> hit_at(const Painting& painting, const Camera& camera, float left, ImVec2 mouse) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;

@@ -11,7 +11,7 @@
 #include "commands/view/paint/mirror.h"
 #include "common/failure.h"
 #include "common/files.h"
-#include "cook/prepare/paint_places.h"
+#include "cook/paint/paint_places.h"
 #include "text/printable.h"
 
 namespace marrow::tools {
@@ -113,7 +113,9 @@ void Painting::apply(const cook::PaintedMesh& mesh, const std::string& where) {
       canvas_.touched[places[i]] = 1;
     }
   }
-  if (!is_here) others_.push_back(mesh);
+  if (is_here) return;
+  std::erase_if(others_, [&](const cook::PaintedMesh& other) { return other.name == mesh.name; });
+  others_.push_back(mesh);
 }
 
 std::vector<cook::PaintedMesh> Painting::painted() const {
@@ -169,11 +171,14 @@ std::vector<PosedMesh> Painting::posed(const Character& character) const {
   return out;
 }
 
-std::vector<float> Painting::weights(std::uint32_t mesh, std::uint32_t skeleton, std::uint32_t joint) const {
+std::vector<float> Painting::weights(std::uint32_t mesh, std::uint32_t skeleton, std::uint32_t joint,
+                                     std::uint32_t image) const {
   std::vector<float> out;
   for (const std::uint32_t p : canvas_.place_of_slot[mesh]) {
     const bool is_its = canvas_.groups[canvas_.group_of[p]].skeleton == skeleton;
-    out.push_back(is_its ? static_cast<float>(weight_of(canvas_.influences[p], joint)) : 0.0f);
+    double weight = weight_of(canvas_.influences[p], joint);
+    if (image != joint) weight += weight_of(canvas_.influences[p], image);
+    out.push_back(is_its ? static_cast<float>(weight) : 0.0f);
   }
   return out;
 }
@@ -222,6 +227,7 @@ void Painting::dab(const SurfaceHit& hit) {
 void Painting::end() {
   Edit edit = stroke_->edit();
   kept_ = stroke_->kept();
+  changed_ = edit.size();
   stroke_.reset();
   tools::redo(canvas_, edit);  // which marks them as touched
   history_.add(std::move(edit));

@@ -8,7 +8,7 @@
 
 #include "commands/view/paint/history.h"
 #include "commands/view/paint/posed_canvas.h"
-#include "cook/prepare/paint_file.h"
+#include "cook/paint/paint_file.h"
 
 namespace marrow::tools {
 
@@ -29,8 +29,9 @@ class Painting {
   void pose(const Character& character);
   std::optional<SurfaceHit> hit(const Ray& ray) const;
   std::vector<PosedMesh> posed(const Character& character) const;
-  // Of a mesh of the file, a slot.
-  std::vector<float> weights(std::uint32_t mesh, std::uint32_t skeleton, std::uint32_t joint) const;
+  // Of a mesh of the file, a slot: what a joint and its image weigh together. image: of image_of().
+  std::vector<float> weights(std::uint32_t mesh, std::uint32_t skeleton, std::uint32_t joint,
+                             std::uint32_t image) const;
   // How many vertices joint moves.
   std::size_t moved_by(std::uint32_t skeleton, std::uint32_t joint) const;
   // Of the brush's plane: the joint on the other side, and how many places have an image.
@@ -42,7 +43,9 @@ class Painting {
   bool stroking() const { return stroke_.has_value(); }
   void dab(const SurfaceHit& hit);
   void end();
-  // Places that the last stroke could not take the joint's weight from, as they follow nothing else.
+  // Vertices that the last stroke changed; none before the first.
+  std::optional<std::size_t> changed() const { return changed_; }
+  // Those that the last stroke could not take the joint's weight from, as they follow nothing else.
   std::size_t kept() const { return kept_; }
 
   const History& history() const { return history_; }
@@ -71,6 +74,7 @@ class Painting {
   std::optional<Stroke> stroke_;
   History history_;
   std::size_t kept_ = 0;
+  std::optional<std::size_t> changed_;
   double diagonal_ = 0;
   std::optional<MirrorPlane> mirror_plane_;  // that mirror_ is of
   std::vector<std::uint32_t> mirror_;

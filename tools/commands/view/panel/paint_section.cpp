@@ -85,6 +85,8 @@ void paint_section(Actor& actor, float scale, Settings& s) {
   brush_widgets(actor, scale, s);
   mirror_widgets(actor, scale, painting, s);
   file_widgets(painting, s);
+  if (painting.changed() && !painting.stroking() && *painting.changed() == 0)
+    quiet("The last stroke met no vertex that it could change.");
   if (painting.kept() > 0)
     quiet(fmt::format("{} vertices kept their weight: no other joint moves them. Add another joint there.",
                       painting.kept()));

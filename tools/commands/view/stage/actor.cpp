@@ -205,9 +205,10 @@ bool Actor::paints(const Settings& settings) {
 std::vector<Drawable> Actor::painted(const Settings& settings, Shot& shot) {
   const NamedJoint& joint = joints_[settings.joint];
   painting_->pose(*character_);
+  const std::uint32_t image = painting_->image_of(settings.brush, joint.skeleton, joint.joint);
   std::vector<std::vector<float>> colours;
   for (std::uint32_t i = 0; i < file().mesh_count(); ++i)
-    colours.push_back(ramp_colours(painting_->weights(i, joint.skeleton, joint.joint)));
+    colours.push_back(ramp_colours(painting_->weights(i, joint.skeleton, joint.joint, image)));
   shot.shading = kHeatShading;
   return figure_->from_cpu(painting_->posed(*character_), colours);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cook/prepare/paint_file.h"
+#include "cook/paint/paint_file.h"
 #include "cook/scene/raw.h"
 
 namespace marrow::cook {

@@ -1,4 +1,4 @@
-#include "cook/prepare/paint_places.h"
+#include "cook/paint/paint_places.h"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "cook/prepare/bind_bones.h"
 #include "deform/weights/place_tree.h"
 #include "deform/weights/places.h"
 #include "text/nearest.h"

@@ -1,4 +1,4 @@
-#include "cook/prepare/paint_file.h"
+#include "cook/paint/paint_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cook/prepare/paint_weights.h"
+#include "cook/paint/paint_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,8 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/hash.h"
-#include "cook/prepare/bind_bones.h"
-#include "cook/prepare/paint_file.h"
-#include "cook/prepare/paint_places.h"
+#include "cook/paint/paint_file.h"
+#include "cook/paint/paint_places.h"
 #include "deform/weights/set_weights.h"
 #include "text/nearest.h"
 #include "text/printable.h"
