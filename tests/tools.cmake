@@ -12,7 +12,7 @@ target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marr
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clip_packer_test.cpp
-  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp
+  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp unit/cook/paint_file_test.cpp
   unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/list_packer_test.cpp unit/cook/lod_test.cpp
   unit/cook/outfits_rules_test.cpp unit/cook/packs_test.cpp unit/cook/residual_apart_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/skin_apart_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
   unit/cook/subdivide_mesh_test.cpp unit/cook/bounds_packer_test.cpp unit/cook/add_skeleton_test.cpp unit/cook/weights_over_time_test.cpp unit/cook/eigen_targets_test.cpp)
@@ -51,7 +51,7 @@ target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 marrow_test(marrow_deform_tests deform unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
   unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp unit/deform/eigen_skin_test.cpp
   unit/deform/fit_test.cpp unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp
-  unit/deform/never_worse_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
+  unit/deform/never_worse_test.cpp unit/deform/painted_weights_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
   unit/deform/range_of_motion_test.cpp unit/deform/scaled_joints_test.cpp unit/deform/simplify_test.cpp
   unit/deform/subdivide_test.cpp unit/deform/tangents_test.cpp)
 # compare's own reckoning stands beside what it judges.
@@ -93,7 +93,7 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
 endif()
 # What `marrow view` reckons beside its window.
 if(MARROW_GLES AND TARGET marrow_view)
-  marrow_test(marrow_view_tests view unit/view/view_test.cpp)
+  marrow_test(marrow_view_tests view unit/view/painting_test.cpp unit/view/paint_test.cpp unit/view/view_test.cpp)
   target_link_libraries(marrow_view_tests PRIVATE marrow_view)
 endif()
 # It takes the place of malloc, as sanitizers do.

@@ -1,5 +1,5 @@
 // Put before a program's libraries: a hand at the window of GLFW. MARROW_HAND="3 drop PATH|5 at X Y|6 down|8 up|9 key
-// N|4 copy FROM TO" does so after the third swap of the window's pictures and so on. The real mouse is not asked.
+// N MODS|4 copy FROM TO" does so after the third swap of the window's pictures and so on. The real mouse is not asked.
 #include <dlfcn.h>
 
 #include <cstdlib>
@@ -34,10 +34,11 @@ void act(std::istringstream& words) {
   if (what == "at") words >> at_x >> at_y;
   if (what == "down") left_button = 1;
   if (what == "up") left_button = 0;
-  int key = 0;
+  int key = 0, mods = 0;
   if (what == "key" && words >> key && on_key != nullptr) {
-    on_key(window, key, 0, 1, 0);
-    on_key(window, key, 0, 0, 0);
+    words >> mods;
+    on_key(window, key, 0, 1, mods);
+    on_key(window, key, 0, 0, mods);
   }
   // As editors save: whole, by a new name.
   if (what == "copy" && words >> a >> b) {

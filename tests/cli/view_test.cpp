@@ -301,6 +301,49 @@ TEST_F(ViewTest, AGoalIsDragged) {
   EXPECT_GT(difference(before, after, kPanelPixels, kWindowWidth), 0.01);
 }
 
+// The elbow's mark lies over the arm: a stroke down from there, taken back, made again, saved and cooked.
+TEST_F(ViewTest, AStrokeIsPaintedAndSaved) {
+  const std::string saved = folder_ / "t.paint.json";
+  const std::vector<std::string> at = {tiny_gltf(), "--clip", "wave",      "--time", "0.5",
+                                       "--paint",   saved,    "--weights", "wrist"};
+  std::vector<std::string> elbow = at;
+  elbow.back() = "elbow";
+  const auto middle = middle_of(by_hand("", elbow), 255, 176, 64);
+  ASSERT_TRUE(middle.has_value());
+  const auto [x, y] = *middle;
+  const std::string larger = "1 key 93|2 key 93|3 key 93|4 key 93|";
+  const std::string stroke =
+      larger + "5 at " + coordinates(x, y) + "|6 down|7 at " + coordinates(x + 8, y + 12) + "|8 up|9 at 470 10";
+  const std::vector<png_byte> before = by_hand("3 at 470 10", at, 20), painted = by_hand(stroke, at, 20);
+  EXPECT_GT(difference(before, painted, kPanelPixels, kWindowWidth), 0.005) << "the colours of the wrist's weights";
+  EXPECT_FALSE(std::filesystem::exists(saved)) << "it was not asked for";
+  constexpr const char* kUndo = "|10 key 90 2";
+  constexpr const char* kRedo = "|12 key 89 2";
+  constexpr const char* kSave = "|14 key 83 2";
+  EXPECT_LT(difference(before, by_hand(stroke + kUndo, at, 20), kPanelPixels, kWindowWidth), 0.001);
+  EXPECT_LT(difference(painted, by_hand(stroke + kUndo + kRedo, at, 20), kPanelPixels, kWindowWidth), 0.001);
+  by_hand(stroke + kSave, at, 20);
+  ASSERT_TRUE(std::filesystem::exists(saved));
+  // What is cooked of it is coloured as it was painted; so is what is opened again.
+  ASSERT_EQ(run_marrow({"cook", tiny_gltf(), "-o", folder_ / "p.mrw", "--paint", saved}).code, 0);
+  std::vector<std::string> cooked = {folder_ / "p.mrw", "--clip", "wave", "--time", "0.5", "--weights", "wrist"};
+  EXPECT_LT(difference(painted, by_hand("3 at 470 10", cooked, 20), kPanelPixels, kWindowWidth), 0.002);
+  EXPECT_LT(difference(painted, by_hand("3 at 470 10", at, 20), kPanelPixels, kWindowWidth), 0.001);
+}
+
+TEST_F(ViewTest, WhatCannotBeSavedIsSaid) {
+  const Ran ran = view({"--paint", folder_ / "no/folder/t.json", "--screenshot", folder_ / "w.png"});
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_NE(ran.err.find("no/folder"), std::string::npos) << ran.err;
+  EXPECT_EQ(view({"--paint", folder_ / "t.txt", "--screenshot", folder_ / "w.png"}).code, 1);
+  // What is not ours is not written over; a red note says so.
+  write_text(folder_ / "other.json", "{}");
+  const std::vector<png_byte> note =
+      by_hand("3 key 83 2", {tiny_gltf(), "--paint", folder_ / "other.json", "--time", "0"});
+  EXPECT_TRUE(middle_of(note, 107, 28, 23).has_value());
+  EXPECT_EQ(read_text(folder_ / "other.json"), "{}");
+}
+
 TEST_F(ViewTest, SaysWhatIsWrong) {
   const Ran joint = view({"--weights", "nose", "--screenshot", folder_ / "w.png"});
   EXPECT_EQ(joint.code, 1);

@@ -16,8 +16,8 @@
 #include "common/hash.h"
 #include "common/load_mrw.h"
 #include "cook/cook.h"
+#include "cook/paint/paint_weights.h"
 #include "cook/prepare/match_skeletons.h"
-#include "cook/prepare/paint_weights.h"
 #include "cook/read_source.h"
 #include "text/printable.h"
 

@@ -26,11 +26,16 @@ void set_smooth_weights(CookOptions& options, const Value& given) {
   options.weights.smooth_origin = given.origin;
 }
 
-// "JOINT=MASK.png", divided at the last "=".
+// "JOINT=MASK.png", divided at the last "=", or a file of weights, "hero.paint.json".
 void set_paint(CookOptions& options, const Value& given) {
+  if (given.text.ends_with(".json")) {
+    options.weights.paint.push_back({"", given.text, given.origin});
+    return;
+  }
   const std::size_t divide = given.text.rfind('=');
   if (divide == std::string::npos || divide == 0 || divide + 1 == given.text.size())
-    refuse(given, "\"" + given.text + "\" names no joint or no mask", "give JOINT=MASK.png, as in head=head.png");
+    refuse(given, "\"" + given.text + "\" names no joint or no mask",
+           "give JOINT=MASK.png, as in head=head.png, or what `marrow view --paint` saves, FILE.json");
   options.weights.paint.push_back({given.text.substr(0, divide), given.text.substr(divide + 1), given.origin});
 }
 
@@ -89,8 +94,8 @@ constexpr Option kWeightOptions[] = {
     {"paint",
      OptionKind::list,
      "JOINT=MASK.png",
-     "a joint's weight from a grey-scale picture, read at the UVs, white for 1; other joints share what is left; "
-     "repeatable",
+     "a joint's weight from a grey-scale picture, read at the UVs, white for 1; other joints share what is left; or "
+     "FILE.json, what marrow view --paint saves; repeatable",
      {},
      set_paint},
     {"weights-over-time",

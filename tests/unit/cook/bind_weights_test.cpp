@@ -11,8 +11,8 @@
 #include <glm/matrix.hpp>
 
 #include "cook/cook.h"
+#include "cook/paint/paint_weights.h"
 #include "cook/prepare/bind_bones.h"
-#include "cook/prepare/paint_weights.h"
 #include "deform/weights/auto_weights.h"
 #include "options/options.h"
 #include "unit/cook/scene_document.h"

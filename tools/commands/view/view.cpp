@@ -12,6 +12,7 @@
 
 #include "commands/view/files/opening.h"
 #include "commands/view/overlay/among_figures.h"
+#include "commands/view/overlay/brush_hand.h"
 #include "commands/view/overlay/picture.h"
 #include "commands/view/painter.h"
 #include "commands/view/panel/panel.h"
@@ -27,6 +28,7 @@ namespace marrow::tools {
 namespace {
 
 constexpr float kFrameMargin = 0.09f;
+constexpr float kFirstBrush = 0.12f;             // of the figure's radius
 constexpr float kLongestStep = 0.5f;             // seconds: who stops the program does not miss the clip
 constexpr float kScreenshotStep = 1.0f / 60.0f;  // seconds a frame
 
@@ -95,6 +97,9 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   if (s.springs && arguments.joint.empty() && !actor.rig().has_springs())
     throw Failure(Exit::usage, "--springs", "", "the file has no springs", "say with --joint which joints swing");
   set_overlays(arguments, s);
+  s.painting = arguments.paints;
+  s.paint_file = arguments.paint_file;
+  s.playing &= !s.painting;
   if (pair) {
     s.colours = Colours::distance;
     s.pair = *pair;
@@ -161,9 +166,10 @@ class View {
   }
 
   void run() {
-    while (!window_.closed()) {
+    while (true) {
       frame(passed_s());
       window_.swap();
+      if (window_.closed() && may_close()) return;
     }
   }
 
@@ -183,7 +189,25 @@ class View {
   const ViewArguments& arguments() const { return arguments_; }
   int frames() const { return frames_; }
 
+  // What is painted and not saved; empty: nothing.
+  std::vector<cook::PaintedMesh> unsaved_paint() {
+    Painting* const painting = actor_->painting();
+    return painting == nullptr || painting->saved() ? std::vector<cook::PaintedMesh>{} : painting->painted();
+  }
+  void paint(const std::vector<cook::PaintedMesh>& painted) {
+    if (!painted.empty()) actor_->painting(settings_).add(painted);
+  }
+
  private:
+  // The first time not, if it would lose what is painted.
+  bool may_close() {
+    if (unsaved_paint().empty() || warned_) return true;
+    warned_ = true;
+    opening_.set_error("What is painted is not saved: press Ctrl S, or close the window again to lose it.");
+    window_.stay_open();
+    return false;
+  }
+
   Chosen choose_first() {
     expect_level(arguments_.file, source_.loaded.file, arguments_.lod);
     const Reach goals(source_.loaded.file, arguments_.reach);  // throws what is wrong with them
@@ -203,7 +227,11 @@ class View {
   // What was dropped, and what has changed on the disk.
   void look_for_files() {
     const std::string dropped = window_.dropped();
-    if (!dropped.empty()) opening_.drop(dropped);
+    if (!dropped.empty() && dropped != arguments_.file && !unsaved_paint().empty()) {
+      opening_.set_error("What is painted is not saved: press Ctrl S, or undo it, before another file is opened.");
+    } else if (!dropped.empty()) {
+      opening_.drop(dropped);
+    }
     std::optional<Source> source = opening_.poll();
     if (!source) return;
     const bool same = source->path == arguments_.file;
@@ -212,7 +240,9 @@ class View {
     try {
       Chosen chosen = choose(source->path, source->loaded.file, choice);
       auto next = std::make_unique<Actor>(gl_, studio_.programs(), choice, std::move(*source), std::move(chosen));
+      if (same && !unsaved_paint().empty()) next->painting(settings_).add(unsaved_paint());
       carry_over(*actor_, *next, settings_);
+      if (!same) settings_.paint_file.clear();
       actor_ = std::move(next);
     } catch (const ContextLost&) {
       throw;
@@ -238,10 +268,41 @@ class View {
       s.playback.time_s = time_s;
       s.playing = false;
     };
+    if (s.painting) use_paint_keys();
     go(kKeyLeft, stepped(s.playback.time_s, -1, duration_s, rate));
     go(kKeyRight, stepped(s.playback.time_s, 1, duration_s, rate));
     go(kKeyHome, 0);
     go(kKeyEnd, time_of_frame(last_frame(duration_s, rate), duration_s, rate));
+  }
+
+  void use_paint_keys() {
+    constexpr float kFiner = 0.85f;
+    Settings& s = settings_;
+    if (window_.pressed(kKeySmaller)) s.brush.radius *= kFiner;
+    if (window_.pressed(kKeyLarger)) s.brush.radius /= kFiner;
+    const float all = actor_->performance().radius();
+    s.brush.radius = std::clamp(s.brush.radius, 0.002f * all, all);
+    if (!actor_->paints(s)) return;
+    if (window_.pressed(kKeyZ, true)) actor_->painting(s).undo();
+    if (window_.pressed(kKeyY, true)) actor_->painting(s).redo();
+    s.save_paint |= window_.pressed(kKeyS, true);
+  }
+
+  void save_paint() {
+    if (!std::exchange(settings_.save_paint, false) || !actor_->paints(settings_)) return;
+    warned_ = false;
+    try {
+      actor_->painting(settings_).save();
+      opening_.set_error("");
+    } catch (const Failure& why) {
+      opening_.set_error(why.what());
+    }
+  }
+
+  // After the first pose: before it, nobody knows how large the figure is.
+  void choose_brush() {
+    Settings& s = settings_;
+    if (s.painting && !(s.brush.radius > 0)) s.brush.radius = kFirstBrush * actor_->performance().radius();
   }
 
   void frame(float step_s) {
@@ -253,9 +314,12 @@ class View {
     const int panel_pixels = static_cast<int>(left * ImGui::GetIO().DisplayFramebufferScale.x);
     if (!ImGui::GetIO().WantTextInput) use_keys();
     if (settings_.playing) check(advance(settings_.playback, actor_->plays()[settings_.clip].play.duration_s, step_s));
+    if (settings_.painting) settings_.lod = 0;
     pose(step_s);
+    choose_brush();
     if (width > panel_pixels && height > 0) draw_picture(panel_pixels, width - panel_pixels, height, left);
     show_panel({times_, window_.scale()}, *actor_, settings_);
+    save_paint();
     show_notes(opening_.busy_with(), opening_.error(), left, window_.scale());
     ImGui::Render();
     painter_.paint(*ImGui::GetDrawData());
@@ -286,7 +350,14 @@ class View {
     orbit.target += performance.followed(actor_->character());
     Shot shot = performance.shot_by(camera_on(orbit, aspect, performance.radius()));
     Drawer drawer(shot.camera, left);
-    use_mouse(*actor_, drawer, ImGui::GetIO().DisplaySize.y, dragging_, settings_);
+    bool at_work = false;
+    if (actor_->paints(settings_)) {
+      const NamedJoint& joint = actor_->joints()[settings_.joint];
+      actor_->painting(settings_).pose(actor_->character());
+      at_work =
+          use_brush(actor_->painting(settings_), shot.camera, left, joint.skeleton, joint.joint, settings_, hand_);
+    }
+    if (!at_work) use_mouse(*actor_, drawer, ImGui::GetIO().DisplaySize.y, dragging_, settings_);
     const std::vector<Drawable> drawables = actor_->drawables(settings_, shot);
     add_strokes(*actor_, settings_, shot, strokes_);
     const int n = settings_.coarseness;
@@ -294,6 +365,7 @@ class View {
     studio_.take(shot, drawables, &strokes_);
     studio_.show(0, x, 0, width, height);
     draw_joints(*actor_, settings_, drawer);
+    if (actor_->paints(settings_)) draw_brush(hand_, settings_.brush, drawer);
   }
 
   ViewArguments arguments_;
@@ -311,6 +383,8 @@ class View {
   std::unique_ptr<Actor> actor_;
   Settings settings_;
   Dragging dragging_;
+  BrushHand hand_;
+  bool warned_ = false;  // of what is painted and would be lost
   FrameTimes times_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   bool first_ = true;
@@ -332,17 +406,24 @@ void run_view(const ViewArguments& arguments) {
     expect_extension(arguments.screenshot, {".png"});
     expect_writable(arguments.screenshot);
   }
+  if (!arguments.paint_file.empty()) {
+    expect_extension(arguments.paint_file, {".json"});
+    expect_writable(arguments.paint_file);
+  }
   std::optional<Settings> settings;
+  std::vector<cook::PaintedMesh> painted;  // and not saved
   ViewArguments shown = arguments;
   while (true) {
     View view(shown, settings);
     try {
+      view.paint(painted);
       return run_to_the_end(shown, view);
     } catch (const ContextLost& lost) {
       // GLFW cannot give a window another context. Without a frame between two losses it would go on for ever.
       if (view.frames() == 0) throw;
       std::fprintf(stderr, "%s: %s: the window is opened anew\n", lost.file().c_str(), lost.rule().c_str());
       settings = view.settings();
+      painted = view.unsaved_paint();
       shown = view.arguments();
     }
   }

@@ -16,7 +16,9 @@ struct ViewArguments : LookArguments {
   int ghosts = 0;                 // before and after each
   std::string joint;              // chosen, by name; empty: none
   bool limits = false, springs = false;
-  std::string weights;     // joint by name; empty: none
+  std::string weights;  // joint by name; empty: none
+  bool paints = false;
+  std::string paint_file;  // empty: beside the source
   std::string screenshot;  // empty: until the window is closed
   int frames = 10;
 };

@@ -31,6 +31,12 @@ void add_view(CLI::App& app, int&) {
   command->add_option("--weights", a.weights, "colour the weights of this joint")
       ->type_name("JOINT")
       ->excludes("--heatmap");
+  command
+      ->add_option("--paint", a.paint_file,
+                   "paint the weights of --weights or --joint; they are saved to this file, which marrow cook --paint "
+                   "reads; without a file, to FILE.paint.json beside the character's")
+      ->type_name("P.json")
+      ->expected(0, 1);
   CLI::Option* const screenshot =
       command->add_option("--screenshot", a.screenshot, "write the window's picture after some frames, and end")
           ->type_name("P.png");
@@ -42,9 +48,12 @@ void add_view(CLI::App& app, int&) {
   command->footer(
       "What the options choose is where the panel begins. With --time the clip is paused there. A .gltf, .glb or .vrm "
       "file is cooked in memory, by the nearest marrow.toml. What changes on the disk is loaded again, and what is "
-      "dropped on the window is opened; an error is shown in the window until the next good save.");
+      "dropped on the window is opened; an error is shown in the window until the next good save. While painting, the "
+      "left button paints on the figure and turns the camera beside it, or with Ctrl; [ and ] make the brush smaller "
+      "and larger, Ctrl Z and Ctrl Y undo and redo, Ctrl S saves.");
   command->callback([command] {
     a.held = command->count("--time") > 0;
+    a.paints = command->count("--paint") > 0;
     run_view(a);
   });
 }

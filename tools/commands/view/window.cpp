@@ -9,7 +9,10 @@
 
 static_assert(GLFW_KEY_SPACE == marrow::tools::kKeySpace && GLFW_KEY_RIGHT == marrow::tools::kKeyRight &&
               GLFW_KEY_LEFT == marrow::tools::kKeyLeft && GLFW_KEY_HOME == marrow::tools::kKeyHome &&
-              GLFW_KEY_END == marrow::tools::kKeyEnd);
+              GLFW_KEY_END == marrow::tools::kKeyEnd && GLFW_KEY_S == marrow::tools::kKeyS &&
+              GLFW_KEY_Y == marrow::tools::kKeyY && GLFW_KEY_Z == marrow::tools::kKeyZ &&
+              GLFW_KEY_LEFT_BRACKET == marrow::tools::kKeySmaller &&
+              GLFW_KEY_RIGHT_BRACKET == marrow::tools::kKeyLarger);
 
 namespace marrow::tools {
 namespace {
@@ -53,8 +56,9 @@ Window::Window(const std::string& title, int width, int height, bool wait_for_sc
   glfwMakeContextCurrent(window_);
   glfwSetWindowUserPointer(window_, this);
   // Before the panel's, which calls them in its turn.
-  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
-    if (action != GLFW_RELEASE) ++static_cast<Window*>(glfwGetWindowUserPointer(window))->pressed_[key];
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+    const bool with_ctrl = (mods & GLFW_MOD_CONTROL) != 0;
+    if (action != GLFW_RELEASE) ++static_cast<Window*>(glfwGetWindowUserPointer(window))->pressed_[{key, with_ctrl}];
   });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
     if (count > 0) static_cast<Window*>(glfwGetWindowUserPointer(window))->dropped_ = paths[0];
@@ -73,6 +77,10 @@ void* Window::load_proc(const char* name) {
 
 bool Window::closed() const {
   return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+void Window::stay_open() {
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 
 void Window::swap() {
@@ -96,8 +104,8 @@ void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }
 
-bool Window::pressed(int key) {
-  return std::exchange(pressed_[key], 0) > 0;
+bool Window::pressed(int key, bool with_ctrl) {
+  return std::exchange(pressed_[{key, with_ctrl}], 0) > 0;
 }
 
 }  // namespace marrow::tools

@@ -11,6 +11,7 @@ namespace marrow::tools {
 
 // As GLFW numbers them.
 inline constexpr int kKeySpace = 32, kKeyRight = 262, kKeyLeft = 263, kKeyHome = 268, kKeyEnd = 269;
+inline constexpr int kKeyS = 83, kKeyY = 89, kKeyZ = 90, kKeySmaller = 91, kKeyLarger = 93;  // [ and ]
 
 class Window {
  public:
@@ -24,20 +25,21 @@ class Window {
   static void* load_proc(const char* name);
 
   bool closed() const;
-  void swap();  // and hear what the user did
+  void stay_open();  // though it was to be closed
+  void swap();       // and hear what the user did
   std::pair<int, int> pixels() const;
   // How much larger than usual text has to be here.
   float scale() const;
   void set_title(const std::string& title);
-  // Whether this key went down since the last call, or is held for so long that it repeats.
-  bool pressed(int key);
+  // Whether this key went down since the last call, or is held for so long that it repeats. With or without Ctrl held.
+  bool pressed(int key, bool with_ctrl = false);
   // The file that was dropped on it since the last call, of several the first; empty: none.
   std::string dropped() { return std::exchange(dropped_, ""); }
   GLFWwindow* glfw() const { return window_; }
 
  private:
   GLFWwindow* window_ = nullptr;
-  std::map<int, int> pressed_;  // how often, by key
+  std::map<std::pair<int, bool>, int> pressed_;  // how often, by key and whether with Ctrl
   std::string dropped_;
 };
 

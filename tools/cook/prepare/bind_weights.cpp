@@ -10,8 +10,8 @@
 #include <glm/matrix.hpp>
 
 #include "common/failure.h"
+#include "cook/paint/paint_weights.h"
 #include "cook/prepare/bind_bones.h"
-#include "cook/prepare/paint_weights.h"
 #include "deform/weights/auto_weights.h"
 #include "deform/weights/smooth_weights.h"
 

@@ -44,10 +44,10 @@ struct ClipErrorRule {
   RuleOrigin origin = {"--clip-error", ""};
 };
 
-// A joint's weight, painted.
+// Weights, painted.
 struct PaintRule {
-  std::string joint;  // its name
-  std::string file;   // a grey-scale PNG
+  std::string joint;  // its name; empty: the file says which
+  std::string file;   // a grey-scale PNG of the joint; without one what read_painted() reads
   RuleOrigin origin = {"--paint", ""};
 };
 
@@ -68,7 +68,7 @@ struct WeightOptions {
   bool rebind = false;  // make them for meshes that have weights, too
   int smooth_steps = 0;
   RuleOrigin smooth_origin = {"--smooth-weights", ""};
-  std::vector<PaintRule> paint;  // the last of a joint counts
+  std::vector<PaintRule> paint;  // one after the other; of a joint the last mask counts
   bool any() const { return make.has_value() || smooth_steps > 0 || !paint.empty(); }
 };
 

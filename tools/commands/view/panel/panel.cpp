@@ -19,7 +19,8 @@ constexpr float kPanelWidth = 316;
 constexpr const char* kHelp =
     "left button: turn\nright button, or with shift: move\nwheel: zoom\nclick: choose a joint\n"
     "drag a goal's square: reach\ndrop a file: open it\nspace bar: play, pause\nleft, right: a frame back, on\n"
-    "home, end: first, last frame";
+    "home, end: first, last frame\nwhile painting\nleft button on the figure: paint\nbeside it, or with ctrl: turn\n"
+    "[ and ]: the brush smaller, larger\nctrl Z, ctrl Y: undo, redo\nctrl S: save";
 
 void deformers(const char* id, Deformer& chosen) {
   ImGui::PushID(id);
@@ -197,6 +198,7 @@ void show_panel(const PanelState& state, Actor& actor, Settings& settings) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus);
   file_lines(actor, settings);
   clip_section(actor, state.scale, settings);
+  paint_section(actor, state.scale, settings);
   joint_section(actor, state.scale, settings);
   overlay_section(actor, state.scale, settings);
   colour_section(actor, state.scale, settings);

@@ -10,6 +10,8 @@ namespace marrow::tools {
 void clip_section(const Actor& actor, float scale, Settings& settings);
 // The tree of joints, the chosen one's transforms, and its curves over the clip.
 void joint_section(Actor& actor, float scale, Settings& settings);
+// The brush for a joint's weights.
+void paint_section(Actor& actor, float scale, Settings& settings);
 // What is drawn over the picture.
 void overlay_section(const Actor& actor, float scale, Settings& settings);
 // Limits, goals and springs.

@@ -162,7 +162,9 @@ std::vector<Drawable> Actor::drawables(const Settings& settings, Shot& shot) {
   shot.box = performance_->box(*character_);
   std::vector<Drawable> out;
   times_.skin = milliseconds_of([&] {
-    if (settings.colours == Colours::distance) {
+    if (paints(settings)) {
+      out = painted(settings, shot);
+    } else if (settings.colours == Colours::distance) {
       out = heat(settings, shot);
     } else if (settings.colours == Colours::weights && !joints_.empty()) {
       out = weighted(settings, shot);
@@ -187,6 +189,28 @@ std::vector<Drawable> Actor::weighted(const Settings& settings, Shot& shot) {
   }
   shot.shading = kHeatShading;
   return figure_->from_cpu(skin_all(file(), *character_, settings.deformer), colours);
+}
+
+Painting& Actor::painting(const Settings& settings) {
+  if (!painting_)
+    painting_.emplace(file(), settings.paint_file.empty() ? paint_file_beside(source_.path) : settings.paint_file);
+  return *painting_;
+}
+
+bool Actor::paints(const Settings& settings) {
+  return settings.painting && !joints_.empty() && painting(settings).refusal().empty();
+}
+
+// By the weights as they are on the canvas, in full detail.
+std::vector<Drawable> Actor::painted(const Settings& settings, Shot& shot) {
+  const NamedJoint& joint = joints_[settings.joint];
+  painting_->pose(*character_);
+  const std::uint32_t image = painting_->image_of(settings.brush, joint.skeleton, joint.joint);
+  std::vector<std::vector<float>> colours;
+  for (std::uint32_t i = 0; i < file().mesh_count(); ++i)
+    colours.push_back(ramp_colours(painting_->weights(i, joint.skeleton, joint.joint, image)));
+  shot.shading = kHeatShading;
+  return figure_->from_cpu(painting_->posed(*character_), colours);
 }
 
 // Eight squares of two greys a unit each way; where u grows they redden, where v does they turn blue.

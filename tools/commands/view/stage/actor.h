@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands/view/files/source.h"
+#include "commands/view/paint/painting.h"
 #include "commands/view/stage/recording.h"
 #include "commands/view/stage/rigging.h"
 #include "commands/view/stage/view_settings.h"
@@ -68,6 +69,13 @@ class Actor {
   // All meshes as they are now, skinned on the processor.
   std::vector<PosedMesh> posed(Deformer deformer) const { return skin_all(file(), *character_, deformer); }
 
+  // Of this file, and of the settings' paint_file. Made when it is first asked for.
+  Painting& painting(const Settings& settings);
+  // Whether the settings ask for it, and it can be done.
+  bool paints(const Settings& settings);
+  // Null before.
+  Painting* painting() { return painting_ ? &*painting_ : nullptr; }
+
   // Poses; before it, rebuilds what the settings changed. dt_s: since the last pose.
   void pose(const Settings& settings, float dt_s);
   std::vector<Drawable> drawables(const Settings& settings, Shot& shot);
@@ -83,6 +91,7 @@ class Actor {
   void add_plays(Chosen chosen, const Choice& choice);
   void make(const Made& wanted);
   std::vector<Drawable> weighted(const Settings& settings, Shot& shot);
+  std::vector<Drawable> painted(const Settings& settings, Shot& shot);
   std::vector<Drawable> heat(const Settings& settings, Shot& shot);
   std::vector<Drawable> checkered(const Settings& settings);
   void make_checker();
@@ -116,6 +125,7 @@ class Actor {
   DeformerPair heat_pair_;
   float heat_largest_ = 0, heat_scale_ = 1;
   ActorTimes times_;
+  std::optional<Painting> painting_;
 };
 
 }  // namespace marrow::tools

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
+#include "commands/view/paint/brush.h"
 #include "marrow/playback.h"
 #include "marrow/springs.h"
 #include "pose/reach.h"
@@ -59,6 +61,11 @@ struct Settings {
   bool springs = false;                  // below the chosen joint
   SpringJoint spring;                    // as all of its chain are
   std::map<std::size_t, float> weights;  // of morph targets of all meshes, in place of the clip's
+
+  bool painting = false;
+  Brush brush;              // of radius 0: one is to be chosen
+  std::string paint_file;   // empty: beside the source
+  bool save_paint = false;  // to be done, once
 
   int coarseness = 1;  // pixels of the window a pixel of the picture, each way
   Orbit orbit;

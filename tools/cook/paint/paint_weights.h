@@ -1,4 +1,4 @@
-// Weights that an artist painted: grey-scale pictures in the place of a texture.
+// Weights that an artist painted: grey-scale pictures in the place of a texture, or what `marrow view` saves.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace marrow::cook {
 
-// The scene with painted weights, of all meshes that are drawn with a skin. Notes the masks. Throws as bind_weights().
+// The scene with painted weights, of all meshes that are drawn with a skin, by one rule after the other. Notes the
+// files. Throws as bind_weights(), read_painted() and paint_places().
 RawScene paint_weights(RawScene scene, const std::vector<PaintRule>& rules, Notes& notes);
 
 // A mask as Notes::reads has it. Throws tools::Failure: io, invalid if it is absurdly large.

@@ -1,10 +1,11 @@
-#include "cook/prepare/paint_weights.h"
+#include "cook/paint/paint_weights.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include <glm/vec2.hpp>
 
@@ -12,7 +13,9 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/hash.h"
-#include "cook/prepare/bind_bones.h"
+#include "cook/paint/paint_file.h"
+#include "cook/paint/paint_places.h"
+#include "deform/weights/set_weights.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
@@ -142,26 +145,32 @@ void apply(const RawScene& scene, const PaintRule& rule, std::vector<Canvas>& ca
   notes.warnings.insert(notes.warnings.end(), without.begin(), without.end());
 }
 
-// Painted joints have what is painted, all scaled down where it is more than 1; the others share what is left as they
-// did before, and without others the painted ones have it all.
-void paint_vertex(const std::vector<std::pair<std::uint32_t, double>>& painted, std::vector<RawInfluence>& vertex) {
+void paint_vertex(const std::vector<deform::Influence>& painted, std::vector<RawInfluence>& vertex) {
   std::vector<deform::Influence> out;
-  double sum = 0, rest = 0;
-  for (const auto& [joint, weight] : painted) {
-    out.push_back({joint, weight});
-    sum += weight;
-  }
-  const auto is_painted = [&](const RawInfluence& i) {
-    return std::ranges::any_of(painted, [&](const auto& p) { return p.first == i.joint; });
-  };
-  for (const RawInfluence& i : vertex)
-    if (!is_painted(i)) rest += static_cast<double>(i.weight);
-  if (rest <= 0 && sum <= 0) return;
-  for (const RawInfluence& i : vertex)
-    if (!is_painted(i) && sum < 1) out.push_back({i.joint, static_cast<double>(i.weight) / rest * (1 - sum)});
-  deform::keep_largest(out, kMaxInfluences, 0);
+  for (const RawInfluence& i : vertex) out.push_back({i.joint, static_cast<double>(i.weight)});
+  if (!deform::set_weights(painted, kMaxInfluences, out)) return;
   vertex.clear();
   for (const deform::Influence& i : out) vertex.push_back({i.joint, static_cast<float>(i.weight)});
+}
+
+// What masks have painted so far goes to the vertices.
+void apply_masks(std::vector<Canvas>& canvases) {
+  for (Canvas& canvas : canvases) {
+    for (std::size_t v = 0; v < canvas.primitive->positions.size() && !canvas.painted.empty(); ++v) {
+      std::vector<deform::Influence> painted;
+      for (const auto& [joint, weights] : canvas.painted) painted.push_back({joint, weights[v]});
+      paint_vertex(painted, canvas.primitive->influences[v]);
+    }
+    canvas.painted.clear();
+  }
+}
+
+void apply_file(RawScene& scene, const PaintRule& rule, Notes& notes) {
+  RawRead read;
+  const tools::AlignedBytes bytes = bytes_of_mask(rule.file, read);
+  notes.reads.push_back(read);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  paint_places(scene, rule.file, read_painted(rule.file, text), rule.origin.must_fit, notes);
 }
 
 }  // namespace
@@ -174,14 +183,15 @@ RawRead read_of_mask(const std::string& path) {
 
 RawScene paint_weights(RawScene scene, const std::vector<PaintRule>& rules, Notes& notes) {
   std::vector<Canvas> all = canvases(scene);
-  for (const PaintRule& rule : rules) apply(scene, rule, all, notes);
-  for (Canvas& canvas : all) {
-    for (std::size_t v = 0; v < canvas.primitive->positions.size(); ++v) {
-      std::vector<std::pair<std::uint32_t, double>> painted;
-      for (const auto& [joint, weights] : canvas.painted) painted.emplace_back(joint, weights[v]);
-      if (!painted.empty()) paint_vertex(painted, canvas.primitive->influences[v]);
+  for (const PaintRule& rule : rules) {
+    if (!rule.joint.empty()) {
+      apply(scene, rule, all, notes);
+      continue;
     }
+    apply_masks(all);
+    apply_file(scene, rule, notes);
   }
+  apply_masks(all);
   return scene;
 }
 
