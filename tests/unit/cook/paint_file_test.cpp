@@ -148,10 +148,11 @@ double weight_of(const RawScene& scene, std::size_t vertex, std::uint32_t joint)
 
 TEST_F(PaintPlaces, VerticesAreKnownByWhereTheyAre) {
   const RawScene before = d_.read();
-  const RawScene scene = painted(file_of(body(row(before, 2, "1, 0.75, 0, 0.25") + ", " + row(before, 0, "1, 1"))));
-  EXPECT_NEAR(weight_of(scene, 2, 0), 0.25, 1e-6);
-  EXPECT_NEAR(weight_of(scene, 2, 1), 0.75, 1e-6);
-  EXPECT_NEAR(weight_of(scene, 0, 1), 1, 1e-6);
+  const RawScene scene = painted(file_of(R"({"name": "hero mesh", "joints": ["arm", "hips"], "vertices": [)" +
+                                         row(before, 2, "1, 0.75, 0, 0.25") + ", " + row(before, 0, "0, 1") + "]}"));
+  EXPECT_NEAR(weight_of(scene, 2, 3), 0.25, 1e-6) << "of the arm, the skin's last joint";
+  EXPECT_NEAR(weight_of(scene, 2, 0), 0.75, 1e-6);
+  EXPECT_NEAR(weight_of(scene, 0, 3), 1, 1e-6);
   for (const std::size_t other : {1u, 3u})
     for (const std::uint32_t joint : {0u, 1u, 2u, 3u})
       EXPECT_EQ(weight_of(scene, other, joint), weight_of(before, other, joint)) << "not painted";
