@@ -12,6 +12,7 @@
 
 #include "common/aligned_bytes.h"
 #include "common/check_status.h"
+#include "common/example_weights.h"
 #include "marrow/marrow.h"
 #include "text/choices.h"
 
@@ -73,7 +74,7 @@ struct PlayLayer {
 
 struct Worn;
 
-// A marrow::Character with its memory, that throws.
+// A marrow::Character with its memory, that throws. Spaces of example shapes weigh its morph targets.
 class Character {
  public:
   // level: of detail, as in File::mesh.
@@ -119,6 +120,7 @@ class Character {
   marrow::Character body_;
   std::vector<std::uint32_t> no_clips_, no_channels_;
   Animation rest_;
+  ExampleWeights examples_;
   Change change_;
   Weigh weigh_;
   std::vector<std::shared_ptr<Worn>> worn_;
