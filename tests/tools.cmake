@@ -6,13 +6,13 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
 marrow_test(marrow_input_tests input unit/cook/bvh_read_test.cpp unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_meshopt_test.cpp unit/cook/gltf_morphs_test.cpp
   unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp
-  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/cook/vrm_settings_test.cpp unit/cook/vrm_test.cpp
+  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/cook/shape_settings_test.cpp unit/cook/vrm_settings_test.cpp unit/cook/vrm_test.cpp
   unit/unpack/tools_cap_test.cpp)
 target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clip_packer_test.cpp
-  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp
+  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/shapes_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp
   unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/list_packer_test.cpp unit/cook/lod_test.cpp
   unit/cook/outfits_rules_test.cpp unit/cook/packs_test.cpp unit/cook/residual_apart_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/skin_apart_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
   unit/cook/subdivide_mesh_test.cpp unit/cook/bounds_packer_test.cpp unit/cook/add_skeleton_test.cpp)
@@ -48,7 +48,7 @@ target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 # Offline deformers and fits, against the papers' own properties.
 marrow_test(marrow_deform_tests deform unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
   unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp unit/deform/eigen_skin_test.cpp
-  unit/deform/fit_test.cpp unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp
+  unit/deform/example_weights_test.cpp unit/deform/fit_test.cpp unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp
   unit/deform/never_worse_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
   unit/deform/range_of_motion_test.cpp unit/deform/scaled_joints_test.cpp unit/deform/simplify_test.cpp
   unit/deform/subdivide_test.cpp unit/deform/tangents_test.cpp)

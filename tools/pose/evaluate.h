@@ -12,7 +12,7 @@
 
 #include "common/aligned_bytes.h"
 #include "common/check_status.h"
-#include "common/example_weights.h"
+#include "common/shape_weights.h"
 #include "marrow/marrow.h"
 #include "text/choices.h"
 
@@ -120,7 +120,7 @@ class Character {
   marrow::Character body_;
   std::vector<std::uint32_t> no_clips_, no_channels_;
   Animation rest_;
-  ExampleWeights examples_;
+  ShapeWeights examples_;
   Change change_;
   Weigh weigh_;
   std::vector<std::shared_ptr<Worn>> worn_;

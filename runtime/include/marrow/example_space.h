@@ -35,12 +35,6 @@ struct ExampleSpace {
   Span<const float> inverse_widths = {};   // an example; above 0
 };
 
-// Member of File, in file.h: the space that stands at `index` in the file. load() looks at where it stands alone, this
-// at all that it holds, so it asks for a whole pass over the space; once a load. Spans point into the file's block.
-// Errors: bad_argument if `index` is not below example_space_count(); bad_data or unsupported, with `error`, if not
-// null, telling where and why. `out` is written only on success.
-//   Status File::example_space(std::uint32_t index, ExampleSpace& out, DataError* error = nullptr) const;
-
 // For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
 // `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
 // Cost: compares names; once a load.

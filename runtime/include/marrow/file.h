@@ -432,7 +432,9 @@ class File {
   MARROW_API SpringChain spring(std::uint32_t skeleton, std::uint32_t index) const;
   MARROW_API Span<const SpringCollider> spring_colliders(std::uint32_t skeleton) const;
 
-  // Spaces of example shapes: see example_space.h.
+  // Spaces of example shapes, see example_space.h. load() knows where they stand, example_space() looks at all that one
+  // holds; spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported,
+  // with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
   std::uint32_t example_space_count() const { return counts_[12]; }
   MARROW_API Status example_space(std::uint32_t index, ExampleSpace& out, DataError* error = nullptr) const;
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "common/check_status.h"
-#include "common/example_weights.h"
 #include "common/parallel.h"
+#include "common/shape_weights.h"
 #include "marrow/character.h"
 #include "marrow/skin.h"
 
@@ -105,7 +105,7 @@ class Stage {
   }
 
   const File& file_;
-  tools::ExampleWeights examples_;
+  tools::ShapeWeights examples_;
   tools::AlignedBytes animation_memory_;
   Animations animations_;
   std::vector<Level> levels_;
