@@ -24,6 +24,12 @@ Exported export_file(const File& file, const std::string& name) {
     if (file.spring_count(s) > 0)
       scene.warnings.push_back({"skeleton " + std::to_string(s) + " \"" + file.skeleton(s).name + "\"", "",
                                 "glTF has no springs; they are left out"});
+  for (std::uint32_t i = 0; i < file.example_space_count(); ++i) {
+    ExampleSpace space;
+    check(file.example_space(i, space));
+    scene.warnings.push_back({"shape " + std::to_string(i) + " \"" + space.name + "\"", "",
+                              "glTF has no spaces of example shapes; they are left out"});
+  }
   export_meshes(scene);
   export_clips(scene);
   export_nodes(scene);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -90,6 +91,10 @@ class Character {
   using Weigh = std::function<void(std::uint32_t mesh, Span<float> weights)>;
   void set_weigh(Weigh weigh) { weigh_ = std::move(weigh); }
 
+  // Spaces of example shapes, and parameters of them by name in place of what clips say.
+  const ShapeWeights& shapes() const { return shapes_; }
+  void set_parameters(std::map<std::string, float> parameters) { shapes_.set(std::move(parameters)); }
+
   // What follows it from now on in each pose(), see worn.h; they are posed by their own plays at the same time.
   void wear(std::vector<std::shared_ptr<Worn>> worn) { worn_ = std::move(worn); }
   const std::vector<std::shared_ptr<Worn>>& worn() const { return worn_; }
@@ -120,7 +125,7 @@ class Character {
   marrow::Character body_;
   std::vector<std::uint32_t> no_clips_, no_channels_;
   Animation rest_;
-  ShapeWeights examples_;
+  ShapeWeights shapes_;
   Change change_;
   Weigh weigh_;
   std::vector<std::shared_ptr<Worn>> worn_;

@@ -139,7 +139,7 @@ TEST(Shapes, AClipDrivesTheParameters) {
   Character character;
   ASSERT_EQ(make_animations(file, file, {shared.data(), shared.size()}, animations), Status::ok);
   ASSERT_EQ(make_character(file, options, {own.data(), own.size()}, character), Status::ok);
-  const tools::ShapeWeights examples(file);
+  tools::ShapeWeights examples(file);
   const Clip clip = file.clip(0);
   std::vector<float> values(clip.channels.size);
   ASSERT_EQ(sample_channels(clip, 0.75f, values), Status::ok);

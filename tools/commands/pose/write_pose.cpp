@@ -89,6 +89,7 @@ void run_pose(const PoseArguments& a) {
   expect_deformer(a.in, loaded.file, a.deformer);
   const Chosen chosen = choose(a.in, loaded.file, a.choice, !a.outfits.empty());
   Character character(loaded.file);
+  character.set_parameters(set_parameters(a.in, loaded.file, a.choice));
   put_on(a.outfits, a.in, loaded.file, chosen.play, character);
   character.pose(chosen.play, a.choice.time_s);
   write_file_atomically(a.out,

@@ -51,6 +51,7 @@ Sitting::WornFigure::WornFigure(const Gl& gl, gles3::ProgramSet& programs, const
 
 // Dressed, and with its goals.
 Character& Sitting::prepared() {
+  character_.set_parameters(set_parameters(arguments_.file, loaded_.file, arguments_.choice));
   if (!arguments_.outfits.empty() && manner_.path == SkinPath::crowd)
     throw Failure(Exit::usage, "--path crowd", "", "crowds are baked from one file, without outfits",
                   "use another --path");

@@ -60,6 +60,8 @@ struct Settings {
   SpringJoint spring;                    // as all of its chain are
   std::map<std::size_t, float> weights;  // of morph targets of all meshes, in place of the clip's
 
+  std::map<std::string, float> parameters;  // of example shapes, in place of the clip's
+
   int coarseness = 1;  // pixels of the window a pixel of the picture, each way
   Orbit orbit;
   bool framed = false;  // false: the camera is to be put where it sees all
