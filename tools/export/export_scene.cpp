@@ -1,7 +1,9 @@
 // The steps one after the other.
+#include "common/check_status.h"
 #include "export/export.h"
 #include "export/export_looks.h"
 #include "export/export_parts.h"
+#include "marrow/example_space.h"
 
 namespace marrow::tools {
 

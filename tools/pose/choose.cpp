@@ -83,8 +83,9 @@ Chosen choose(const std::string& path, const File& file, const Choice& choice, b
 }
 
 std::map<std::string, float> set_parameters(const std::string& path, const File& file, const Choice& choice) {
+  const ShapeWeights shapes(file);
   std::vector<std::string> names;
-  for (const ExampleSpace& space : ShapeWeights(file).spaces())
+  for (const ExampleSpace& space : shapes.spaces())
     for (const ExampleParameter& p : space.parameters) names.emplace_back(file.text(p.name));
   std::map<std::string, float> out;
   for (const std::string& given : choice.set) {

@@ -15,7 +15,7 @@ struct Choice {
   std::string clip;   // by name or by number; of each other skeleton the clip of the same name plays too; empty: none
   std::string clips;  // a clip pack that it comes from; empty: the file itself
   float time_s = 0;
-  std::vector<std::string> set;  // "NAME=VALUE": parameters of example shapes, in place of the clip's
+  std::vector<std::string> set = {};  // "NAME=VALUE": parameters of example shapes, in place of the clip's
 };
 
 struct Chosen {

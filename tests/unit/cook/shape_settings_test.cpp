@@ -9,12 +9,12 @@
 namespace marrow::cook {
 namespace {
 
-Settings parse(const std::string& text) {
+Settings parse_shapes(const std::string& text) {
   return parse_settings("/project/marrow.toml", text);
 }
 
 TEST(ShapeSettings, AreRead) {
-  const Settings settings = parse(R"(
+  const Settings settings = parse_shapes(R"(
 [[shapes]]
 name = "face"
 mesh = "head"
@@ -57,7 +57,7 @@ examples = [{ at = [0] }, { at = [1], target = "closed" }]
 
 // What a cache goes by.
 TEST(ShapeSettings, CountAndTheirPlaceDoesNot) {
-  const auto text = [](const std::string& toml) { return canonical_text(parse(toml).defaults); };
+  const auto text = [](const std::string& toml) { return canonical_text(parse_shapes(toml).defaults); };
   const std::string one = "[[shapes]]\nname='n'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='t'}]\n";
   EXPECT_EQ(text(one), text("\n\n" + one + "# more\n"));
   const char* others[] = {"[[shapes]]\nname='m'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='t'}]\n",
@@ -112,13 +112,13 @@ TEST(ShapeSettings, MistakesAreLocated) {
       {"[[shapes]]\nname = 'n'\nparameters = [{ default = 1 }]", "3:15", "a parameter without \"name\""},
       {"[[shapes]]\nname = 'n'\nparameters = ['p', 'p']", "3:20", "a second parameter \"p\""},
       {"[[shapes]]\nname = 'n'\nparameters = [{ name = 'p', default = inf }]", "3:39", "no number up to 1e6"},
-      {"[[shapes]]\nname = 'n'\nparameters = [" + list_of(9, "'p", "'") + "]", "3:55", "more than 8 parameters"},
-      {"[[shapes]]\nname = 'n'\nparameters = ['p']\nexamples = [" + list_of(65, "{ at = [", "] }") + "]", "4:1103",
+      {"[[shapes]]\nname = 'n'\nparameters = [" + list_of(9, "'p", "'") + "]", "3:63", "more than 8 parameters"},
+      {"[[shapes]]\nname = 'n'\nparameters = ['p']\nexamples = [" + list_of(65, "{ at = [", "] }") + "]", "4:963",
        "more than 64 examples"},
   };
   for (const auto& c : cases) {
     try {
-      parse(c.text);
+      parse_shapes(c.text);
       ADD_FAILURE() << c.text;
     } catch (const tools::Failure& f) {
       EXPECT_EQ(f.code(), tools::Exit::usage);

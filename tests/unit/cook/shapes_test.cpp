@@ -136,7 +136,7 @@ TEST(Shapes, AClipDrivesTheParameters) {
   const CharacterOptions options{.layers = 2};
   tools::AlignedBytes shared(animations_bytes(file, file)), own(character_bytes(file, options));
   Animations animations;
-  Character character;
+  marrow::Character character;
   ASSERT_EQ(make_animations(file, file, {shared.data(), shared.size()}, animations), Status::ok);
   ASSERT_EQ(make_character(file, options, {own.data(), own.size()}, character), Status::ok);
   tools::ShapeWeights examples(file);

@@ -60,7 +60,7 @@ Places places_of(const ShapeRule& rule, const std::vector<BuiltMesh>& meshes) {
     const bool has_any = std::ranges::any_of(targets, [](int t) { return t != kNone; });
     if (has_any || !rule.mesh.empty()) out[std::move(targets)].push_back(m);
   }
-  check_targets(rule, out, meshes);
+  if (!out.empty()) check_targets(rule, out, meshes);
   std::erase_if(out, [](const auto& p) { return std::ranges::all_of(p.first, [](int t) { return t == kNone; }); });
   return out;
 }
