@@ -17,7 +17,7 @@ void add_between(CLI::App* command, BetweenArguments& to) {
                                              "the frame before and both, cubic by one more; bicubic is the cubic")
           ->check(CLI::IsMember(names_of(kPlayedBetween)));
   CLI::Option* const frames = command->add_option("--frames", to.hz, "with --between: frames a second, evenly apart")
-                                  ->check(CLI::Range(1.0, 240.0))
+                                  ->check(CLI::Range(0.1, 240.0))
                                   ->type_name("HZ");
   between->needs(frames);
   frames->needs(between);
