@@ -7,6 +7,19 @@
 #include "deform/motion/between_poses.h"
 
 namespace marrow::tools {
+namespace {
+
+constexpr double kLeastFrames_hz = 0.1, kMostFrames_hz = 240;
+
+std::size_t intervals(const Play& play, double hz) {
+  if (!(hz >= kLeastFrames_hz && hz <= kMostFrames_hz))
+    throw Failure(Exit::usage, "--frames", "", "not a rate", "give 0.1 to 240 frames a second");
+  if (play.empty() || !(play.duration_s > 0))
+    throw Failure(Exit::usage, "--between", "", "nothing plays", "give --clip too");
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(play.duration_s) * hz - 1e-6)));
+}
+
+}  // namespace
 
 void add_between(CLI::App* command, BetweenArguments& to) {
   const auto set = [&to](const std::string& name) { to.kind = value_of(kPlayedBetween, name); };
@@ -16,9 +29,8 @@ void add_between(CLI::App* command, BetweenArguments& to) {
                                              "play the clip from --frames, and interpolate between them: quadratic by "
                                              "the frame before and both, cubic by one more; bicubic is the cubic")
           ->check(CLI::IsMember(names_of(kPlayedBetween)));
-  CLI::Option* const frames = command->add_option("--frames", to.hz, "with --between: frames a second, evenly apart")
-                                  ->check(CLI::Range(0.1, 240.0))
-                                  ->type_name("HZ");
+  CLI::Option* const frames =
+      command->add_option("--frames", to.hz, "with --between: frames a second, evenly apart")->type_name("HZ");
   between->needs(frames);
   frames->needs(between);
 }
@@ -28,13 +40,10 @@ PlayedFrames::PlayedFrames(const File& file, const Play& play, const BetweenArgu
     : file_(file),
       play_(play),
       kind_(*arguments.kind),
-      intervals_(static_cast<std::size_t>(
-          std::max(1.0, std::ceil(static_cast<double>(play.duration_s) * arguments.hz - 1e-6)))),
+      intervals_(intervals(play, arguments.hz)),
       character_(file),
       poses_(file.skeleton_count()),
       weights_(file.mesh_count()) {
-  if (play.empty() || !(play.duration_s > 0))
-    throw Failure(Exit::usage, "--between", "", "nothing plays", "give --clip too");
   character_.set_parameters(parameters);
   character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine>) {
     poses_[skeleton].emplace_back(local.begin(), local.end());
