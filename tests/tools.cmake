@@ -6,13 +6,13 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
 marrow_test(marrow_input_tests input unit/cook/bvh_read_test.cpp unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
   unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_meshopt_test.cpp unit/cook/gltf_morphs_test.cpp
   unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp
-  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/cook/vrm_settings_test.cpp unit/cook/vrm_test.cpp
+  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/cook/shape_settings_test.cpp unit/cook/vrm_settings_test.cpp unit/cook/vrm_test.cpp
   unit/unpack/tools_cap_test.cpp)
 target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clip_packer_test.cpp
-  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp unit/cook/paint_file_test.cpp
+  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/shapes_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp unit/cook/paint_file_test.cpp
   unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/list_packer_test.cpp unit/cook/lod_test.cpp
   unit/cook/outfits_rules_test.cpp unit/cook/packs_test.cpp unit/cook/residual_apart_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/skin_apart_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
   unit/cook/subdivide_mesh_test.cpp unit/cook/bounds_packer_test.cpp unit/cook/add_skeleton_test.cpp unit/cook/weights_over_time_test.cpp unit/cook/eigen_targets_test.cpp)
@@ -50,7 +50,7 @@ target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 # Offline deformers and fits, against the papers' own properties.
 marrow_test(marrow_deform_tests deform unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
   unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp unit/deform/eigen_skin_test.cpp
-  unit/deform/fit_test.cpp unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp
+  unit/deform/example_weights_test.cpp unit/deform/fit_test.cpp unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp
   unit/deform/never_worse_test.cpp unit/deform/painted_weights_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
   unit/deform/range_of_motion_test.cpp unit/deform/scaled_joints_test.cpp unit/deform/simplify_test.cpp
   unit/deform/subdivide_test.cpp unit/deform/tangents_test.cpp)
@@ -72,10 +72,10 @@ marrow_test(marrow_road_tests road road/road_test.cpp road/bounds_test.cpp road/
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
 marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp
-  cli/bench_test.cpp cli/bvh_test.cpp
+  cli/bench_test.cpp cli/between_test.cpp cli/bvh_test.cpp
   cli/clip_pack_test.cpp cli/outfit_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
   cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/demo_test.cpp cli/export_test.cpp cli/film_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
-  cli/names_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp cli/watch_test.cpp)
+  cli/names_test.cpp cli/parameters_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp cli/watch_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)

@@ -17,6 +17,8 @@ class Checker {
       : block_(block), sections_(sections), first_(first), counts_(counts) {}
 
   bool all();
+  // Of a whole file: all() leaves it out, so that a game without links none of it.
+  bool example_space(std::uint32_t index);
   const DataError& error() const { return error_; }
 
  private:
@@ -36,7 +38,8 @@ class Checker {
     }
     if (s.bytes < sizeof(Header)) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
     const auto* h = reinterpret_cast<const Header*>(block_.data + s.offset);
-    if (format::layout(*h).bytes != s.bytes) return fail(h, "section size differs from its counts"), nullptr;
+    using format::layout;  // and those of other headers than format.h
+    if (layout(*h).bytes != s.bytes) return fail(h, "section size differs from its counts"), nullptr;
     return h;
   }
   template <class T>

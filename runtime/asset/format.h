@@ -45,15 +45,18 @@ enum Kind : std::uint32_t {
   kLimits,
   kBounds,
   kSprings,
+  kExamples,  // laid out in example_format.h
   kKindCount
 };
 // The order in which they stand in a file.
-inline constexpr Kind kOrder[kKindCount] = {kSkeletons, kReferences, kClips,  kGeometries, kMeshes, kMaterials,
-                                            kImages,    kNodes,      kLimits, kSprings,    kBounds, kNames};
+inline constexpr Kind kOrder[kKindCount] = {kSkeletons, kReferences, kClips, kGeometries, kMeshes,
+                                            kMaterials, kImages,     kNodes, kLimits,     kSprings,
+                                            kExamples,  kBounds,     kNames};
 inline constexpr std::uint32_t kTypes[kKindCount] = {
     four_characters("SKEL"), four_characters("SREF"), four_characters("CLIP"), four_characters("GEOM"),
     four_characters("MESH"), four_characters("MATL"), four_characters("IMAG"), four_characters("NODE"),
-    four_characters("NAME"), four_characters("LIMI"), four_characters("BNDS"), four_characters("SPRI")};
+    four_characters("NAME"), four_characters("LIMI"), four_characters("BNDS"), four_characters("SPRI"),
+    four_characters("EXSP")};
 
 struct Header {
   std::uint32_t magic;

@@ -12,6 +12,7 @@
 #include "marrow/clip_pack.h"
 #include "marrow/curve.h"
 #include "marrow/debug_lines.h"
+#include "marrow/example_space.h"
 #include "marrow/feet.h"
 #include "marrow/file.h"
 #include "marrow/ik.h"
@@ -82,6 +83,21 @@ SAME(mrw_joint_transform, JointTransform);
 SAME_MEMBER(mrw_joint_transform, JointTransform, translation, translation);
 SAME_MEMBER(mrw_joint_transform, JointTransform, rotation, rotation);
 SAME_MEMBER(mrw_joint_transform, JointTransform, scale, scale);
+static_assert(MRW_MAX_EXAMPLE_PARAMETERS == kMaxExampleParameters);
+static_assert(MRW_MAX_EXAMPLES == kMaxExamples);
+SAME(mrw_example_parameter, ExampleParameter);
+SAME_MEMBER(mrw_example_parameter, ExampleParameter, name, name);
+SAME_MEMBER(mrw_example_parameter, ExampleParameter, rest, rest);
+SAME(mrw_example_space, ExampleSpace);
+SAME_MEMBER(mrw_example_space, ExampleSpace, name, name);
+SAME_MEMBER(mrw_example_space, ExampleSpace, example_count, example_count);
+SAME_SPAN(mrw_example_space, ExampleSpace, parameters, parameter_count);
+SAME_SPAN(mrw_example_space, ExampleSpace, targets, target_count);
+SAME_SPAN(mrw_example_space, ExampleSpace, meshes, mesh_count);
+SAME_SPAN(mrw_example_space, ExampleSpace, linear, linear_count);
+SAME_SPAN(mrw_example_space, ExampleSpace, radial, radial_count);
+SAME_SPAN(mrw_example_space, ExampleSpace, places, place_count);
+SAME_SPAN(mrw_example_space, ExampleSpace, inverse_widths, inverse_width_count);
 static_assert(MRW_MAX_JOINTS == kMaxJoints);
 static_assert(MRW_MAX_INFLUENCES == kMaxInfluences);
 static_assert(MRW_NO_PARENT == kNoParent);
@@ -607,6 +623,7 @@ SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, offsets, offsets);
 SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, moved, moved);
 SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, changed, changed);
 SAME_MEMBER(mrw_morphed_geometry, MorphedGeometry, attributes, attributes);
+static_assert(MRW_NO_EXAMPLE_CHANNEL == kNoExampleChannel);
 SAME(mrw_debug_line, DebugLine);
 SAME_MEMBER(mrw_debug_line, DebugLine, from, from);
 SAME_MEMBER(mrw_debug_line, DebugLine, to, to);

@@ -9,6 +9,7 @@
 #include "marrow/clip_pack.h"
 #include "marrow/curve.h"
 #include "marrow/debug_lines.h"
+#include "marrow/example_space.h"
 #include "marrow/feet.h"
 #include "marrow/file.h"
 #include "marrow/ik.h"
@@ -429,6 +430,16 @@ mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton, mr
   MRW_NEEDS(leads_to<File>(file) && leads_to<Span<const SpringCollider>>(out), MRW_BAD_ARGUMENT);
   give<Span<const SpringCollider>>(out, of<File>(file).spring_colliders(skeleton));
   return MRW_OK;
+}
+
+uint32_t mrw_file_example_space_count(const mrw_file* file) {
+  MRW_NEEDS(leads_to<File>(file), 0);
+  return of<File>(file).example_space_count();
+}
+
+mrw_status mrw_file_example_space(const mrw_file* file, uint32_t index, mrw_example_space* out, mrw_data_error* error) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<ExampleSpace>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  return code(of<File>(file).example_space(index, to<ExampleSpace>(out), static_cast<DataError*>(static_cast<void*>(error))));
 }
 
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name) {
@@ -870,6 +881,18 @@ mrw_status mrw_morph(const float* weights, size_t weight_count, mrw_morphed_geom
 mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates, size_t coordinate_count) {
   MRW_NEEDS(leads_to<MorphedGeometry>(morphed) && is_list<float>(coordinates, coordinate_count), MRW_BAD_ARGUMENT);
   return code(marrow::morph_coordinates(to<MorphedGeometry>(morphed), span<float>(coordinates, coordinate_count)));
+}
+
+mrw_status mrw_find_example_channels(const mrw_file* file, const mrw_example_space* space, const mrw_file* clips,
+    const mrw_clip* clip, uint32_t* out, size_t out_count) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<ExampleSpace>(space) && leads_to<File>(clips) && leads_to<Clip>(clip) && is_list<std::uint32_t>(out, out_count), MRW_BAD_ARGUMENT);
+  return code(marrow::find_example_channels(of<File>(file), of<ExampleSpace>(space), of<File>(clips), of<Clip>(clip), span<std::uint32_t>(out, out_count)));
+}
+
+mrw_status mrw_evaluate_examples(const mrw_example_space* space, const float* parameters, size_t parameter_count,
+    float* weights, size_t weight_count) {
+  MRW_NEEDS(leads_to<ExampleSpace>(space) && is_list<float>(parameters, parameter_count) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
+  return code(marrow::evaluate_examples(of<ExampleSpace>(space), span<const float>(parameters, parameter_count), span<float>(weights, weight_count)));
 }
 
 mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,

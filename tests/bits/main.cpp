@@ -67,6 +67,7 @@ constexpr StageHash kStored[] = {
     {"materials, nodes", 0x3D5A416F8608F33C},
     {"levels of detail", 0x21058C879C0498E1},
     {"limits", 0x29D2E77DC9998191},
+    {"example shapes", 0x01FA78738D9C8121},
     {"unpack, a coded clip", 0x37B5BAFA4434C299},
     {"unpack", 0x97846384F63C80E5},
     {"unpack, deformers", 0xEA4789054240AE97},

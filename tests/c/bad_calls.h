@@ -192,6 +192,15 @@ static int call_file_spring_colliders(const Round* r) {
   (void)r;
   return mrw_file_spring_colliders(at(r, 0), (uint32_t)whole(r), at(r, 2));
 }
+static int call_file_example_space_count(const Round* r) {
+  (void)r;
+  (void)mrw_file_example_space_count(at(r, 0));
+  return -1;
+}
+static int call_file_example_space(const Round* r) {
+  (void)r;
+  return mrw_file_example_space(at(r, 0), (uint32_t)whole(r), at(r, 2), at(r, 3));
+}
 static int call_file_find_skeleton(const Round* r) {
   (void)r;
   (void)mrw_file_find_skeleton(at(r, 0), text(r));
@@ -643,6 +652,14 @@ static int call_morph_coordinates(const Round* r) {
   (void)r;
   return mrw_morph_coordinates(at(r, 0), list(r, 1), count(r));
 }
+static int call_find_example_channels(const Round* r) {
+  (void)r;
+  return mrw_find_example_channels(at(r, 0), at(r, 1), at(r, 2), at(r, 3), list(r, 4), count(r));
+}
+static int call_evaluate_examples(const Round* r) {
+  (void)r;
+  return mrw_evaluate_examples(at(r, 0), list(r, 1), count(r), list(r, 2), count(r));
+}
 static int call_debug_line_init(const Round* r) {
   mrw_debug_line_init(at(r, 0));
   return -1;
@@ -876,6 +893,8 @@ static const Row rows[] = {
     {"mrw_file_spring_count", call_file_spring_count, 1, 0},
     {"mrw_file_spring", call_file_spring, 1, 0},
     {"mrw_file_spring_colliders", call_file_spring_colliders, 1, 0},
+    {"mrw_file_example_space_count", call_file_example_space_count, 1, 0},
+    {"mrw_file_example_space", call_file_example_space, 1, 0},
     {"mrw_file_find_skeleton", call_file_find_skeleton, 1, 0},
     {"mrw_file_find_joint", call_file_find_joint, 1, 0},
     {"mrw_file_find_mesh", call_file_find_mesh, 1, 0},
@@ -982,6 +1001,8 @@ static const Row rows[] = {
     {"mrw_make_morphed", call_make_morphed, 1, 1},
     {"mrw_morph", call_morph, 1, 1},
     {"mrw_morph_coordinates", call_morph_coordinates, 1, 1},
+    {"mrw_find_example_channels", call_find_example_channels, 1, 1},
+    {"mrw_evaluate_examples", call_evaluate_examples, 1, 1},
     {"mrw_debug_line_init", call_debug_line_init, 0, 0},
     {"mrw_debug_lines_init", call_debug_lines_init, 0, 0},
     {"mrw_joint_lines", call_joint_lines, 1, 1},

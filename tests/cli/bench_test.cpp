@@ -142,10 +142,20 @@ TEST(Bench, MorphsInEveryForm) {
   EXPECT_EQ(hashes.size(), 12u);
 }
 
+TEST(Bench, WeighsExamples) {
+  const Rows rows = bench("skin/examples/*", "1");
+  EXPECT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows.at("skin/examples/64/6").items, 64);
+  std::set<std::string> hashes;
+  for (const auto& [name, row] : rows) hashes.insert(row.hash);
+  EXPECT_EQ(hashes.size(), 6u);
+}
+
 TEST(Bench, HashesDoNotDependOnIterationsOrOnOtherRows) {
   const TemporaryFolder none;
   const AssetsAt empty(none / "");
-  for (const char* only : {"sample/*/newt_walk", "[bfp]*", "skin/as/pnt/3/1000", "skin/morph/*/16/*"}) {
+  for (const char* only :
+       {"sample/*/newt_walk", "[bfp]*", "skin/as/pnt/3/1000", "skin/morph/*/16/*", "skin/examples/16/*"}) {
     const Rows once = bench(only, "1");
     EXPECT_FALSE(once.empty()) << only;
     EXPECT_EQ(once, bench(only, "1")) << only;

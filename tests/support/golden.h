@@ -28,6 +28,8 @@ extern const unsigned char limits_v1[];
 extern const unsigned long long limits_v1_size;
 extern const unsigned char springs_v1[];
 extern const unsigned long long springs_v1_size;
+extern const unsigned char shapes_v1[];
+extern const unsigned long long shapes_v1_size;
 extern const unsigned char packed_v2[];
 extern const unsigned long long packed_v2_size;
 }  // namespace marrow::embedded
@@ -91,6 +93,11 @@ inline AlignedBlock golden_limits_copy() {
 // A file with spring bones and colliders.
 inline AlignedBlock golden_springs_copy() {
   return AlignedBlock(embedded::springs_v1, static_cast<std::size_t>(embedded::springs_v1_size));
+}
+
+// A file with a space of example shapes.
+inline AlignedBlock golden_shapes_copy() {
+  return AlignedBlock(embedded::shapes_v1, static_cast<std::size_t>(embedded::shapes_v1_size));
 }
 
 }  // namespace marrow::test

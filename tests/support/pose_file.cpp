@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "marrow/example_space.h"
 #include "marrow/limits.h"
 #include "support/aligned.h"
 
@@ -194,6 +195,34 @@ std::uint64_t hash_nodes(std::uint64_t state, const File& file) {
   return state;
 }
 
+// Spaces of example shapes: refused, or evaluated.
+std::uint64_t hash_examples(std::uint64_t state, const File& file) {
+  for (std::uint32_t i = 0; i < file.example_space_count(); ++i) {
+    ExampleSpace space;
+    DataError error;
+    if (file.example_space(i, space, &error) != Status::ok) {
+      require(error.status != Status::ok && error.rule[0] != 0);
+      continue;
+    }
+    state = hash_text(state, space.name);
+    std::vector<std::uint32_t> channels(space.parameters.size);
+    for (std::uint32_t c = 0; c < file.clip_count(); ++c)
+      require(find_example_channels(file, space, file, file.clip(c), channels) == Status::ok);
+    std::vector<float> parameters;
+    for (const ExampleParameter& p : space.parameters) parameters.push_back(p.rest);
+    for (const std::uint32_t m : space.meshes) {
+      std::vector<float> weights(file.mesh(m).targets.size);
+      for (int step = 0; step < 40; ++step) {
+        const Status status = evaluate_examples(space, parameters, weights);
+        require(status == Status::ok || status == Status::bad_data);
+        state = hash_all(state, weights);
+        for (std::size_t p = 0; p < parameters.size(); ++p) parameters[p] += p == 0 ? 0.0625f : -0.03125f;
+      }
+    }
+  }
+  return state;
+}
+
 // Deformers that few meshes have data for, on a palette that turns and moves every entry a little.
 std::uint64_t hash_family(std::uint64_t state, const Mesh& mesh) {
   std::vector<Affine> palette(mesh.palette_size(), Affine{{{0.75f, -0.5f, 0, 1}, {0.5f, 0.75f, 0, 0}, {0, 0, 1, 2}}});
@@ -312,6 +341,7 @@ std::uint64_t exercise(const File& file) {
   for (std::uint32_t r = 0; r < file.reference_count(); ++r) state = hash_reference(state, file, r);
   state = hash_looks(state, file);
   state = hash_nodes(state, file);
+  state = hash_examples(state, file);
   require(file.find_clip("no clip has such a name") <= file.clip_count());
   for (std::uint32_t c = 0; c < file.clip_count(); ++c) state = hash_channels(state, file, file.clip(c));
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {

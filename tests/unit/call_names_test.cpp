@@ -161,6 +161,8 @@ TEST_F(CallNames, OfLines) {
 TEST_F(CallNames, OfSkinning) {
   REFUSED(find_weight_channels, {}, one_.mesh, {}, {}, {});
   REFUSED(morph_weights, one_.mesh, {}, {}, {});
+  REFUSED(find_example_channels, {}, {{}, 0, {{}, 1}}, {}, {}, {});
+  REFUSED(evaluate_examples, {{}, 1}, {}, {});
   REFUSED(make_morphed, one_.geometry, {}, one_.morphed);
   REFUSED(morph, {}, one_.morphed);
   REFUSED(morph_coordinates, one_.morphed, {});

@@ -56,6 +56,8 @@ TEST(Designated, MembersMayBeLeftOut) {
   const MeshDecoder decoder = {.codec = 1};
   const UnpackSizes sizes = {.file_bytes = 1};
   const JointMisfit misfit = {.joint = 1};
+  const ExampleParameter parameter = {.rest = 1};
+  const ExampleSpace space = {.name = "moods"};
 
   EXPECT_EQ(layer.weight, 1.0f);
   EXPECT_TRUE(change.mask.empty() && curve.times_s.empty() && length.lengths.empty() && out.normals.empty());
@@ -70,6 +72,7 @@ TEST(Designated, MembersMayBeLeftOut) {
   EXPECT_TRUE(chain.joints.empty() && collider.joint == 0 && spring_frame.weight == 1 && inertia.offsets.empty());
   EXPECT_TRUE(start.now.empty() && joint.rotation[3] == 1 && error.offset == 0 && decoder.decode == nullptr);
   EXPECT_TRUE(sizes.memory_bytes == 0 && misfit.how == Misfit::missing);
+  EXPECT_TRUE(parameter.name == 0 && space.example_count == 0);
 }
 
 }  // namespace

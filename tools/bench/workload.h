@@ -46,6 +46,7 @@ RowGroup sampling_rows();
 RowGroup pose_rows(const Models& models);  // on pab, or else on the sample
 RowGroup skinning_rows();
 RowGroup morphing_rows();
+RowGroup weighing_rows();
 RowGroup limit_rows();
 RowGroup chain_rows();
 RowGroup body_rows();

@@ -24,6 +24,11 @@ void add_choice(CLI::App* command, Choice& choice) {
       ->add_option("--time", choice.time_s, "seconds from the clip's start; outside the clip its first or last moment")
       ->type_name("S")
       ->check(finite("seconds"));
+  command
+      ->add_option("--set", choice.set,
+                   "a parameter of example shapes, in place of the clip's; may be given several times")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
 }
 
 void add_deformer(CLI::App* command, Deformer& to, std::span<const Named<Deformer>> deformers) {

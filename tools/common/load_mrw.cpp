@@ -6,6 +6,7 @@
 #include "common/files.h"
 #include "common/formats.h"
 #include "common/unpack_mrw.h"
+#include "marrow/example_space.h"
 #include "marrow/unpack.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -30,7 +31,10 @@ LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes) {
     loaded.bytes = std::move(file);
   }
   DataError error;
-  const Status status = load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file, &error);
+  Status status = load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file, &error);
+  ExampleSpace space;
+  for (std::uint32_t i = 0; status == Status::ok && i < loaded.file.example_space_count(); ++i)
+    status = loaded.file.example_space(i, space, &error);
   const bool foreign = status == Status::unsupported || status == Status::bad_version;
   if (status != Status::ok)
     throw Failure(foreign ? Exit::unsupported : Exit::invalid, path, "@" + std::to_string(error.offset),

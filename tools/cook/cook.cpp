@@ -10,6 +10,7 @@
 #include "common/hash.h"
 #include "cook/clip/build_clips.h"
 #include "cook/learn/eigen_targets.h"
+#include "cook/mesh/build_examples.h"
 #include "cook/mesh/build_materials.h"
 #include "cook/mesh/build_meshes.h"
 #include "cook/mesh/derive_binds.h"
@@ -111,6 +112,7 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   out.geometries = std::move(meshes.geometries);
   out.learnt = std::move(meshes.learnt);
   out.meshes = std::move(meshes.meshes);
+  out.example_spaces = build_example_spaces(options.shapes, out.meshes, notes);
   out.materials = std::move(looks.materials);
   out.images = std::move(looks.images);
   out.nodes = std::move(nodes.nodes);

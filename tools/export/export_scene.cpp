@@ -1,7 +1,9 @@
 // The steps one after the other.
+#include "common/check_status.h"
 #include "export/export.h"
 #include "export/export_looks.h"
 #include "export/export_parts.h"
+#include "marrow/example_space.h"
 
 namespace marrow::tools {
 
@@ -24,6 +26,12 @@ Exported export_file(const File& file, const std::string& name) {
     if (file.spring_count(s) > 0)
       scene.warnings.push_back({"skeleton " + std::to_string(s) + " \"" + file.skeleton(s).name + "\"", "",
                                 "glTF has no springs; they are left out"});
+  for (std::uint32_t i = 0; i < file.example_space_count(); ++i) {
+    ExampleSpace space;
+    check(file.example_space(i, space));
+    scene.warnings.push_back({"shape " + std::to_string(i) + " \"" + space.name + "\"", "",
+                              "glTF has no spaces of example shapes; they are left out"});
+  }
   export_meshes(scene);
   export_clips(scene);
   export_nodes(scene);

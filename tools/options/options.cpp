@@ -104,6 +104,8 @@ CookOptions to_options(const Given& given) {
       option.set(options, value);
     }
   }
+  if (const auto shapes = given.find(kShapes); shapes != given.end())
+    for (const Value& value : shapes->second) options.shapes.push_back(*value.shape);
   // Of what blends rotations; beside delta mush helpers do not pay.
   LearnOptions& learn = options.learn;
   if (learn.animation_space == AnimationSpace::fit && !given.contains("helpers") &&

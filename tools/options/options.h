@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,8 +15,12 @@ namespace marrow::cook {
 // One value of an option as it was given. A flag's is "true" or "false".
 struct Value {
   std::string text;
-  RuleOrigin origin;  // of a failure; on the command line {"--NAME", ""}
+  RuleOrigin origin;                                 // of a failure; on the command line {"--NAME", ""}
+  std::shared_ptr<const ShapeRule> shape = nullptr;  // of kShapes, whose text tells shapes apart
 };
+
+// What only marrow.toml has: [[shapes]].
+inline constexpr const char* kShapes = "shapes";
 
 enum class OptionKind {
   flag,  // given or not

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <toml++/toml.h>
-
 #include "common/failure.h"
 #include "common/files.h"
+#include "options/shape_settings.h"
 #include "text/deep_key.h"
 #include "text/nearest.h"
 #include "text/pattern.h"
@@ -19,10 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargest = 64 * 1024;
 constexpr const char* kName = "marrow.toml";
-
-std::string place(const toml::source_region& region) {
-  return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
-}
 
 class Reader {
  public:
@@ -38,6 +33,10 @@ class Reader {
     for (const auto& [key, node] : table) {
       const std::string_view name = key.str();
       if (name == but) continue;
+      if (name == kShapes) {
+        given[kShapes] = read_shapes(path_, node);
+        continue;
+      }
       const auto option = std::ranges::find_if(option_table(), [&](const Option& o) { return name == o.name; });
       if (option == option_table().end()) unknown(key, but);
       given[option->name] = values(*option, node);
@@ -61,7 +60,7 @@ class Reader {
 
  private:
   [[noreturn]] void unknown(const toml::key& key, std::string_view also) const {
-    std::vector<std::string> names{std::string(also)};
+    std::vector<std::string> names{std::string(also), kShapes};
     for (const Option& option : option_table()) names.emplace_back(option.name);
     const std::string now = replacement_of(key.str());
     const std::string question = now.empty() ? tools::did_you_mean(key.str(), names) : now;

@@ -1,10 +1,14 @@
 #include "pose/choose.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "common/failure.h"
 #include "marrow/clip_pack.h"
 #include "pose/misfits_text.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {
@@ -74,6 +78,30 @@ Chosen choose(const std::string& path, const File& file, const Choice& choice, b
     out.play = play_pack(choice.clips, out.pack->file, choice.clip, path, file);
   } else if (!choice.clip.empty()) {
     out.play = play_together(file, find_clip(path, file, choice.clip));
+  }
+  return out;
+}
+
+std::map<std::string, float> set_parameters(const std::string& path, const File& file, const Choice& choice) {
+  const ShapeWeights shapes(file);
+  std::vector<std::string> names;
+  for (const ExampleSpace& space : shapes.spaces())
+    for (const ExampleParameter& p : space.parameters) names.emplace_back(file.text(p.name));
+  std::map<std::string, float> out;
+  for (const std::string& given : choice.set) {
+    const std::size_t divide = given.rfind('=');
+    const std::string name = given.substr(0, divide);
+    float value = 0;
+    const char* const end = given.data() + given.size();
+    const char* const number = divide == std::string::npos ? end : given.data() + divide + 1;
+    const auto [stop, error] = std::from_chars(number, end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value))
+      throw Failure(Exit::usage, "--set", "", "\"" + printable(given) + "\" gives no number",
+                    "give NAME=VALUE, as in joy=0.5");
+    if (std::ranges::find(names, name) == names.end())
+      throw Failure(Exit::usage, path, "", "no parameter \"" + printable(name) + "\"",
+                    names.empty() ? "no shapes are in the file" : suggestion(name, names));
+    out[name] = value;
   }
   return out;
 }

@@ -54,7 +54,8 @@ Play only(const File& file, const Play& play, std::uint32_t skeleton) {
   return out;
 }
 
-Character::Character(const File& file, AsNormals normals, std::uint32_t level) : tangents_(file.mesh_count()) {
+Character::Character(const File& file, AsNormals normals, std::uint32_t level)
+    : shapes_(file), tangents_(file.mesh_count()) {
   if (normals == AsNormals::tangents) tangents_ = tangents_of(file, level);
   const CharacterOptions options{.layers = kMostLayers, .level = level, .skin = true, .animation_space = true};
   memory_ = AlignedBytes(character_bytes(file, options));
@@ -74,6 +75,7 @@ void Character::pose(std::span<const PlayLayer> layers) {
   for (const PlayLayer& layer : layers)
     all.push_back({layer.play.empty() ? &rest_ : &layer.play, layer.time_s, layer.weight});
   check(pose_character(body_, all));
+  shapes_.write(all, body_);
   for (std::uint32_t i = 0; i < body_.skeletons.size && change_; ++i)
     change_(i, body_.skeletons[i].local, body_.skeletons[i].scene_from_joint);
   for (std::uint32_t i = 0; i < body_.meshes.size && weigh_; ++i)
@@ -85,7 +87,9 @@ void Character::pose(std::span<const PlayLayer> layers) {
 }
 
 void Character::follow(const Outfit& outfit, const Character& body, const Play& play, float time_s) {
-  check(sample_character(body_, {{play.empty() ? &rest_ : &play, time_s}}));
+  const AnimationLayer layer{play.empty() ? &rest_ : &play, time_s};
+  check(sample_character(body_, {&layer, 1}));
+  shapes_.write({&layer, 1}, body_);
   check(follow_body(outfit, body.body_, body_));
   check(finish_character(body_));
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "common/aligned_bytes.h"
 #include "common/check_status.h"
+#include "common/shape_weights.h"
 #include "marrow/marrow.h"
 #include "text/choices.h"
 
@@ -73,7 +75,7 @@ struct PlayLayer {
 
 struct Worn;
 
-// A marrow::Character with its memory, that throws.
+// A marrow::Character with its memory, that throws. Spaces of example shapes weigh its morph targets.
 class Character {
  public:
   // level: of detail, as in File::mesh.
@@ -88,6 +90,10 @@ class Character {
   // Called likewise for each mesh that has morph targets; it may change their weights.
   using Weigh = std::function<void(std::uint32_t mesh, Span<float> weights)>;
   void set_weigh(Weigh weigh) { weigh_ = std::move(weigh); }
+
+  // Spaces of example shapes, and parameters of them by name in place of what clips say.
+  const ShapeWeights& shapes() const { return shapes_; }
+  void set_parameters(std::map<std::string, float> parameters) { shapes_.set(std::move(parameters)); }
 
   // What follows it from now on in each pose(), see worn.h; they are posed by their own plays at the same time.
   void wear(std::vector<std::shared_ptr<Worn>> worn) { worn_ = std::move(worn); }
@@ -119,6 +125,7 @@ class Character {
   marrow::Character body_;
   std::vector<std::uint32_t> no_clips_, no_channels_;
   Animation rest_;
+  ShapeWeights shapes_;
   Change change_;
   Weigh weigh_;
   std::vector<std::shared_ptr<Worn>> worn_;

@@ -398,6 +398,8 @@ struct Mesh {
   std::uint32_t palette_size() const { return joint_count + static_cast<std::uint32_t>(helpers.size); }
 };
 
+struct ExampleSpace;
+
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 class File {
  public:
@@ -429,6 +431,12 @@ class File {
   MARROW_API std::uint32_t spring_count(std::uint32_t skeleton) const;
   MARROW_API SpringChain spring(std::uint32_t skeleton, std::uint32_t index) const;
   MARROW_API Span<const SpringCollider> spring_colliders(std::uint32_t skeleton) const;
+
+  // Spaces of example shapes, see example_space.h. load() knows where they stand, example_space() looks at all that one
+  // holds; spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported,
+  // with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
+  std::uint32_t example_space_count() const { return counts_[12]; }
+  MARROW_API Status example_space(std::uint32_t index, ExampleSpace& out, DataError* error = nullptr) const;
 
   // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
   MARROW_API std::uint32_t find_skeleton(const char* name) const;
@@ -470,8 +478,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_ = {};
-  std::uint32_t first_[12] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[12] = {};
+  std::uint32_t first_[13] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[13] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

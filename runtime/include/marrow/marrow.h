@@ -22,6 +22,7 @@
 #include "marrow/feet.h"            //    after 3         soles on the ground
 #include "marrow/springs.h"         //    after 3         hair, tails and capes swing
 #include "marrow/outfit.h"          //    after 3         hair and clothes of other files follow a body
+#include "marrow/example_space.h"   //    before morph    numbers → weights of morph targets
 #include "marrow/morph.h"           //    before 5        weights → bind vertices moved
 #include "marrow/palette.h"         // 4. palette         joints → skinning matrices
 #include "marrow/bounds.h"          //    beside 4        palette → a box and a sphere

@@ -28,10 +28,34 @@ OrderedJson schema_of(const Option& option) {
   return out;
 }
 
+// An object of these members alone.
+OrderedJson object_of(const OrderedJson& properties, const OrderedJson& required) {
+  return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+}
+
+OrderedJson list_of(const OrderedJson& items, int least, int most) {
+  return {{"type", "array"}, {"items", items}, {"minItems", least}, {"maxItems", most}};
+}
+
+// Of [[shapes]].
+OrderedJson schema_of_shapes() {
+  const OrderedJson name = {{"type", "string"}}, number = {{"type", "number"}, {"minimum", -1e6}, {"maximum", 1e6}};
+  const OrderedJson parameter = object_of({{"name", name}, {"default", number}}, OrderedJson::array({"name"}));
+  const OrderedJson any = {{"anyOf", OrderedJson::array({name, parameter})}};
+  const OrderedJson example = object_of({{"target", name}, {"at", list_of(number, 1, 8)}}, OrderedJson::array({"at"}));
+  const OrderedJson shape = object_of(
+      {{"name", name}, {"mesh", name}, {"parameters", list_of(any, 1, 8)}, {"examples", list_of(example, 2, 64)}},
+      {"name", "parameters", "examples"});
+  return {{"description", "Morph targets at points of a space of parameters, which weigh them."},
+          {"type", "array"},
+          {"items", shape}};
+}
+
 // What the file should be.
 OrderedJson expected() {
   OrderedJson options;
   for (const Option& option : option_table()) options[option.name] = schema_of(option);
+  options[kShapes] = schema_of_shapes();
   OrderedJson rule = options;
   rule["match"] = {{"description", "Names of inputs relative to this file's folder; * stands for any characters."},
                    {"$ref", "#/$defs/strings"}};
@@ -82,6 +106,10 @@ TEST(SettingsSchema, AcceptsWhatIsReadAndRefusesWhatIsNot) {
               {"clip-error = ['0.1mm', 'hand*=1mm']", R"({"clip-error": ["0.1mm", "hand*=1mm"]})"},
               {"keep-vertex-order = true", R"({"keep-vertex-order": true})"},
               {"mesh-codec = 'meshopt'", R"({"mesh-codec": "meshopt"})"},
+              {"[[shapes]]\nname = 'n'\nparameters = ['p', {name = 'q', default = 0.5}]\n"
+               "examples = [{at = [0, 0]}, {at = [1, 0], target = 't'}]",
+               R"({"shapes": [{"name": "n", "parameters": ["p", {"name": "q", "default": 0.5}],
+                   "examples": [{"at": [0, 0]}, {"at": [1, 0], "target": "t"}]}]})"},
               {"[[file]]\nmatch = 'a*'\nclip-codec = 'raw'", R"({"file": [{"match": "a*", "clip-codec": "raw"}]})"},
               {"[[file]]\nmatch = ['a', 'b']\nlod = '0.5'", R"({"file": [{"match": ["a", "b"], "lod": "0.5"}]})"}},
     bad[] = {{"clip-eror = '0.1mm'", R"({"clip-eror": "0.1mm"})"},
@@ -91,6 +119,11 @@ TEST(SettingsSchema, AcceptsWhatIsReadAndRefusesWhatIsNot) {
              {"mesh-codec = 'zip'", R"({"mesh-codec": "zip"})"},
              {"[[file]]\nclip-codec = 'raw'", R"({"file": [{"clip-codec": "raw"}]})"},
              {"[[file]]\nmatch = 3", R"({"file": [{"match": 3}]})"},
+             {"shapes = 'a'", R"({"shapes": "a"})"},
+             {"[[shapes]]\nname = 'n'\nparameters = ['p']\nexamples = [{at = [0]}]",
+              R"({"shapes": [{"name": "n", "parameters": ["p"], "examples": [{"at": [0]}]}]})"},
+             {"[[shapes]]\nname = 'n'\nparameters = ['p']\nexamples = [{}, {at = [1], target = 't'}]",
+              R"({"shapes": [{"name": "n", "parameters": ["p"], "examples": [{}, {"at": [1], "target": "t"}]}]})"},
              {"file = 'a'", R"({"file": "a"})"},
              {"match = 'a'", R"({"match": "a"})"},
              {"lod = ['0.5']", R"({"lod": ["0.5"]})"}};

@@ -25,6 +25,10 @@ const Loaded& looks() {
   static const Loaded made(golden_looks_copy);
   return made;
 }
+const Loaded& shapes() {
+  static const Loaded made(golden_shapes_copy);
+  return made;
+}
 const Loaded& pack() {
   static const Loaded made(golden_pack_copy);
   return made;
@@ -89,6 +93,12 @@ std::vector<MisuseRow> rows_of_views() {
       {"spring_count", MISUSED(file_of(m).spring_count(m.index(0)))},
       {"spring", MISUSED(file_of(m).spring(m.index(0), m.index(0)).joints.size)},
       {"spring_colliders", MISUSED(file_of(m).spring_colliders(m.index(0)).size)},
+      {"example_space_count", MISUSED(file_of(m).example_space_count())},
+      {"example_space",
+       [](Misuse& m) {
+         ExampleSpace space;
+         m.returned(m.either(shapes().file, File{}).example_space(m.truth(true) ? 0 : m.index(0), space));
+       }},
       {"find_clip", MISUSED(file_of(m).find_clip(m.pointer(name_of(m))))},
       {"find_clip", MISUSED(file_of(m).find_clip(m.pointer(name_of(m)), m.index(0)))},
       {"find_joint", MISUSED(face().file.find_joint(face().file.skeleton(m.index(0)), m.pointer(name_of(m))))},

@@ -113,6 +113,40 @@ std::vector<MisuseRow> rows_of_morphs() {
   };
 }
 
+// A space by hand, each of whose spans may be short, null or off its boundary.
+ExampleSpace space_of(Misuse& m) {
+  static const std::vector<ExampleParameter> parameters(2);
+  static const std::vector<std::uint32_t> targets = {1, 3, 4};
+  static const std::vector<float> linear(12, 0.25f), radial(16, 0.5f), places = {0, 0, 1, 0, 0, 1, 1, 1}, widths(4, 1);
+  ExampleSpace out;
+  out.example_count = m.index(4);
+  out.parameters = m.in(parameters);
+  out.targets = m.in(targets);
+  out.linear = m.in(linear);
+  out.radial = m.in(radial);
+  out.places = m.in(places);
+  out.inverse_widths = m.in(widths);
+  return out;
+}
+
+std::vector<MisuseRow> rows_of_examples() {
+  return {
+      {"find_example_channels",
+       [](Misuse& m) {
+         const ExampleSpace space = space_of(m);
+         const Span<std::uint32_t> out = m.out<std::uint32_t>(2);
+         m.returned(find_example_channels(File{}, space, File{}, m.either(stage().creature.clip.view(), Clip{}), out));
+       }},
+      {"evaluate_examples",
+       [](Misuse& m) {
+         const ExampleSpace space = space_of(m);
+         const std::vector<float> parameters = {m.number(0.5f), m.number(0.25f)};
+         const Span<float> out = m.out<float>(6);
+         m.returned(evaluate_examples(space, m.in(parameters), out));
+       }},
+  };
+}
+
 std::vector<MisuseRow> rows_of_palettes() {
   return {
       {"build_palette",
@@ -244,7 +278,7 @@ std::vector<MisuseRow> rows_of_skinning() {
          m.returned(skin_psd(mesh_of(m, skinned().posed), m.in(distances()), m.in(stage().palette), out));
        }},
   };
-  for (const auto& more : {rows_of_morphs(), rows_of_palettes(), rows_of_animation_space()})
+  for (const auto& more : {rows_of_morphs(), rows_of_examples(), rows_of_palettes(), rows_of_animation_space()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

@@ -36,7 +36,8 @@ std::size_t bytes_of(const std::vector<File::Section>& sections) {
 
 // Everything is counted once; what is left are the header, the table and padding.
 ordered_json describe_totals(const LoadedFile& loaded) {
-  const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH"));
+  const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH")) +
+                               bytes_of(sections_of(loaded, "EXSP"));
   const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
                                 bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")),
                     clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS"));
@@ -194,6 +195,29 @@ ordered_json describe_meshes(const LoadedFile& loaded) {
   return out;
 }
 
+ordered_json describe_shapes(const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  const std::vector<File::Section> sections = sections_of(loaded, "EXSP");
+  ordered_json out = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.example_space_count(); ++i) {
+    ExampleSpace space;
+    check(file.example_space(i, space));
+    ordered_json parameters = ordered_json::array(), targets = ordered_json::array(), meshes = ordered_json::array();
+    for (const ExampleParameter& p : space.parameters)
+      parameters.push_back({{"name", file.text(p.name)}, {"default", p.rest}});
+    const Mesh first = file.mesh(space.meshes[0]);
+    for (const std::uint32_t t : space.targets) targets.push_back(file.text(first.targets[t].name));
+    for (const std::uint32_t m : space.meshes) meshes.push_back(m);
+    out.push_back({{"name", space.name},
+                   {"parameters", parameters},
+                   {"examples", space.example_count},
+                   {"targets", targets},
+                   {"meshes", meshes},
+                   {"bytes", sections[i].bytes}});
+  }
+  return out;
+}
+
 ordered_json describe_clips(const LoadedFile& loaded) {
   const File& file = loaded.file;
   const std::vector<File::Section> sections = sections_of(loaded, "CLIP");
@@ -231,6 +255,7 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
   r["skeletons"] = describe_skeletons(loaded);
   r["references"] = describe_references(loaded);
   r["meshes"] = describe_meshes(loaded);
+  r["shapes"] = describe_shapes(loaded);
   r["clips"] = describe_clips(loaded);
   describe_looks(loaded.file, r);
   describe_nodes(loaded.file, r);

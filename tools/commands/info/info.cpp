@@ -127,8 +127,8 @@ class Tree {
     branch("geometry", "geometry");
     for (std::size_t i = 0; i < r_["meshes"].size(); ++i) {
       const auto& m = r_["meshes"][i];
-      leaf(i + 1 == r_["meshes"].size(), fmt::format("mesh {} \"{}\"", i, text(m["name"])), size_of(m["bytes"]),
-           source_bytes("mesh_bytes", m["name"]),
+      leaf(i + 1 == r_["meshes"].size() && r_["shapes"].empty(), fmt::format("mesh {} \"{}\"", i, text(m["name"])),
+           size_of(m["bytes"]), source_bytes("mesh_bytes", m["name"]),
            fmt::format("{} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}, {:.1f} B a "
                        "vertex, {}{}{}{}{}",
                        m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
@@ -136,6 +136,18 @@ class Tree {
                        m["bytes_per_vertex"].get<double>(), text(m["codec"]),
                        m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
                        m["next_part"].get<bool>() ? ", next part" : "", of_skeleton(m), gpu_cost_of(m)));
+    }
+    add_shapes(r_["shapes"]);
+  }
+
+  void add_shapes(const ordered_json& shapes) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const auto& s = shapes[i];
+      std::string by;
+      for (const auto& p : s["parameters"]) by += fmt::format("{}\"{}\"", by.empty() ? "" : ", ", text(p["name"]));
+      leaf(i + 1 == shapes.size(), fmt::format("shape \"{}\"", text(s["name"])), size_of(s["bytes"]), "",
+           fmt::format("{} examples of {} morph targets by {}, of {}", s["examples"].get<int>(), s["targets"].size(),
+                       by, fmt::format("mesh {}", fmt::join(s["meshes"].get<std::vector<int>>(), ", "))));
     }
   }
 

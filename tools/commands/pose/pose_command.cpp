@@ -1,4 +1,5 @@
 #include "commands/arguments.h"
+#include "commands/between.h"
 #include "commands/command.h"
 #include "commands/pose/write_pose.h"
 
@@ -10,6 +11,7 @@ void add_pose(CLI::App& app, int&) {
   add_input(command, a.in);
   add_outfits(command, a.outfits);
   add_choice(command, a.choice);
+  add_between(command, a.between);
   add_deformer(command, a.deformer);
   command
       ->add_option("-o,--output", a.out, "P.bin: little-endian float32 x y z a vertex, scene space; P.obj: Wavefront")

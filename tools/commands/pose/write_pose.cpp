@@ -89,6 +89,15 @@ void run_pose(const PoseArguments& a) {
   expect_deformer(a.in, loaded.file, a.deformer);
   const Chosen chosen = choose(a.in, loaded.file, a.choice, !a.outfits.empty());
   Character character(loaded.file);
+  const std::map<std::string, float> parameters = set_parameters(a.in, loaded.file, a.choice);
+  character.set_parameters(parameters);
+  std::optional<PlayedFrames> frames;
+  if (a.between.kind) {
+    frames.emplace(loaded.file, chosen.play, a.between, parameters);
+    frames->move_to(a.choice.time_s);
+    character.set_change([&](auto... to) { frames->change(to...); });
+    character.set_weigh([&](auto... to) { frames->weigh(to...); });
+  }
   put_on(a.outfits, a.in, loaded.file, chosen.play, character);
   character.pose(chosen.play, a.choice.time_s);
   write_file_atomically(a.out,

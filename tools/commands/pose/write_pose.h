@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "commands/between.h"
 #include "pose/choose.h"
 
 namespace marrow::tools {
@@ -12,6 +13,7 @@ struct PoseArguments {
   std::vector<std::string> outfits;
   Deformer deformer = Deformer::ssd;
   Choice choice;
+  BetweenArguments between;
 };
 
 // Throws Failure.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/between.h"
 #include "commands/render/viewpoint.h"
 #include "render/look.h"
 
@@ -18,6 +19,7 @@ struct RenderArguments : LookArguments {
   bool held = false;  // a movie of the moment --time
   int fps = 15;
   bool springs = false;
+  BetweenArguments between;
   std::optional<float> turn_deg;
 };
 

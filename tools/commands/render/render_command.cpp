@@ -47,6 +47,7 @@ void add_render(CLI::App& app, int&) {
   add_look(command, a, kSkinPaths);
   add_outfits(command, a.outfits);
   add_reach(command, a.reach);
+  add_between(command, a.between);
   add_viewpoint(command, a.viewpoint);
   command->add_flag("--springs", a.springs, "the file's springs swing as the clip moves them, from its beginning on");
   add_movie(command, a);

@@ -51,17 +51,30 @@ Sitting::WornFigure::WornFigure(const Gl& gl, gles3::ProgramSet& programs, const
 
 // Dressed, and with its goals.
 Character& Sitting::prepared() {
+  const std::map<std::string, float> parameters = set_parameters(arguments_.file, loaded_.file, arguments_.choice);
+  character_.set_parameters(parameters);
+  if (arguments_.between.kind) frames_.emplace(loaded_.file, chosen_.play, arguments_.between, parameters);
   if (!arguments_.outfits.empty() && manner_.path == SkinPath::crowd)
     throw Failure(Exit::usage, "--path crowd", "", "crowds are baked from one file, without outfits",
                   "use another --path");
   put_on(arguments_.outfits, arguments_.file, loaded_.file, chosen_.play, character_, normals_, arguments_.lod);
   if (arguments_.springs && !springs_.has_any())
     throw Failure(Exit::usage, "--springs", "", "the file has no springs", "draw without; marrow info lists them");
-  if (reach_.empty() && !arguments_.springs) return character_;
+  if (reach_.empty() && !arguments_.springs && !frames_) return character_;
   if (manner_.path == SkinPath::crowd)
-    throw Failure(Exit::usage, reach_.empty() ? "--springs" : "--ik", "",
-                  "crowds are baked, without inverse kinematics and springs", "use another --path");
+    throw Failure(Exit::usage,
+                  frames_          ? "--between"
+                  : reach_.empty() ? "--springs"
+                                   : "--ik",
+                  "", "crowds are baked from clips as they are, without inverse kinematics and springs",
+                  "use another --path");
+  // The camera is to hold what the clip does by itself.
+  if (frames_)
+    character_.set_weigh([this](auto... to) {
+      if (frames_->has_moved()) frames_->weigh(to...);
+    });
   character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
+    if (frames_ && frames_->has_moved()) frames_->change(skeleton, local, scene_from_joint);
     reach_.apply(skeleton, local, scene_from_joint);
     if (swung_s_ < 0 || !springs_.has(skeleton)) return;
     SpringFrame frame;
@@ -71,18 +84,23 @@ Character& Sitting::prepared() {
   return character_;
 }
 
+void Sitting::pose_at(float time_s) {
+  if (frames_) frames_->move_to(time_s);
+  character_.pose(chosen_.play, time_s);
+}
+
 // Step by step from where springs are, or from the clip's beginning; the next pose shows them.
 void Sitting::swing_to(float time_s) {
   if (swung_s_ < 0 || time_s < swung_s_) {
     springs_ = FileSprings(loaded_.file);
     swung_s_ = dt_s_ = 0;
-    character_.pose(chosen_.play, 0);
+    pose_at(0);
   }
   while (swung_s_ < time_s) {
     const float next = std::min(swung_s_ + kMaxSpringStep_s, time_s);
     dt_s_ = next - swung_s_;
     swung_s_ = next;
-    character_.pose(chosen_.play, next);
+    pose_at(next);
   }
   dt_s_ = 0;
 }
@@ -92,7 +110,7 @@ void Sitting::agree_on_heat(std::span<const Instant> instants) {
   const auto& [a, b] = *manner_.heat;
   float largest = 0;
   for (const Instant& instant : instants) {
-    character_.pose(chosen_.play, instant.time_s);
+    pose_at(instant.time_s);
     largest = std::max(largest,
                        largest_distance(skin_all(loaded_.file, character_, a), skin_all(loaded_.file, character_, b)));
   }
@@ -152,7 +170,7 @@ void Sitting::warn_of_misses() const {
 
 Image Sitting::shoot(const Instant& instant) {
   if (arguments_.springs) swing_to(instant.time_s);
-  character_.pose(chosen_.play, instant.time_s);
+  pose_at(instant.time_s);
   note_misses();
   Shot shot = frame(instant);
   if (baked_) baked_->blend(instant.time_s);

@@ -46,6 +46,7 @@ class Sitting {
   };
   Character& prepared();
   void swing_to(float time_s);
+  void pose_at(float time_s);
   Shot frame(const Instant& instant) const;
   void note_misses();
   const RenderArguments& arguments_;
@@ -59,8 +60,9 @@ class Sitting {
   std::vector<Misses> misses_;  // as reach_.goals()
   int pictures_ = 0;
   FileSprings springs_;
-  float swung_s_ = -1;  // the moment that springs have come to; below 0: they have not begun
-  float dt_s_ = 0;      // of the next pose
+  float swung_s_ = -1;                  // the moment that springs have come to; below 0: they have not begun
+  float dt_s_ = 0;                      // of the next pose
+  std::optional<PlayedFrames> frames_;  // with --between
   Character character_;
   Performance performance_;
   Gl gl_;

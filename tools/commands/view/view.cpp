@@ -93,6 +93,7 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   s.lod = static_cast<int>(arguments.lod);
   s.reach = arguments.reach;
   s.limits = arguments.limits;
+  s.parameters = set_parameters(arguments.file, actor.file(), arguments.choice);
   s.springs = arguments.springs;
   if (s.springs && arguments.joint.empty() && !actor.rig().has_springs())
     throw Failure(Exit::usage, "--springs", "", "the file has no springs", "say with --joint which joints swing");
@@ -253,6 +254,7 @@ class View {
       settings_.framed = false;
       settings_.reach.goals.clear();
       settings_.weights.clear();
+      settings_.parameters.clear();
     }
     arguments_.file = actor_->source().path;
     arguments_.choice = choice;

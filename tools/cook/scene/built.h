@@ -169,6 +169,15 @@ struct BuiltNode {
   std::vector<RawProperty> properties;
 };
 
+// As an EXSP section has it; arrays of floats as in ExampleSpace.
+struct BuiltExampleSpace {
+  std::string name;
+  std::vector<std::string> parameters;
+  std::vector<float> rests;  // a parameter
+  std::vector<std::uint32_t> targets, meshes;
+  std::vector<float> linear, radial, places, inverse_widths;
+};
+
 // What one GLOB of --keep fits.
 struct Kept {
   std::string glob;
@@ -198,7 +207,8 @@ struct BuiltScene {
   std::vector<BuiltMaterial> materials;  // those with more than MESH says; no two the same
   std::vector<RawImage> images;          // no two the same; fallbacks are among these
   std::vector<BuiltNode> nodes;          // in the source's order
-  std::vector<Kept> kept;                // a GLOB
+  std::vector<BuiltExampleSpace> example_spaces;
+  std::vector<Kept> kept;  // a GLOB
 };
 
 }  // namespace marrow::cook

@@ -95,6 +95,27 @@ struct LearnOptions {
   deform::Progress progress;  // of each fit
 };
 
+// A shape at a point of a space, see marrow/example_space.h.
+struct ShapeExample {
+  std::string target;      // a morph target's name; empty: the mesh as it is
+  std::vector<float> at;   // a parameter
+  std::string where = {};  // in the file of the rule's origin
+};
+
+struct ShapeParameter {
+  std::string name;  // and of the channel that drives it
+  float rest = 0;
+};
+
+// Shapes that parameters weigh.
+struct ShapeRule {
+  std::string name;
+  std::string mesh;                        // empty: each that has one of the targets
+  std::vector<ShapeParameter> parameters;  // 1 … kMaxExampleParameters
+  std::vector<ShapeExample> examples;      // 2 … kMaxExamples, no two at one point
+  RuleOrigin origin = {"[[shapes]]", ""};
+};
+
 // A level of detail.
 struct LodRule {
   double ratio = 1;                         // of the mesh's triangles
@@ -137,7 +158,8 @@ struct CookOptions {
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
   WeightOptions weights;
   std::vector<WeightsOverTime> weights_over_time;
-  std::string auto_skeleton;       // a template's name, see read_template(); empty: the file's own skeletons
+  std::string auto_skeleton;  // a template's name, see read_template(); empty: the file's own skeletons
+  std::vector<ShapeRule> shapes;
   deform::Progress clip_progress;  // of clips that are compressed
 };
 

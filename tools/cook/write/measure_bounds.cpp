@@ -6,6 +6,7 @@
 
 #include "common/check_status.h"
 #include "common/parallel.h"
+#include "common/shape_weights.h"
 #include "marrow/character.h"
 #include "marrow/skin.h"
 
@@ -42,7 +43,7 @@ struct Extent {
 // Characters that play a file's clips, one a level of detail.
 class Stage {
  public:
-  explicit Stage(const File& file) : file_(file) {
+  explicit Stage(const File& file) : file_(file), examples_(file) {
     std::size_t levels = 0;
     bool in_as = false;
     for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
@@ -65,7 +66,9 @@ class Stage {
   void show(std::uint32_t clip, float time_s, const std::vector<std::uint32_t>& wanted, const Visit& visit) {
     for (std::uint32_t level = 0; level < levels_.size(); ++level) {
       marrow::Character& c = levels_[level].character;
-      tools::check(pose_character(c, {{&animations_.all[clip], time_s}}));
+      const AnimationLayer layer{&animations_.all[clip], time_s};
+      tools::check(pose_character(c, {&layer, 1}));
+      examples_.write({&layer, 1}, c);
       tools::check(finish_character(c));
       for (const std::uint32_t m : wanted)
         if (level <= file_.mesh(m).lods.size) skin(c.meshes[m], [&] { visit(m, positions_); });
@@ -102,6 +105,7 @@ class Stage {
   }
 
   const File& file_;
+  tools::ShapeWeights examples_;
   tools::AlignedBytes animation_memory_;
   Animations animations_;
   std::vector<Level> levels_;

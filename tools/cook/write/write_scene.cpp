@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 
+#include "asset/example_format.h"
 #include "asset/skeleton_hash.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
@@ -215,6 +216,22 @@ Section write_springs(const BuiltSprings& s, std::uint32_t skeleton) {
   return out;
 }
 
+Section write_example_space(const BuiltExampleSpace& e, Names& names) {
+  Section out;
+  out.add(format::ExampleHeader{
+      names.add(e.name), static_cast<std::uint32_t>(e.meshes.size()), static_cast<std::uint16_t>(e.parameters.size()),
+      static_cast<std::uint16_t>(e.inverse_widths.size()), static_cast<std::uint16_t>(e.targets.size()), 0});
+  out.add_all(e.linear);
+  out.add_all(e.radial);
+  out.add_all(e.places);
+  out.add_all(e.inverse_widths);
+  for (std::size_t p = 0; p < e.parameters.size(); ++p)
+    out.add(ExampleParameter{names.add(e.parameters[p]), e.rests[p]});
+  out.add_all(e.targets);
+  out.add_all(e.meshes);
+  return out;
+}
+
 constexpr std::size_t kLeastSaved = 8;
 
 Section write_bounds(const MeasuredBounds& b) {
@@ -294,11 +311,16 @@ std::vector<std::byte> write_packed(const std::vector<Entry>& entries, std::uint
 }
 
 void check(const tools::AlignedBytes& file, const std::string& source) {
-  File loaded;
-  DataError error;
-  if (load({file.data(), file.size()}, loaded, &error) != Status::ok)
+  const auto fail = [&](const DataError& error) {
     throw tools::Failure(tools::Exit::internal, source, "@" + std::to_string(error.offset), to_string(error.status),
                          error.rule);
+  };
+  File loaded;
+  DataError error;
+  if (load({file.data(), file.size()}, loaded, &error) != Status::ok) fail(error);
+  ExampleSpace space;
+  for (std::uint32_t i = 0; i < loaded.example_space_count(); ++i)
+    if (loaded.example_space(i, space, &error) != Status::ok) fail(error);
 }
 
 // A packed file must unpack to the plain one.
@@ -323,7 +345,7 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   WrittenFile out;
   std::vector<Section> sections;  // their bytes stay where they are
   sections.reserve(3 * scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
-                   scene.images.size() + scene.nodes.size() + 1);
+                   scene.images.size() + scene.nodes.size() + scene.example_spaces.size() + 1);
   std::vector<Entry> entries;
   const bool is_packed =
       std::any_of(scene.geometries.begin(), scene.geometries.end(),
@@ -371,6 +393,7 @@ WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
   for (std::size_t s = 0; s < scene.skeletons.size(); ++s)
     if (!scene.is_pack && !scene.skeletons[s].springs.chains.empty())
       add(format::kSprings, write_springs(scene.skeletons[s].springs, static_cast<std::uint32_t>(s)));
+  for (const BuiltExampleSpace& space : scene.example_spaces) add(format::kExamples, write_example_space(space, names));
   Section pool;
   pool.add_all(names.pool());
   pool.compact = compact_names(names.pool());

@@ -1,11 +1,13 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x28e7d9b6;
-export const GLES3_ABI = 0xd42fe40d;
+export const ABI = 0xc3e38512;
+export const GLES3_ABI = 0x6083ce6b;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
+export const MAX_EXAMPLE_PARAMETERS = 8;
+export const MAX_EXAMPLES = 64;
 export const MAX_JOINTS = 32767;
 export const MAX_INFLUENCES = 8;
 export const NO_PARENT = 0xFFFF;
@@ -26,6 +28,7 @@ export const MAX_SPRING_STEP_S = 1.0 / 60;
 export const MAX_SPRING_STEPS = 8;
 export const MIN_SPRING_FRAME_S = 0.001;
 export const NO_CHANNEL = 0xFFFFFFFF;
+export const NO_EXAMPLE_CHANNEL = 0xFFFFFFFF;
 export const NO_CLIP = 0xFFFFFFFF;
 export const GLES3_NORMALS = 1;
 export const GLES3_TANGENTS = 2;
@@ -103,6 +106,8 @@ export const structs = {
   AdditiveTransform: { size: 160, align: 16, init: "", fields: {"change": [0, "struct", "SoaTransform"]} },
   Affine: { size: 48, align: 16, init: "", fields: {"rows": [0, "array", "f32", 12]} },
   JointTransform: { size: 40, align: 4, init: "joint_transform_init", fields: {"translation": [0, "array", "f32", 3], "rotation": [12, "array", "f32", 4], "scale": [28, "array", "f32", 3]} },
+  ExampleParameter: { size: 8, align: 4, init: "", fields: {"name": [0, "value", "u32"], "rest": [4, "value", "f32"]} },
+  ExampleSpace: { size: 64, align: 4, init: "", fields: {"name": [0, "text"], "example_count": [4, "value", "u32"], "parameters": [8, "list", "ExampleParameter"], "targets": [16, "list", "u32"], "meshes": [24, "list", "u32"], "linear": [32, "list", "f32"], "radial": [40, "list", "f32"], "places": [48, "list", "f32"], "inverse_widths": [56, "list", "f32"]} },
   AngleRange: { size: 8, align: 4, init: "", fields: {"middle": [0, "value", "f32"], "half_width": [4, "value", "f32"]} },
   RateLimit: { size: 8, align: 4, init: "rate_limit_init", fields: {"speed": [0, "value", "f32"], "acceleration": [4, "value", "f32"]} },
   JointLimit: { size: 68, align: 4, init: "joint_limit_init", fields: {"joint": [0, "value", "u16"], "kind": [2, "value", "u8"], "order": [3, "value", "u8"], "limit_from_parent": [4, "array", "f32", 4], "joint_from_limit": [20, "array", "f32", 4], "angles": [36, "structs", "AngleRange", 3], "rate": [60, "struct", "RateLimit"]} },
@@ -261,6 +266,8 @@ export const functions = {
   file_spring_count: [["pointer", "number"], "number"],
   file_spring: [["pointer", "number", "number", "pointer"], "number"],
   file_spring_colliders: [["pointer", "number", "pointer"], "number"],
+  file_example_space_count: [["pointer"], "number"],
+  file_example_space: [["pointer", "number", "pointer", "pointer"], "number"],
   file_find_skeleton: [["pointer", "text"], "number"],
   file_find_joint: [["pointer", "pointer", "text"], "number"],
   file_find_mesh: [["pointer", "text"], "number"],
@@ -367,6 +374,8 @@ export const functions = {
   make_morphed: [["pointer", "list", "pointer"], "number"],
   morph: [["list", "pointer"], "number"],
   morph_coordinates: [["pointer", "list"], "number"],
+  find_example_channels: [["pointer", "pointer", "pointer", "pointer", "list"], "number"],
+  evaluate_examples: [["pointer", "list", "list"], "number"],
   debug_line_init: [['pointer'], 'void'],
   debug_lines_init: [['pointer'], 'void'],
   joint_lines: [["pointer", "list", "number", "pointer"], "number"],

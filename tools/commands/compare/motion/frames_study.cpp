@@ -10,6 +10,7 @@
 #include "common/parallel.h"
 #include "cook/scene/views.h"
 #include "deform/deformers.h"
+#include "deform/motion/between_poses.h"
 #include "marrow/sample.h"
 
 namespace marrow::tools {
@@ -37,37 +38,6 @@ std::vector<Interval> intervals(const Study& study, double hz, std::size_t& fram
     const std::size_t looked_at = std::min(count, kMostIntervals);
     for (std::size_t i = 0; i < looked_at; ++i) out.push_back({c, i * count / looked_at, count});
     frames += count + 1;
-  }
-  return out;
-}
-
-// Of one joint, from a row of poses.
-glm::dvec3 three(const float (&lanes)[3][4], std::size_t lane) {
-  return {lanes[0][lane], lanes[1][lane], lanes[2][lane]};
-}
-
-void put(const glm::dvec3& v, std::size_t lane, float (&lanes)[3][4]) {
-  for (int i = 0; i < 3; ++i) lanes[i][lane] = static_cast<float>(v[i]);
-}
-
-// at: in frames.
-Local interpolated(BetweenFrames kind, const std::vector<Local>& frames, double at) {
-  Local out = frames.front();
-  for (std::size_t j = 0; j < 4 * out.size(); ++j) {
-    std::vector<glm::dvec3> translations, scales;
-    std::vector<glm::dquat> rotations;
-    for (const Local& frame : frames) {
-      const SoaTransform& t = frame[j / 4];
-      translations.push_back(three(t.translation, j % 4));
-      scales.push_back(three(t.scale, j % 4));
-      rotations.emplace_back(t.rotation[3][j % 4], t.rotation[0][j % 4], t.rotation[1][j % 4], t.rotation[2][j % 4]);
-    }
-    SoaTransform& to = out[j / 4];
-    put(deform::between_frames(kind, translations, at), j % 4, to.translation);
-    put(deform::between_frames(kind, scales, at), j % 4, to.scale);
-    const glm::dquat q = deform::between_frames(kind, rotations, at);
-    const double parts[] = {q.x, q.y, q.z, q.w};
-    for (int i = 0; i < 4; ++i) to.rotation[i][j % 4] = static_cast<float>(parts[i]);
   }
   return out;
 }
@@ -103,8 +73,8 @@ class Looker {
       const double at = static_cast<double>(interval.number) + static_cast<double>(part) / kParts;
       const deform::Positions wanted = vertices(pose_at(at));
       for (std::size_t k = 0; k < kKinds; ++k)
-        add(vertices(interpolated(deform::kBetweenFrames[k].value, frames, at - static_cast<double>(first))), wanted,
-            out[k]);
+        add(vertices(deform::between_poses(deform::kBetweenFrames[k].value, frames, at - static_cast<double>(first))),
+            wanted, out[k]);
     }
     return out;
   }

@@ -68,11 +68,41 @@ void pose_section(const Actor& actor, float scale, Settings& s) {
   if (!actor.rig().trouble().empty()) quiet(actor.rig().trouble());
 }
 
+namespace {
+
+// A slider each, as wide as the examples lie.
+void parameters(const Actor& actor, Settings& s) {
+  const std::vector<ExampleSpace>& spaces = actor.character().shapes().spaces();
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    const std::size_t count = spaces[i].parameters.size;
+    for (std::size_t p = 0; p < count; ++p) {
+      const std::string name = actor.file().text(spaces[i].parameters[p].name);
+      float value = actor.character().shapes().value(i, p), least = value, most = value;
+      for (std::size_t k = 0; k < spaces[i].example_count; ++k) {
+        least = std::min(least, spaces[i].places[k * count + p]);
+        most = std::max(most, spaces[i].places[k * count + p]);
+      }
+      ImGui::PushID(static_cast<int>(kMaxExampleParameters * i + p));
+      quiet(fmt::format("{}: {}", spaces[i].name, name));
+      ImGui::SetNextItemWidth(-1);
+      if (slider("##parameter", value, least, most, s.parameters.contains(name) ? "%.2f" : "%.2f, the clip's"))
+        s.parameters[name] = value;
+      ImGui::PopID();
+    }
+  }
+}
+
+}  // namespace
+
 void morph_section(const Actor& actor, Settings& s) {
   std::size_t all = 0;
   for (std::uint32_t m = 0; m < actor.file().mesh_count(); ++m) all += actor.file().mesh(m).targets.size;
   if (all == 0 || !section("Morph targets", false)) return;
-  if (ImGui::Button("as the clip has them")) s.weights.clear();
+  if (ImGui::Button("as the clip has them")) {
+    s.weights.clear();
+    s.parameters.clear();
+  }
+  parameters(actor, s);
   std::size_t number = 0;
   for (std::uint32_t m = 0; m < actor.file().mesh_count(); ++m) {
     const Mesh mesh = actor.file().mesh(m);

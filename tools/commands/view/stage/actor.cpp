@@ -137,6 +137,7 @@ const JointCurves* Actor::curves(const Settings& settings) {
 
 std::vector<PosedMesh> Actor::ghost(const Settings& settings, float time_s) {
   if (!ghost_) ghost_.emplace(file(), AsNormals::blended, static_cast<std::uint32_t>(coarsest_lod_));
+  ghost_->set_parameters(settings.parameters);
   ghost_->pose(plays_[settings.clip].play, time_s);
   return skin_all(file(), *ghost_, Deformer::ssd);
 }
@@ -144,6 +145,7 @@ std::vector<PosedMesh> Actor::ghost(const Settings& settings, float time_s) {
 void Actor::pose(const Settings& settings, float dt_s) {
   make({settings.clip, settings.lod, settings.normals});
   const bool any = !joints_.empty();
+  character_->set_parameters(settings.parameters);
   rig_.prepare(settings, any ? joints_[settings.joint].skeleton : 0, any ? joints_[settings.joint].joint : 0, dt_s);
   const float time_s = clip_time(settings.playback);
   const Play& first = plays_[settings.clip].play;

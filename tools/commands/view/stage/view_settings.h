@@ -63,9 +63,10 @@ struct Settings {
   std::map<std::size_t, float> weights;  // of morph targets of all meshes, in place of the clip's
 
   bool painting = false;
-  Brush brush;              // of radius 0: one is to be chosen
-  std::string paint_file;   // empty: beside the source
-  bool save_paint = false;  // to be done, once
+  Brush brush;                              // of radius 0: one is to be chosen
+  std::string paint_file;                   // empty: beside the source
+  bool save_paint = false;                  // to be done, once
+  std::map<std::string, float> parameters;  // of example shapes, in place of the clip's
 
   int coarseness = 1;  // pixels of the window a pixel of the picture, each way
   Orbit orbit;
