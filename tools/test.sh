@@ -116,8 +116,9 @@ case "${1:-}" in
   all)
     [ $# -eq 1 ] || usage
     timed "validate the sample" validate_sample
-    for preset in release asan; do MARROW_TESTS=all test_preset $preset; done
-    for preset in tsan scalar aarch64; do test_preset $preset; done
+    # What is sanitized, emulated or without SIMD takes the same roads through the code in the short form.
+    MARROW_TESTS=all test_preset release
+    for preset in asan tsan scalar aarch64; do test_preset $preset; done
     export MARROW_TESTS=all
     timed "Rust, C# and JavaScript" check_bindings
     timed "same bytes everywhere" compare_bytes
