@@ -18,7 +18,7 @@ constexpr std::uint32_t kSpine = 0, kLeft = 1, kRight = 2;
 
 void add_group(Canvas& canvas, std::vector<glm::vec3> places) {
   const auto group = static_cast<std::uint32_t>(canvas.groups.size());
-  canvas.groups.push_back({"mesh " + std::to_string(group), 0, false, {}});
+  canvas.groups.push_back({"mesh " + std::to_string(group), 0, false, {}, {}});
   for (const glm::vec3& p : places) {
     canvas.group_of.push_back(group);
     canvas.bind.push_back(p);
@@ -175,9 +175,15 @@ TEST(Stroke, StaysOnItsSurfaceUnlessItGoesThrough) {
   canvas.influences[20] = {{kSpine, 1}};
   paint(canvas, with, kLeft, {6});
   EXPECT_EQ(weight_of(canvas.influences[20], kLeft), 0);
-  canvas.groups[1] = {"other", 1, false, {}};
+  canvas.groups[1] = {"other", 1, false, {}, {}};
   paint(canvas, with, kLeft, {6});
   EXPECT_EQ(weight_of(canvas.influences[20], kLeft), 0);
+  // So does one whose skin has not the joint.
+  canvas.groups[1] = {"coat", 0, false, {}, {kSpine, kRight}};
+  paint(canvas, with, kLeft, {6});
+  EXPECT_EQ(weight_of(canvas.influences[20], kLeft), 0);
+  paint(canvas, with, kRight, {6});
+  EXPECT_GT(weight_of(canvas.influences[20], kRight), 0);
 }
 
 // One touch goes half of the way to the mean of four neighbours.
