@@ -317,6 +317,23 @@ TEST(Mirror, PlacesWithoutAnImage) {
   EXPECT_EQ(mirrored_places(canvas, {0, 1.5f}, 0.01), (std::vector<std::uint32_t>{2, kNoPlace, 0, kNoPlace}));
 }
 
+Affine moved_up(float by) {
+  return {{{1, 0, 0, 0}, {0, 1, 0, by}, {0, 0, 1, 0}}};
+}
+
+// Joint 0 rests elsewhere than it was bound; 1 and 2 as they were bound, in the place of the mesh. So 3 would be, too.
+TEST(Canvas, JointsThatMeshesDoNotFollowAreBoundAsTheOthers) {
+  CanvasGroup group;
+  const auto up = [](float by) { return glm::translate(glm::mat4(1), glm::vec3(0, by, 0)); };
+  group.inverse_bind = {{0, up(7)}, {1, up(-1)}, {2, up(-2)}};
+  const std::vector<Affine> rest = {moved_up(0), moved_up(1), moved_up(2), moved_up(3)};
+  const std::vector<glm::mat4> binds = bind_matrices(group, rest);
+  ASSERT_EQ(binds.size(), 4u);
+  EXPECT_EQ(binds[0], up(7)) << "known";
+  EXPECT_EQ(binds[2], up(-2));
+  EXPECT_EQ(binds[3], up(-3));
+}
+
 TEST(Ray, MeetsTheFirstTriangle) {
   const std::vector<glm::vec3> places = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, -2}, {4, 0, -2}, {0, 4, -2}};
   const std::vector<std::uint32_t> corners = {3, 4, 5, 0, 1, 2};
