@@ -18,7 +18,7 @@ constexpr std::uint32_t kSpine = 0, kLeft = 1, kRight = 2;
 
 void add_group(Canvas& canvas, std::vector<glm::vec3> places) {
   const auto group = static_cast<std::uint32_t>(canvas.groups.size());
-  canvas.groups.push_back({"mesh " + std::to_string(group), 0, false, {}});
+  canvas.groups.push_back({"mesh " + std::to_string(group), 0, false, {}, {}});
   for (const glm::vec3& p : places) {
     canvas.group_of.push_back(group);
     canvas.bind.push_back(p);
@@ -175,9 +175,15 @@ TEST(Stroke, StaysOnItsSurfaceUnlessItGoesThrough) {
   canvas.influences[20] = {{kSpine, 1}};
   paint(canvas, with, kLeft, {6});
   EXPECT_EQ(weight_of(canvas.influences[20], kLeft), 0);
-  canvas.groups[1] = {"other", 1, false, {}};
+  canvas.groups[1] = {"other", 1, false, {}, {}};
   paint(canvas, with, kLeft, {6});
   EXPECT_EQ(weight_of(canvas.influences[20], kLeft), 0);
+  // So does one whose skin has not the joint.
+  canvas.groups[1] = {"coat", 0, false, {}, {kSpine, kRight}};
+  paint(canvas, with, kLeft, {6});
+  EXPECT_EQ(weight_of(canvas.influences[20], kLeft), 0);
+  paint(canvas, with, kRight, {6});
+  EXPECT_GT(weight_of(canvas.influences[20], kRight), 0);
 }
 
 // One touch goes half of the way to the mean of four neighbours.
@@ -309,6 +315,23 @@ TEST(Mirror, PlacesWithoutAnImage) {
   finish(canvas);
   EXPECT_EQ(mirrored_places(canvas, {0, 0}, 0.01), (std::vector<std::uint32_t>{1, 0, kNoPlace, 3}));
   EXPECT_EQ(mirrored_places(canvas, {0, 1.5f}, 0.01), (std::vector<std::uint32_t>{2, kNoPlace, 0, kNoPlace}));
+}
+
+Affine moved_up(float by) {
+  return {{{1, 0, 0, 0}, {0, 1, 0, by}, {0, 0, 1, 0}}};
+}
+
+// Joint 0 rests elsewhere than it was bound; 1 and 2 as they were bound, in the place of the mesh. So 3 would be, too.
+TEST(Canvas, JointsThatMeshesDoNotFollowAreBoundAsTheOthers) {
+  CanvasGroup group;
+  const auto up = [](float by) { return glm::translate(glm::mat4(1), glm::vec3(0, by, 0)); };
+  group.inverse_bind = {{0, up(7)}, {1, up(-1)}, {2, up(-2)}};
+  const std::vector<Affine> rest = {moved_up(0), moved_up(1), moved_up(2), moved_up(3)};
+  const std::vector<glm::mat4> binds = bind_matrices(group, rest);
+  ASSERT_EQ(binds.size(), 4u);
+  EXPECT_EQ(binds[0], up(7)) << "known";
+  EXPECT_EQ(binds[2], up(-2));
+  EXPECT_EQ(binds[3], up(-3));
 }
 
 TEST(Ray, MeetsTheFirstTriangle) {

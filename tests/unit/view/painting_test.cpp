@@ -208,6 +208,24 @@ TEST_F(PaintingTest, ARigidMeshIsLeftAlone) {
   EXPECT_EQ(painted[0].name, "arm");
 }
 
+// The hat's skin is not there; the arm's has three joints, of which one is taken away.
+TEST_F(PaintingTest, AMeshFollowsJointsOfItsSkin) {
+  Source source = open_source(test::in_golden("tiny.gltf"), "");
+  ASSERT_EQ(source.skins, (SkinJoints{{"arm", {"shoulder", "elbow", "wrist"}}}));
+  source.skins["arm"].erase("wrist");
+  const File& file = source.loaded.file;
+  Painting painting(file, at("t.json"), source.skins);
+  const std::uint32_t wrist = joint_called(file, "wrist"), elbow = joint_called(file, "elbow");
+  EXPECT_EQ(painting.without(0, wrist), "arm");
+  EXPECT_EQ(painting.without(0, elbow), "");
+  Brush all = wide(BrushMode::set, 1);
+  all.radius = 100;
+  ASSERT_TRUE(press(painting, file, all, wrist, {-2.5f, 0.1f}));
+  EXPECT_EQ(painting.changed(), 0u);
+  ASSERT_TRUE(press(painting, file, all, elbow, {-2.5f, 0.1f}));
+  EXPECT_GT(painting.changed(), 0u);
+}
+
 TEST_F(PaintingTest, WhatCannotBePaintedSaysWhy) {
   const std::string cube = write("cube.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
     "nodes": [{"mesh": 0, "name": "cube"}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],

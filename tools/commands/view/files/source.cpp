@@ -25,10 +25,25 @@ cook::CookOptions options_for(Source& source) {
   return options;
 }
 
+// Named as cooked meshes are.
+SkinJoints skin_joints(const cook::RawScene& scene) {
+  SkinJoints out;
+  for (const cook::RawInstance& instance : scene.instances) {
+    if (instance.skin == cook::kNone) continue;
+    const std::string& own = scene.meshes[cook::to_index(instance.mesh)].name;
+    std::set<std::string>& names = out[own.empty() ? scene.nodes[cook::to_index(instance.node)].name : own];
+    for (const int joint : scene.skins[cook::to_index(instance.skin)].joints)
+      names.insert(scene.nodes[cook::to_index(joint)].name);
+  }
+  return out;
+}
+
 void cook_in_memory(Source& source) {
   const cook::CookOptions options = options_for(source);
-  cook::CookResult cooked =
-      cook::cook_scene(cook::read_source(source.path, {.image_bytes = options.images == cook::Images::embed}), options);
+  cook::RawScene scene = cook::read_source(source.path, {.image_bytes = options.images == cook::Images::embed});
+  // A skeleton that is made takes the place of skins.
+  if (options.auto_skeleton.empty()) source.skins = skin_joints(scene);
+  cook::CookResult cooked = cook::cook_scene(std::move(scene), options);
   AlignedBytes bytes(cooked.file.size());
   std::ranges::copy(cooked.file, bytes.data());
   source.loaded = load_mrw(source.path, std::move(bytes));

@@ -1,6 +1,8 @@
 // What `marrow view` opens: a cooked file, or a glTF file that is cooked in memory first.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,9 @@
 #include "render/images.h"
 
 namespace marrow::tools {
+
+// Names of joints, by the names of the meshes that have them in their skins.
+using SkinJoints = std::map<std::string, std::set<std::string>>;
 
 struct Source {
   std::string path;
@@ -17,6 +22,7 @@ struct Source {
   bool cooked_here = false;
   std::string settings;      // the marrow.toml that it was cooked by; empty: none
   std::size_t warnings = 0;  // of cooking
+  SkinJoints skins;          // of what was cooked here
 };
 
 // A glTF file is cooked as `marrow cook PATH` would: with the settings of the nearest marrow.toml, else with the

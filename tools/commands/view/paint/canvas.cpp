@@ -1,6 +1,7 @@
 #include "commands/view/paint/canvas.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -66,10 +67,27 @@ std::uint32_t group_of(const Mesh& mesh, std::vector<CanvasGroup>& groups) {
   return static_cast<std::uint32_t>(&group - groups.data());
 }
 
-// By its joint nearest to the root, as the bind pose is seldom another there.
+bool alike(const glm::mat4& a, const glm::mat4& b) {
+  float size = 0, difference = 0;
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      size += std::abs(a[c][r]);
+      difference += std::abs(a[c][r] - b[c][r]);
+    }
+  }
+  return difference <= 1e-3f * size;
+}
+
+// The one that most of its joints agree on, as some may rest otherwise than they were bound.
 glm::mat4 scene_from_mesh(const CanvasGroup& group, std::span<const Affine> rest) {
-  const auto& [joint, inverse_bind] = *group.inverse_bind.begin();
-  return to_glm(rest[joint]) * inverse_bind;
+  constexpr std::size_t kMostAsked = 64;
+  std::vector<glm::mat4> all;
+  for (const auto& [joint, inverse_bind] : group.inverse_bind)
+    if (all.size() < kMostAsked) all.push_back(to_glm(rest[joint]) * inverse_bind);
+  const auto agreeing = [&](const glm::mat4& m) {
+    return std::ranges::count_if(all, [&](const glm::mat4& other) { return alike(m, other); });
+  };
+  return *std::ranges::max_element(all, {}, agreeing);
 }
 
 void add_triangles(const Geometry& g, const std::vector<std::uint32_t>& place_of_slot, Canvas& canvas) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ struct CanvasGroup {
   std::uint32_t skeleton = 0;
   bool hangs = false;                               // on one joint as a whole: there is nothing to paint
   std::map<std::uint32_t, glm::mat4> inverse_bind;  // by joint of the skeleton, as far as the meshes have them
+  std::set<std::uint32_t> joints;                   // of its skin; empty: not known
+
+  bool may_follow(std::uint32_t joint) const { return joints.empty() || joints.contains(joint); }
 };
 
 struct Canvas {

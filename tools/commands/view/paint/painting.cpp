@@ -56,12 +56,28 @@ std::string refusal_of(const Canvas& canvas) {
 
 }  // namespace
 
-Painting::Painting(const File& file, std::string path) : file_(file), path_(std::move(path)), rest_(rest_of(file)) {
+Painting::Painting(const File& file, std::string path, const SkinJoints& skins)
+    : file_(file), path_(std::move(path)), rest_(rest_of(file)) {
   canvas_ = canvas_of(file, rest_);
+  set_joints(skins);
   for (const CanvasGroup& group : canvas_.groups) binds_.push_back(bind_matrices(group, rest_[group.skeleton]));
   diagonal_ = diagonal_of(canvas_.model);
   refusal_ = refusal_of(canvas_);
   if (refusal_.empty()) read_saved();
+}
+
+void Painting::set_joints(const SkinJoints& skins) {
+  for (CanvasGroup& group : canvas_.groups) {
+    const auto skin = skins.find(group.name);
+    for (std::uint32_t j = 0; skin != skins.end() && j < rest_[group.skeleton].size(); ++j)
+      if (skin->second.contains(name_of(file_, group.skeleton, j))) group.joints.insert(j);
+  }
+}
+
+std::string Painting::without(std::uint32_t skeleton, std::uint32_t joint) const {
+  for (const CanvasGroup& group : canvas_.groups)
+    if (group.skeleton == skeleton && !group.hangs && !group.may_follow(joint)) return group.name;
+  return "";
 }
 
 void Painting::read_saved() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/view/files/source.h"
 #include "commands/view/paint/history.h"
 #include "commands/view/paint/posed_canvas.h"
 #include "cook/paint/paint_file.h"
@@ -15,8 +16,9 @@ namespace marrow::tools {
 class Painting {
  public:
   // path: where it is saved. What is there already is painted first; if it cannot be, trouble() says why, and save()
-  // writes over nothing. `file` outlives it. Cost: 0.1 s for 40 000 vertices.
-  Painting(const File& file, std::string path);
+  // writes over nothing. skins: names of the joints of meshes' skins, as far as they are known: a mesh follows no
+  // others. `file` outlives it. Cost: 0.1 s for 40 000 vertices.
+  Painting(const File& file, std::string path, const SkinJoints& skins = {});
 
   const std::string& path() const { return path_; }
   // Why nothing of this file can be painted; empty: it can be.
@@ -32,7 +34,9 @@ class Painting {
   // Of a mesh of the file, a slot: what a joint and its image weigh together. image: of image_of().
   std::vector<float> weights(std::uint32_t mesh, std::uint32_t skeleton, std::uint32_t joint,
                              std::uint32_t image) const;
-  // How many vertices joint moves.
+  // The first mesh whose skin has not this joint; empty: there is none.
+  std::string without(std::uint32_t skeleton, std::uint32_t joint) const;
+  // How many vertices a joint moves.
   std::size_t moved_by(std::uint32_t skeleton, std::uint32_t joint) const;
   // Of the brush's plane: the joint on the other side, and how many places have an image.
   std::uint32_t image_of(const Brush& brush, std::uint32_t skeleton, std::uint32_t joint);
@@ -61,6 +65,7 @@ class Painting {
   void save();
 
  private:
+  void set_joints(const SkinJoints& skins);
   void read_saved();
   void apply(const cook::PaintedMesh& mesh, const std::string& where);
   const std::vector<std::uint32_t>& mirror(const MirrorPlane& plane);

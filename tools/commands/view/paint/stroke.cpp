@@ -27,9 +27,9 @@ Stroke::Stroke(Canvas& canvas, const Brush& brush, std::uint32_t skeleton, std::
       changed_(canvas.bind.size(), 0),
       where_(canvas.bind.size(), 0) {}
 
-bool Stroke::may_paint(std::uint32_t place) const {
+bool Stroke::may_paint(std::uint32_t place, std::uint32_t joint) const {
   const CanvasGroup& group = canvas_.groups[canvas_.group_of[place]];
-  return group.skeleton == skeleton_ && !group.hangs;
+  return group.skeleton == skeleton_ && !group.hangs && group.may_follow(joint);
 }
 
 // Places, and how much of the brush they feel.
@@ -61,8 +61,9 @@ std::vector<Stroke::Touch> Stroke::touches(std::span<const glm::vec3> posed, con
   std::vector<Touch> out;
   for (std::uint32_t p = 0; p < posed.size(); ++p) {
     const bool has_image = !mirror_.empty() && mirror_[p] != kNoPlace;
-    const double image = has_image ? now[mirror_[p]] : 0;
-    if ((now[p] > 0 || image > 0) && may_paint(p)) out.push_back({p, now[p], image});
+    const double own = may_paint(p, joint_) ? now[p] : 0;
+    const double image = has_image && may_paint(p, mirrored_) ? now[mirror_[p]] : 0;
+    if (own > 0 || image > 0) out.push_back({p, own, image});
   }
   return out;
 }

@@ -50,7 +50,7 @@ class Stroke {
   Influences smoothed(std::uint32_t place, double amount) const;
   double target(std::uint32_t joint, double amount, const Influences& before) const;
   Influences painted(const Touch& touch, const Influences& before);
-  bool may_paint(std::uint32_t place) const;
+  bool may_paint(std::uint32_t place, std::uint32_t joint) const;
 
   Canvas& canvas_;
   Brush brush_;

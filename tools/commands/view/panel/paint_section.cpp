@@ -82,6 +82,8 @@ void paint_section(Actor& actor, float scale, Settings& s) {
     s.show_joint = true;
   const NamedJoint& joint = actor.joints()[s.joint];
   if (painting.moved_by(joint.skeleton, joint.joint) == 0) quiet("It moves nothing yet.");
+  const std::string without = painting.without(joint.skeleton, joint.joint);
+  if (!without.empty()) quiet("The skin of " + without + " has not this joint: it cannot be painted there.");
   brush_widgets(actor, scale, s);
   mirror_widgets(actor, scale, painting, s);
   file_widgets(painting, s);

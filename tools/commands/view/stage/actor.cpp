@@ -195,7 +195,8 @@ std::vector<Drawable> Actor::weighted(const Settings& settings, Shot& shot) {
 
 Painting& Actor::painting(const Settings& settings) {
   if (!painting_)
-    painting_.emplace(file(), settings.paint_file.empty() ? paint_file_beside(source_.path) : settings.paint_file);
+    painting_.emplace(file(), settings.paint_file.empty() ? paint_file_beside(source_.path) : settings.paint_file,
+                      source_.skins);
   return *painting_;
 }
 
