@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x5662c025u
+#define MRW_ABI 0x36415a28u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -794,7 +794,7 @@ struct mrw_file {
   const void* block;
   const void* sections;
   size_t section_count;
-  uint32_t numbers[24];
+  uint32_t numbers[26];
 };
 void mrw_file_init(mrw_file* out);
 

@@ -1164,7 +1164,7 @@ public unsafe struct File {
     public void* block;
     public void* sections;
     public UIntPtr section_count;
-    public fixed uint numbers[24];
+    public fixed uint numbers[26];
     public static File New() {
         File made;
         Marrow.FileInit(&made);
@@ -3564,9 +3564,9 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x5662c025;
+    public const uint AbiNumber = 0x36415a28;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0xdda11b67;
+    public const uint Gles3AbiNumber = 0x847343cb;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -5847,7 +5847,7 @@ public static unsafe class Marrow {
             sizeof(MeshLod) == 8 &&
             sizeof(Bounds) == 28 &&
             sizeof(Mesh) == 384 &&
-            sizeof(File) == 120 &&
+            sizeof(File) == 128 &&
             sizeof(JointMisfit) == 8 &&
             sizeof(Playback) == 24 &&
             sizeof(SampleOptions) == 24 &&
@@ -5887,12 +5887,12 @@ public static unsafe class Marrow {
             sizeof(Reach) == 56 &&
             sizeof(SkinOutput) == 56 &&
             sizeof(AsPart) == 40 &&
-            sizeof(Animation) == 160 &&
+            sizeof(Animation) == 168 &&
             sizeof(Animations) == 16 &&
             sizeof(CharacterOptions) == 12 &&
             sizeof(CharacterSkeleton) == 96 &&
             sizeof(CharacterMesh) == 984 &&
-            sizeof(Character) == 224 &&
+            sizeof(Character) == 232 &&
             sizeof(AnimationLayer) == 16 &&
             sizeof(OutfitSkeleton) == 24 &&
             sizeof(Outfit) == 16 &&

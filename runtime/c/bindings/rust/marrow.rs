@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0x5662c025;
+pub const ABI: u32 = 0x36415a28;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0xdda11b67;
+pub const GLES3_ABI: u32 = 0x847343cb;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -1178,7 +1178,7 @@ pub struct File {
     pub block: *const c_void,
     pub sections: *const c_void,
     pub section_count: usize,
-    pub numbers: [u32; 24],
+    pub numbers: [u32; 26],
 }
 impl Default for File {
     fn default() -> Self {
@@ -1190,7 +1190,7 @@ impl Default for File {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<File>() == 120);
+const _: () = assert!(std::mem::size_of::<File>() == 128);
 
 /// Why a joint keeps a clip pack from fitting a skeleton.
 #[repr(transparent)]
@@ -2382,7 +2382,7 @@ impl Default for Animation {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Animation>() == 160);
+const _: () = assert!(std::mem::size_of::<Animation>() == 168);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -2503,7 +2503,7 @@ impl Default for Character {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Character>() == 224);
+const _: () = assert!(std::mem::size_of::<Character>() == 232);
 
 /// An animation at a time, and how much of it.
 #[repr(C)]

@@ -1,8 +1,8 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x5662c025;
-export const GLES3_ABI = 0xdda11b67;
+export const ABI = 0x36415a28;
+export const GLES3_ABI = 0x847343cb;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -136,7 +136,7 @@ export const structs = {
   MeshLod: { size: 8, align: 4, init: "", fields: {"geometry": [0, "value", "u32"], "error_m": [4, "value", "f32"]} },
   Bounds: { size: 28, align: 4, init: "", fields: {"box_min": [0, "array", "f32", 3], "box_max": [12, "array", "f32", 3], "radius_m": [24, "value", "f32"]} },
   Mesh: { size: 228, align: 4, init: "", fields: {"name": [0, "text"], "material": [4, "text"], "material_index": [8, "value", "u32"], "skeleton": [12, "value", "u32"], "geometry_index": [16, "value", "u32"], "joint_count": [20, "value", "u32"], "joints": [24, "pointer", "u16"], "inverse_bind": [28, "pointer", "Affine"], "base_colour": [32, "array", "f32", 4], "double_sided": [48, "value", "bool"], "is_next_part": [49, "value", "bool"], "helpers": [52, "list", "Helper"], "helper_centres": [60, "list", "f32"], "targets": [68, "list", "MeshTarget"], "lods": [76, "list", "MeshLod"], "geometry": [84, "struct", "Geometry"]} },
-  File: { size: 108, align: 4, init: "file_init", fields: {} },
+  File: { size: 116, align: 4, init: "file_init", fields: {} },
   JointMisfit: { size: 8, align: 4, init: "", fields: {"how": [0, "value", "u8"], "joint": [4, "value", "u32"]} },
   Playback: { size: 24, align: 8, init: "playback_init", fields: {"time_s": [0, "value", "f64"], "speed": [8, "value", "f32"], "mode": [12, "value", "u8"], "returning": [13, "value", "bool"], "turns": [16, "value", "i32"]} },
   SampleOptions: { size: 12, align: 4, init: "sample_options_init", fields: {"joints": [0, "list", "u32"], "prefilled": [8, "value", "bool"]} },
@@ -176,12 +176,12 @@ export const structs = {
   Reach: { size: 40, align: 4, init: "", fields: {"joints": [0, "list", "JointReach"], "targets": [8, "list", "MorphReach"], "pose_space": [16, "struct", "MorphReach"]} },
   SkinOutput: { size: 28, align: 4, init: "skin_output_init", fields: {"positions": [0, "list", "f32"], "normals": [8, "list", "f32"], "tangents": [16, "list", "f32"], "normal_transform": [24, "value", "u8"]} },
   AsPart: { size: 20, align: 4, init: "as_part_init", fields: {"mesh": [0, "pointer", "Mesh"], "coordinates": [4, "list", "f32"], "tangents": [12, "list", "f32"]} },
-  Animation: { size: 128, align: 4, init: "", fields: {"clips": [0, "struct", "File"], "duration_s": [108, "value", "f32"], "clip_of_skeleton": [112, "list", "u32"], "channels": [120, "list", "u32"]} },
+  Animation: { size: 136, align: 4, init: "", fields: {"clips": [0, "struct", "File"], "duration_s": [116, "value", "f32"], "clip_of_skeleton": [120, "list", "u32"], "channels": [128, "list", "u32"]} },
   Animations: { size: 8, align: 4, init: "", fields: {"all": [0, "list", "Animation"]} },
   CharacterOptions: { size: 12, align: 4, init: "character_options_init", fields: {"layers": [0, "value", "u32"], "level": [4, "value", "u32"], "skin": [8, "value", "bool"], "animation_space": [9, "value", "bool"]} },
   CharacterSkeleton: { size: 52, align: 4, init: "", fields: {"skeleton": [0, "struct", "Skeleton"], "local": [36, "list", "SoaTransform"], "scene_from_joint": [44, "list", "Affine"]} },
   CharacterMesh: { size: 568, align: 4, init: "", fields: {"mesh": [0, "struct", "Mesh"], "weights": [228, "list", "f32"], "palette": [236, "list", "Affine"], "coordinates": [244, "list", "f32"], "morphed": [252, "struct", "MorphedGeometry"], "vertices": [556, "list", "byte"], "first_target": [564, "value", "u32"]} },
-  Character: { size: 164, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [108, "struct", "CharacterOptions"], "skeletons": [120, "list", "CharacterSkeleton"], "meshes": [128, "list", "CharacterMesh"], "target_count": [136, "value", "u32"], "sampled": [140, "list", "SoaTransform"], "blended": [148, "list", "BlendLayer"], "change": [156, "list", "AdditiveTransform"]} },
+  Character: { size: 172, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [116, "struct", "CharacterOptions"], "skeletons": [128, "list", "CharacterSkeleton"], "meshes": [136, "list", "CharacterMesh"], "target_count": [144, "value", "u32"], "sampled": [148, "list", "SoaTransform"], "blended": [156, "list", "BlendLayer"], "change": [164, "list", "AdditiveTransform"]} },
   AnimationLayer: { size: 12, align: 4, init: "animation_layer_init", fields: {"animation": [0, "pointer", "Animation"], "time_s": [4, "value", "f32"], "weight": [8, "value", "f32"]} },
   OutfitSkeleton: { size: 12, align: 4, init: "", fields: {"body_skeleton": [0, "value", "u32"], "body_joints": [4, "list", "u16"]} },
   Outfit: { size: 8, align: 4, init: "", fields: {"skeletons": [0, "list", "OutfitSkeleton"]} },
