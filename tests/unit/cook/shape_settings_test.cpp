@@ -60,13 +60,13 @@ TEST(ShapeSettings, CountAndTheirPlaceDoesNot) {
   const auto text = [](const std::string& toml) { return canonical_text(parse_shapes(toml).defaults); };
   const std::string one = "[[shapes]]\nname='n'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='t'}]\n";
   EXPECT_EQ(text(one), text("\n\n" + one + "# more\n"));
-  const char* others[] = {"[[shapes]]\nname='m'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='t'}]\n",
-                          "[[shapes]]\nname='n'\nparameters=['q']\nexamples=[{at=[0]},{at=[1],target='t'}]\n",
-                          "[[shapes]]\nname='n'\nparameters=['p']\nexamples=[{at=[0]},{at=[2],target='t'}]\n",
-                          "[[shapes]]\nname='n'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='u'}]\n",
-                          "[[shapes]]\nname='n'\nmesh='m'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='t'}]\n",
-                          "[[shapes]]\nname='n'\nparameters=[{name='p',default=1}]\nexamples=[{at=[0]},{at=[1],"
-                          "target='t'}]\n"};
+  const char* others[] = {
+      "[[shapes]]\nname='m'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='t'}]\n",
+      "[[shapes]]\nname='n'\nparameters=['q']\nexamples=[{at=[0]},{at=[1],target='t'}]\n",
+      "[[shapes]]\nname='n'\nparameters=['p']\nexamples=[{at=[0]},{at=[2],target='t'}]\n",
+      "[[shapes]]\nname='n'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='u'}]\n",
+      "[[shapes]]\nname='n'\nmesh='m'\nparameters=['p']\nexamples=[{at=[0]},{at=[1],target='t'}]\n",
+      "[[shapes]]\nname='n'\nparameters=[{name='p',default=1}]\nexamples=[{at=[0]},{at=[1],target='t'}]"};
   for (const char* const other : others) EXPECT_NE(text(one), text(other)) << other;
 }
 
