@@ -20,7 +20,6 @@
 namespace marrow::cook {
 namespace {
 
-using deform::kNoJoint;
 using deform::SkeletonTemplate;
 
 constexpr std::size_t kLargestTemplate = std::size_t{64} * 1024;
@@ -87,24 +86,26 @@ class TemplateReader {
     const auto index = static_cast<int>(out_.size());
     if (!is_end && !index_of_.emplace(name, index).second)
       fail(where, "two joints are called \"" + name + "\"", "rename one");
-    if (parent != kNoJoint && out_[static_cast<std::size_t>(parent)].place == place)
+    if (parent != deform::kNoJoint && out_[static_cast<std::size_t>(parent)].place == place)
       fail(where, "a joint at the place of the one above it", "move it: bones have lengths");
-    out_.push_back({name, parent, place, kNoJoint, is_end});
+    out_.push_back({name, parent, place, deform::kNoJoint, is_end});
     return index;
   }
 
-  // Both of them where the joint has a mirror; the second is kNoJoint else.
+  // Both of them where the joint has a mirror; the second is deform::kNoJoint else.
   std::pair<int, int> add_pair(const std::string& where, const std::string& name, const std::string& mirror, int parent,
                                const glm::dvec3& place, bool is_end) {
-    const int other_parent = parent == kNoJoint ? kNoJoint : out_[static_cast<std::size_t>(parent)].mirror;
+    const int other_parent =
+        parent == deform::kNoJoint ? deform::kNoJoint : out_[static_cast<std::size_t>(parent)].mirror;
     if (mirror.empty()) {
       if (place.x != 0) fail(where, "a joint that stands aside without a mirror", "give mirror, or x = 0");
-      if (other_parent != kNoJoint) fail(where, "a joint without a mirror below one that has one", "give mirror");
-      return {add(where, name, parent, place, is_end), kNoJoint};
+      if (other_parent != deform::kNoJoint)
+        fail(where, "a joint without a mirror below one that has one", "give mirror");
+      return {add(where, name, parent, place, is_end), deform::kNoJoint};
     }
     if (!(place.x > 0)) fail(where, "a joint with a mirror that is not on the left", "give x > 0");
     const int left = add(where, name, parent, place, is_end);
-    const int right = add(where, is_end ? "" : mirror, other_parent == kNoJoint ? parent : other_parent,
+    const int right = add(where, is_end ? "" : mirror, other_parent == deform::kNoJoint ? parent : other_parent,
                           glm::dvec3(-place.x, place.y, place.z), is_end);
     out_[static_cast<std::size_t>(left)].mirror = right;
     out_[static_cast<std::size_t>(right)].mirror = left;
@@ -123,7 +124,7 @@ class TemplateReader {
     const std::optional<glm::dvec3> place = place_of(joint, "place"), end = place_of(joint, "end");
     if (name.empty()) fail(where, "a joint without a name", "give name = \"Hips\"");
     if (!place) fail(where, "a joint without a place", "give place = [x, y, z]");
-    int parent = kNoJoint;
+    int parent = deform::kNoJoint;
     if (!parent_name.empty()) {
       const auto found = index_of_.find(parent_name);
       if (found == index_of_.end())
@@ -131,11 +132,11 @@ class TemplateReader {
              "joints come after their parents");
       parent = found->second;
     }
-    if ((parent == kNoJoint) != out_.empty())
+    if ((parent == deform::kNoJoint) != out_.empty())
       fail(where, out_.empty() ? "the first joint has a parent" : "a second joint without a parent",
            "one joint, the first, is above all others");
     if (out_.empty() && !mirror.empty()) fail(where, "the first joint has a mirror", "leave it out");
-    if (parent != kNoJoint && has_end_.contains(parent))
+    if (parent != deform::kNoJoint && has_end_.contains(parent))
       fail(where, "\"" + parent_name + "\" has both an end and a joint below it", "leave out its end");
     const auto [left, right] = add_pair(where, name, mirror, parent, *place, false);
     if (!end) return;
