@@ -58,11 +58,13 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
     const std::string value = option.kind == OptionKind::flag          ? "true"
                               : !option.choices.empty()                ? '"' + std::string(option.choices.back()) + '"'
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
-                              : shape == "STEPS" || shape == "EXAMPLES" || shape[0] == 'N' ? "\"3\""
-                              : shape == "ENTRIES"                                         ? "\"256\""
-                              : shape[0] == 'R'                                            ? "\"0.5,0.25\""
-                              : shape == "JOINT=MASK.png"                                  ? "\"hand=hand.png\""
-                                                                                           : "\"0.1mm\"";
+                              : shape == "STEPS" || shape == "EXAMPLES" || shape == "FIELDS" || shape[0] == 'N'
+                                  ? "\"3\""
+                              : shape == "ENTRIES"           ? "\"256\""
+                              : shape[0] == 'R'              ? "\"0.5,0.25\""
+                              : shape.starts_with("CHANNEL") ? "\"loose=chest,pole\""
+                              : shape == "JOINT=MASK.png"    ? "\"hand=hand.png\""
+                                                             : "\"0.1mm\"";
     // A truth is only for fits, examples for a truth, rebinding for weights that are made.
     const bool of_fit = name == "truth" || name == "helpers" || name == "keep-bind-pose" || name == "delta-mush" ||
                         name == "mwe" || name == "psd" || name == "influences" || name == "wide-poses";
