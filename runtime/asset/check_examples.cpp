@@ -1,4 +1,4 @@
-// Rules of EXSP sections, and the view of one that keeps them.
+// Rules of SHAP sections, and the view of one that keeps them.
 #include "asset/checker.h"
 #include "asset/example_format.h"
 #include "core/check.h"

@@ -1,4 +1,4 @@
-// EXSP sections byte by byte (docs/format.md).
+// SHAP sections byte by byte (docs/format.md).
 #pragma once
 
 #include "asset/format.h"

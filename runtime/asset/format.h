@@ -56,7 +56,7 @@ inline constexpr std::uint32_t kTypes[kKindCount] = {
     four_characters("SKEL"), four_characters("SREF"), four_characters("CLIP"), four_characters("GEOM"),
     four_characters("MESH"), four_characters("MATL"), four_characters("IMAG"), four_characters("NODE"),
     four_characters("NAME"), four_characters("LIMI"), four_characters("BNDS"), four_characters("SPRI"),
-    four_characters("EXSP")};
+    four_characters("SHAP")};
 
 struct Header {
   std::uint32_t magic;

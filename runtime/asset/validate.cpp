@@ -134,7 +134,7 @@ DataError check_container(Span<const std::byte> block) {
     std::memcpy(&s, block.data + entry, sizeof s);
     while (place < format::kKindCount && s.type != format::kTypes[format::kOrder[place]]) ++place;
     if (place == format::kKindCount)
-      return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI EXSP BNDS NAME");
+      return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI SHAP BNDS NAME");
     if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
     if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
     for (std::size_t pad = static_cast<std::size_t>(end); pad < s.offset; ++pad)

@@ -37,7 +37,7 @@ std::size_t bytes_of(const std::vector<File::Section>& sections) {
 // Everything is counted once; what is left are the header, the table and padding.
 ordered_json describe_totals(const LoadedFile& loaded) {
   const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH")) +
-                               bytes_of(sections_of(loaded, "EXSP"));
+                               bytes_of(sections_of(loaded, "SHAP"));
   const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
                                 bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")),
                     clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS"));
@@ -197,7 +197,7 @@ ordered_json describe_meshes(const LoadedFile& loaded) {
 
 ordered_json describe_shapes(const LoadedFile& loaded) {
   const File& file = loaded.file;
-  const std::vector<File::Section> sections = sections_of(loaded, "EXSP");
+  const std::vector<File::Section> sections = sections_of(loaded, "SHAP");
   ordered_json out = ordered_json::array();
   for (std::uint32_t i = 0; i < file.example_space_count(); ++i) {
     ExampleSpace space;

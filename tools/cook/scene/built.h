@@ -169,7 +169,7 @@ struct BuiltNode {
   std::vector<RawProperty> properties;
 };
 
-// As an EXSP section has it; arrays of floats as in ExampleSpace.
+// As an SHAP section has it; arrays of floats as in ExampleSpace.
 struct BuiltExampleSpace {
   std::string name;
   std::vector<std::string> parameters;
