@@ -32,7 +32,7 @@ struct Pairing {
 Pairing pair(const Character& character, const RawScene& capture, Notes& notes) {
   const std::vector<int>& joints = capture.skins.at(0).joints;
   std::vector<std::string> names;
-  for (const int node : joints) names.push_back(capture.nodes[at(node)].name);
+  for (const int node : joints) names.push_back(capture.nodes[to_index(node)].name);
   Pairing out;
   std::ptrdiff_t most = 0;
   for (std::size_t s = 0; s < character.skeletons.size(); ++s) {
@@ -50,8 +50,8 @@ Pairing pair(const Character& character, const RawScene& capture, Notes& notes) 
   std::vector<char> used(names.size(), 0);
   for (int& node : out.node_of_joint) {
     if (node == kNone) continue;
-    used[at(node)] = 1;
-    node = joints[at(node)];
+    used[to_index(node)] = 1;
+    node = joints[to_index(node)];
   }
   std::vector<std::string> strangers;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -86,7 +86,7 @@ Capture open_capture(const RawScene& scene) {
   out.turn_keys.resize(size);
   out.place_keys.resize(size);
   for (const RawChannel& channel : scene.clips.at(0).channels)
-    (channel.path == RawPath::rotation ? out.turn_keys : out.place_keys)[at(channel.node)] = &channel;
+    (channel.path == RawPath::rotation ? out.turn_keys : out.place_keys)[to_index(channel.node)] = &channel;
   return out;
 }
 
@@ -100,7 +100,7 @@ void pose(Capture& c, std::size_t frame) {
     }
     c.places[n] = c.place_keys[n] == nullptr ? node.translation : glm::dvec3(c.place_keys[n]->values[frame]);
     if (node.parent == kNone) continue;
-    const std::size_t up = at(node.parent);
+    const std::size_t up = to_index(node.parent);
     c.places[n] = c.places[up] + c.turns[up] * c.places[n];
     c.turns[n] = c.turns[up] * c.turns[n];
   }
@@ -115,7 +115,7 @@ struct Puppet {
 
 // Where the character of a joint stands.
 glm::dvec3 origin_of(const RetargetPlan& plan, std::size_t joint) {
-  while (plan.joints[joint].parent != kNone) joint = at(plan.joints[joint].parent);
+  while (plan.joints[joint].parent != kNone) joint = to_index(plan.joints[joint].parent);
   return glm::dvec3(plan.joints[joint].scene_above[3]);
 }
 
@@ -124,16 +124,17 @@ bool pose(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
   for (std::size_t j = 0; j < plan.joints.size(); ++j) {
     const RetargetJoint& joint = plan.joints[j];
     const bool is_root = joint.parent == kNone;
-    const glm::dquat turn_above = is_root ? joint.turn_above : puppet.turns[at(joint.parent)];
-    const glm::dmat4 scene_above = is_root ? joint.scene_above : puppet.scene_from_joint[at(joint.parent)];
+    const glm::dquat turn_above = is_root ? joint.turn_above : puppet.turns[to_index(joint.parent)];
+    const glm::dmat4 scene_above = is_root ? joint.scene_above : puppet.scene_from_joint[to_index(joint.parent)];
     Transform local = joint.rest;
     if (joint.node != kNone) {
-      const glm::dquat captured = plan.facing * capture.turns[at(joint.node)] * glm::conjugate(plan.facing);
+      const glm::dquat captured = plan.facing * capture.turns[to_index(joint.node)] * glm::conjugate(plan.facing);
       local.rotation = glm::normalize(glm::conjugate(turn_above) * captured * joint.aligned);
       add_rotation(local.rotation, puppet.turn_keys[j]);
     }
     if (joint.carried > 0) {
-      const glm::dvec3 place = origin_of(plan, j) + joint.carried * (plan.facing * capture.places[at(joint.node)]);
+      const glm::dvec3 place =
+          origin_of(plan, j) + joint.carried * (plan.facing * capture.places[to_index(joint.node)]);
       local.translation = glm::dvec3(glm::inverse(scene_above) * glm::dvec4(place, 1));
       for (int axis = 0; axis < 3; ++axis)
         if (!(std::abs(local.translation[axis]) <= double{format::kFarthest})) return false;
@@ -180,7 +181,7 @@ Matched match(const Pairing& pairing, const RetargetPlan& plan, const Character&
     add(RawPath::translation, puppet.place_keys[j]);
     add(RawPath::rotation, puppet.turn_keys[j]);
     RawNode& node = scene.nodes.emplace_back();
-    node.name = character.skeletons[at(pairing.skeleton)].joint_names[j];
+    node.name = character.skeletons[to_index(pairing.skeleton)].joint_names[j];
     node.parent = plan.joints[j].parent;
     out.built.joint_of_node.push_back(static_cast<int>(j));
     out.built.nearest.push_back({pairing.skeleton, static_cast<int>(j), glm::dmat4(1.0)});
@@ -195,7 +196,8 @@ Matched retarget(const Character& character, RawScene capture, Notes& notes) {
   expect_skeletons(character);
   const Pairing pairing = pair(character, capture, notes);
   check_size(capture, pairing.node_of_joint.size());
-  const RetargetPlan plan = plan_retarget(character.skeletons[at(pairing.skeleton)], pairing.node_of_joint, capture);
+  const RetargetPlan plan =
+      plan_retarget(character.skeletons[to_index(pairing.skeleton)], pairing.node_of_joint, capture);
   if (plan.facing_deg != 0)
     notes.warnings.push_back({"HIERARCHY", "turned",
                               character.file + " faces another way at rest; the clip is turned about y by " +

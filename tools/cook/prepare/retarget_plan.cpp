@@ -39,10 +39,10 @@ Joints lay_out(const BuiltSkeleton& skeleton, const std::vector<int>& node_of_jo
       scene_from_joint.push_back(joint.scene_above * matrix_of(rest[j]));
     } else {
       joint.parent = skeleton.parents[j];
-      const RetargetJoint& parent = out[at(joint.parent)];
+      const RetargetJoint& parent = out[to_index(joint.parent)];
       joint.upper = parent.node == kNone ? parent.upper : joint.parent;
       turn_above = parent.turn;
-      scene_from_joint.push_back(scene_from_joint[at(joint.parent)] * matrix_of(rest[j]));
+      scene_from_joint.push_back(scene_from_joint[to_index(joint.parent)] * matrix_of(rest[j]));
     }
     joint.turn = turn_above * rest[j].rotation;
     joint.place = glm::dvec3(scene_from_joint[j][3]);
@@ -53,7 +53,7 @@ Joints lay_out(const BuiltSkeleton& skeleton, const std::vector<int>& node_of_jo
 std::vector<glm::dvec3> places_at_rest(const RawScene& capture) {
   std::vector<glm::dvec3> out;
   for (const RawNode& node : capture.nodes)
-    out.push_back(node.translation + (node.parent == kNone ? glm::dvec3(0) : out[at(node.parent)]));
+    out.push_back(node.translation + (node.parent == kNone ? glm::dvec3(0) : out[to_index(node.parent)]));
   return out;
 }
 
@@ -64,12 +64,12 @@ int facing_of(const Joints& joints, const std::vector<glm::dvec3>& captured) {
   for (const RetargetJoint& joint : joints) {
     if (joint.node == kNone) continue;
     middle += joint.place;
-    captured_middle += captured[at(joint.node)];
+    captured_middle += captured[to_index(joint.node)];
     ++count;
   }
   for (const RetargetJoint& joint : joints) {
     if (joint.node == kNone) continue;
-    const glm::dvec3 a = joint.place - middle / count, b = captured[at(joint.node)] - captured_middle / count;
+    const glm::dvec3 a = joint.place - middle / count, b = captured[to_index(joint.node)] - captured_middle / count;
     along += a.x * b.x + a.z * b.z;
     across += a.x * b.z - a.z * b.x;
     size += glm::dot(a, a);
@@ -105,12 +105,12 @@ std::vector<glm::dquat> arcs_of(const Joints& joints, const std::vector<glm::dve
   std::vector<Below> below(joints.size());
   for (const RetargetJoint& joint : joints) {
     if (joint.node == kNone || joint.upper == kNone) continue;
-    const RetargetJoint& upper = joints[at(joint.upper)];
+    const RetargetJoint& upper = joints[to_index(joint.upper)];
     const glm::dvec3 bone = joint.place - upper.place;
-    const glm::dvec3 other = facing * (captured[at(joint.node)] - captured[at(upper.node)]);
+    const glm::dvec3 other = facing * (captured[to_index(joint.node)] - captured[to_index(upper.node)]);
     const double length = glm::length(bone), other_length = glm::length(other);
     if (!(length > 0) || !(other_length > 0)) continue;
-    Below& of = below[at(joint.upper)];
+    Below& of = below[to_index(joint.upper)];
     of.bones += bone / length;
     of.captured += other / other_length;
     ++of.count;
@@ -121,7 +121,7 @@ std::vector<glm::dquat> arcs_of(const Joints& joints, const std::vector<glm::dve
     const double length = glm::length(of.bones), other_length = glm::length(of.captured);
     if (of.count == 0) {
       const int upper = joints[j].upper;
-      if (upper != kNone && std::abs(out[at(upper)].w) < kCosineOf15Degrees) out[j] = out[at(upper)];
+      if (upper != kNone && std::abs(out[to_index(upper)].w) < kCosineOf15Degrees) out[j] = out[to_index(upper)];
     } else if (2 * std::min(length, other_length) >= of.count) {
       out[j] = arc(of.bones / length, of.captured / other_length);
     }
@@ -133,19 +133,19 @@ std::vector<glm::dquat> arcs_of(const Joints& joints, const std::vector<glm::dve
 double scale_below(const Joints& joints, std::size_t carried, const std::vector<glm::dvec3>& captured) {
   const auto lengths = [&](const RetargetJoint& joint) {
     if (joint.node == kNone || joint.upper == kNone) return glm::dvec2(0);
-    const RetargetJoint& upper = joints[at(joint.upper)];
+    const RetargetJoint& upper = joints[to_index(joint.upper)];
     return glm::dvec2(glm::length(joint.place - upper.place),
-                      glm::length(captured[at(joint.node)] - captured[at(upper.node)]));
+                      glm::length(captured[to_index(joint.node)] - captured[to_index(upper.node)]));
   };
   std::vector<char> below(joints.size(), 0);
   std::size_t lowest = carried;
   glm::dvec2 all(0), way(0);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     all += lengths(joints[j]);
-    below[j] = j == carried || (joints[j].parent != kNone && below[at(joints[j].parent)] != 0);
+    below[j] = j == carried || (joints[j].parent != kNone && below[to_index(joints[j].parent)] != 0);
     if (below[j] != 0 && joints[j].node != kNone && joints[j].place.y < joints[lowest].place.y) lowest = j;
   }
-  for (std::size_t j = lowest; j != carried; j = at(joints[j].upper)) way += lengths(joints[j]);
+  for (std::size_t j = lowest; j != carried; j = to_index(joints[j].upper)) way += lengths(joints[j]);
   if (way.x > 0 && way.y > 0) return way.x / way.y;
   return all.x > 0 && all.y > 0 ? all.x / all.y : 1;
 }
@@ -156,10 +156,10 @@ std::vector<char> moved_nodes(const RawScene& capture) {
   for (const RawChannel& channel : capture.clips.at(0).channels) {
     const auto elsewhere = [&](const glm::vec4& place) { return place != channel.values[0]; };
     if (channel.path == RawPath::translation && std::ranges::any_of(channel.values, elsewhere))
-      out[at(channel.node)] = 1;
+      out[to_index(channel.node)] = 1;
   }
   for (std::size_t n = 0; n < out.size(); ++n)
-    if (capture.nodes[n].parent != kNone && out[at(capture.nodes[n].parent)] != 0) out[n] = 1;
+    if (capture.nodes[n].parent != kNone && out[to_index(capture.nodes[n].parent)] != 0) out[n] = 1;
   return out;
 }
 
@@ -178,8 +178,8 @@ RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>
   for (std::size_t j = 0; j < out.joints.size(); ++j) {
     RetargetJoint& joint = out.joints[j];
     joint.aligned = arcs[j] * joint.turn;
-    if (joint.parent != kNone) within[j] = within[at(joint.parent)];
-    if (within[j] != 0 || joint.node == kNone || moved[at(joint.node)] == 0) continue;
+    if (joint.parent != kNone) within[j] = within[to_index(joint.parent)];
+    if (within[j] != 0 || joint.node == kNone || moved[to_index(joint.node)] == 0) continue;
     within[j] = 1;
     joint.carried = scale_below(out.joints, j, captured);
   }

@@ -16,11 +16,6 @@
 
 namespace marrow::cook {
 
-// A node or a joint that is there, as an index.
-inline std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 // A joint of the character.
 struct RetargetJoint {
   int parent = kNone;                 // less than the joint's own index
