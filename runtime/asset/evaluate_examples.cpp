@@ -44,7 +44,7 @@ Status find_example_channels(const File& file, const ExampleSpace& space, const 
   MARROW_REQUIRE(holds(space.parameters) && holds(out, space.parameters.size));
   for (std::size_t i = 0; i < space.parameters.size; ++i) {
     const std::uint32_t found = clips.find_channel(clip, file.text(space.parameters[i].name));
-    out[i] = found < clip.channels.size ? found : kNoExampleChannel;
+    out[i] = found < clip.channels.size ? found : kNoChannel;
   }
   return Status::ok;
 }

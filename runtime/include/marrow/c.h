@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xa3c01f1fu
+#define MRW_ABI 0xee494733u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -563,6 +563,8 @@ struct mrw_channel {
   mrw_interpolation interpolation;
   uint8_t reserved[3];
 };
+
+#define MRW_NO_CHANNEL 0xFFFFFFFFu
 
 // Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
 // packed integers relative to the rest pose (docs/format.md). What does not move stands once.
@@ -2008,8 +2010,6 @@ mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_f
 // glTF 2.0, section 3.7.2.2: attribute = bind + Σ_i weight_i · change_i, before skinning; normals and tangents are
 // normalised afterwards. Any finite weight is legal.
 
-#define MRW_NO_CHANNEL 0xFFFFFFFFu
-
 // An instance's vertices, in the caller's memory. Copies are views of the same vertices.
 typedef struct mrw_morphed_geometry mrw_morphed_geometry;
 struct mrw_morphed_geometry {
@@ -2067,10 +2067,9 @@ mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinat
 // An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
 // Between them the shapes are interpolated, all at once. The cooker solves for the numbers here (docs/cooking.md).
 
-// For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
-// `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
-// Cost: compares names; once a load.
-#define MRW_NO_EXAMPLE_CHANNEL 0xFFFFFFFFu
+// For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the
+// clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument. Cost: compares
+// names; once a load.
 mrw_status mrw_find_example_channels(const mrw_file* file, const mrw_example_space* space, const mrw_file* clips,
     const mrw_clip* clip, uint32_t* out, size_t out_count) MRW_NODISCARD;
 

@@ -35,10 +35,9 @@ struct ExampleSpace {
   Span<const float> inverse_widths = {};   // an example; above 0
 };
 
-// For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
-// `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
-// Cost: compares names; once a load.
-inline constexpr std::uint32_t kNoExampleChannel = 0xFFFFFFFF;
+// For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the
+// clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument. Cost: compares
+// names; once a load.
 MARROW_API Status find_example_channels(const File& file, const ExampleSpace& space, const File& clips,
                                         const Clip& clip, Span<std::uint32_t> out);
 

@@ -160,6 +160,7 @@ struct Channel {
   std::uint8_t reserved[3] = {};
 };
 static_assert(sizeof(Channel) == 24);
+inline constexpr std::uint32_t kNoChannel = 0xFFFFFFFF;
 
 // Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
 // packed integers relative to the rest pose (docs/format.md). What does not move stands once.

@@ -14,8 +14,6 @@
 
 namespace marrow {
 
-inline constexpr std::uint32_t kNoChannel = 0xFFFFFFFF;
-
 // For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
 // `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
 // compares names; once a load.

@@ -88,7 +88,7 @@ TEST_F(LoadExamples, FindTheClipsChannels) {
   EXPECT_STREQ(file_.text(clip.channels[channels[0]].name), "mood");
   EXPECT_STREQ(file_.text(clip.channels[channels[1]].name), "head.glow");
   ASSERT_EQ(find_example_channels(file_, space_, file_, Clip{}, channels), Status::ok);
-  EXPECT_EQ(channels[0], kNoExampleChannel);
+  EXPECT_EQ(channels[0], kNoChannel);
   EXPECT_EQ(find_example_channels(file_, space_, file_, clip, {channels, 1}), Status::bad_argument);
 }
 

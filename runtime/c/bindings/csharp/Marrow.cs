@@ -3567,9 +3567,9 @@ public static unsafe class Marrow {
     const string Library = "marrow_c";
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xa3c01f1f;
+    public const uint AbiNumber = 0xee494733;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x395196c7;
+    public const uint Gles3AbiNumber = 0x54ee3b12;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -3628,6 +3628,7 @@ public static unsafe class Marrow {
     /// as many as SpringChain::colliders has bits
     /// </summary>
     public const int MaxSpringColliders = 64;
+    public const uint NoChannel = 0xFFFFFFFF;
     /// <summary>
     /// The largest weight of a layer; results stay far from the limits of float.
     /// </summary>
@@ -3656,13 +3657,6 @@ public static unsafe class Marrow {
     /// shorter frames are saved up
     /// </summary>
     public const float MinSpringFrameS = 0.001f;
-    public const uint NoChannel = 0xFFFFFFFF;
-    /// <summary>
-    /// For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
-    /// `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
-    /// Cost: compares names; once a load.
-    /// </summary>
-    public const uint NoExampleChannel = 0xFFFFFFFF;
     public const uint NoClip = 0xFFFFFFFF;
     /// <summary>
     /// Which attributes a mesh has and a program reads.
@@ -4836,9 +4830,9 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_morph_coordinates", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status MorphCoordinates(MorphedGeometry* morphed, float* coordinates, UIntPtr coordinate_count);
     /// <summary>
-    /// For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
-    /// `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
-    /// Cost: compares names; once a load.
+    /// For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the
+    /// clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument. Cost: compares
+    /// names; once a load.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_find_example_channels", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FindExampleChannels(File* file, ExampleSpace* space, File* clips, Clip* clip, uint* @out, UIntPtr out_count);

@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xa3c01f1f;
+pub const ABI: u32 = 0xee494733;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x395196c7;
+pub const GLES3_ABI: u32 = 0x54ee3b12;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -746,6 +746,8 @@ impl Default for Channel {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Channel>() == 24);
+
+pub const NO_CHANNEL: u32 = 0xFFFFFFFF;
 
 /// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
 /// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
@@ -2167,8 +2169,6 @@ impl Default for SpringFrame {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<SpringFrame>() == 128);
 
-pub const NO_CHANNEL: u32 = 0xFFFFFFFF;
-
 /// An instance's vertices, in the caller's memory. Copies are views of the same vertices.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -2192,11 +2192,6 @@ impl Default for MorphedGeometry {
 }
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<MorphedGeometry>() == 528);
-
-/// For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
-/// `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
-/// Cost: compares names; once a load.
-pub const NO_EXAMPLE_CHANNEL: u32 = 0xFFFFFFFF;
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -4440,9 +4435,9 @@ extern "C" {
     /// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
     #[link_name = "mrw_morph_coordinates"]
     pub fn morph_coordinates(morphed: *mut MorphedGeometry, coordinates: *mut f32, coordinate_count: usize) -> Status;
-    /// For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
-    /// `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
-    /// Cost: compares names; once a load.
+    /// For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the
+    /// clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument. Cost: compares
+    /// names; once a load.
     #[link_name = "mrw_find_example_channels"]
     pub fn find_example_channels(file: *const File, space: *const ExampleSpace, clips: *const File, clip: *const Clip, out: *mut u32, out_count: usize) -> Status;
     /// Weights of the space's targets at a point of it; others are left as they are.

@@ -19,6 +19,7 @@ export const MORPHS_POSITIONS: number;
 export const MORPHS_NORMALS: number;
 export const MORPHS_TANGENTS: number;
 export const MAX_SPRING_COLLIDERS: number;
+export const NO_CHANNEL: number;
 export const MAX_BLEND_WEIGHT: number;
 export const REST_THRESHOLD: number;
 export const LIMIT_TOLERANCE_RAD: number;
@@ -26,8 +27,6 @@ export const WIDEST_SWING_RAD: number;
 export const MAX_SPRING_STEP_S: number;
 export const MAX_SPRING_STEPS: number;
 export const MIN_SPRING_FRAME_S: number;
-export const NO_CHANNEL: number;
-export const NO_EXAMPLE_CHANNEL: number;
 export const NO_CLIP: number;
 export const GLES3_NORMALS: number;
 export const GLES3_TANGENTS: number;
@@ -4007,9 +4006,9 @@ export class Marrow {
    */
   morph_coordinates(morphed: MorphedGeometry | null, coordinates: List<number> | null): Status;
   /**
-   * For each parameter the index of the channel of `clip` that has its name, or kNoExampleChannel. The space is of
-   * `file`, the clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument.
-   * Cost: compares names; once a load.
+   * For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the
+   * clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument. Cost: compares
+   * names; once a load.
    */
   find_example_channels(file: File | null, space: ExampleSpace | null, clips: File | null, clip: Clip | null, out: List<number> | null): Status;
   /**

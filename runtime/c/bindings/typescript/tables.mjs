@@ -1,8 +1,8 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0xa3c01f1f;
-export const GLES3_ABI = 0x395196c7;
+export const ABI = 0xee494733;
+export const GLES3_ABI = 0x54ee3b12;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -20,6 +20,7 @@ export const MORPHS_POSITIONS = 1;
 export const MORPHS_NORMALS = 2;
 export const MORPHS_TANGENTS = 4;
 export const MAX_SPRING_COLLIDERS = 64;
+export const NO_CHANNEL = 0xFFFFFFFF;
 export const MAX_BLEND_WEIGHT = 1e6;
 export const REST_THRESHOLD = 0.1;
 export const LIMIT_TOLERANCE_RAD = 1e-5;
@@ -27,8 +28,6 @@ export const WIDEST_SWING_RAD = 2.9670597;
 export const MAX_SPRING_STEP_S = 1.0 / 60;
 export const MAX_SPRING_STEPS = 8;
 export const MIN_SPRING_FRAME_S = 0.001;
-export const NO_CHANNEL = 0xFFFFFFFF;
-export const NO_EXAMPLE_CHANNEL = 0xFFFFFFFF;
 export const NO_CLIP = 0xFFFFFFFF;
 export const GLES3_NORMALS = 1;
 export const GLES3_TANGENTS = 2;
