@@ -61,6 +61,15 @@ void refuse_with_subdivide(const CookOptions& options, const Given& given) {
   refuse_if(options.keep_vertex_order, "keep-vertex-order");
 }
 
+// What belongs to meshes that are not cooked.
+void refuse_for_packs(const CookOptions& options, const Given& given) {
+  if (!options.clips_only) return;
+  for (const char* const name : {"weights-over-time", "eigenskin"})
+    if (const auto found = given.find(name); found != given.end())
+      refuse(found->second.front(), fmt::format("--{} with --clips-only", name),
+             "it is of the clips that are cooked with the meshes; leave out one");
+}
+
 // A skeleton is made for meshes, and not for what is for another.
 void refuse_with_skeleton(const CookOptions& options, const Given& given) {
   if (options.auto_skeleton.empty()) return;
@@ -114,6 +123,7 @@ CookOptions to_options(const Given& given) {
   refuse_idle(options, given);
   refuse_with_subdivide(options, given);
   refuse_with_skeleton(options, given);
+  refuse_for_packs(options, given);
   return options;
 }
 

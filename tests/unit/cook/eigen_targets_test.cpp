@@ -164,7 +164,8 @@ TEST(EigenTargets, NoneWhereNothingIsMissingOrMoves) {
   RawScene hung = tube();
   hung.instances[0].skin = kNone;
   EXPECT_TRUE(with_fields(4, notes, hung).meshes[0].primitives[0].targets.empty());
-  EXPECT_TRUE(notes.warnings.empty());
+  ASSERT_EQ(notes.warnings.size(), 3U);
+  for (const RawWarning& warning : notes.warnings) EXPECT_EQ(warning.rule, "eigenskin-idle");
 }
 
 TEST(EigenTargets, AMeshDrawnTwiceIsCopied) {
@@ -178,6 +179,11 @@ TEST(EigenTargets, AMeshDrawnTwiceIsCopied) {
   EXPECT_EQ(scene.clips[0].scalars.size(), 4U);
   for (const RawMesh& mesh : scene.meshes) EXPECT_EQ(mesh.primitives[0].targets.size(), 2U);
   EXPECT_EQ(scene.clips[0].scalars[2].name, "twin.eigenskin[0]");
+  // Of one name, each has channels of its own, as morph targets of the source have.
+  twice.nodes[3].name = "body";
+  const RawScene namesakes = with_fields(2, notes, twice);
+  EXPECT_EQ(namesakes.clips[0].scalars[0].name, "body.eigenskin[0]");
+  EXPECT_EQ(namesakes.clips[0].scalars[2].name, "nodes[3].eigenskin[0]");
 }
 
 // Cooked and packed, sampled, morphed and skinned by the runtime.
@@ -221,6 +227,8 @@ TEST(EigenTargets, AsAnOption) {
   };
   EXPECT_EQ(with({{"eigenskin", "8"}}).learn.eigen_targets, 8);
   EXPECT_EQ(with({{"eigenskin", "8"}, {"truth", "dqs"}}).learn.truth, Truth::dual_quaternions);
+  EXPECT_THROW(with({{"eigenskin", "8"}, {"clips-only", "true"}}), tools::Failure);
+  EXPECT_THROW(with({{"weights-over-time", "a=b,c"}, {"clips-only", "true"}}), tools::Failure);
   for (const char* bad : {"-1", "33", "x", ""}) EXPECT_THROW(with({{"eigenskin", bad}}), tools::Failure) << bad;
   for (const auto& other : std::vector<std::pair<std::string, std::string>>{
            {"as", "fit"}, {"as", "smooth"}, {"helpers", "8"}, {"mwe", "true"}, {"psd", "8"}})

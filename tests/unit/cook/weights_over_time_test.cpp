@@ -94,7 +94,7 @@ TEST(WeightsOverTime, AllOfAJointGoesOverToTheOther) {
   const RawScene scene = weights_over_time(strip(), {rule()}, notes);
   EXPECT_TRUE(notes.warnings.empty());
   ASSERT_EQ(scene.skins[0].joints.size(), 4U);
-  EXPECT_EQ(scene.nodes[static_cast<std::size_t>(scene.skins[0].joints[3])].name, "loose");
+  EXPECT_EQ(scene.nodes[static_cast<std::size_t>(scene.skins[0].joints[3])].name, "chest/loose");
   for (std::size_t v = 0; v < 10; ++v) EXPECT_EQ(weight_of(scene, v, 3), 1);
   EXPECT_LT(apart(matrix(scene, 3, 0), matrix(scene, 1, 0)), 1e-6) << "as the chest";
   EXPECT_LT(apart(matrix(scene, 3, 1), matrix(scene, 2, 1)), 1e-6) << "as the pole";
@@ -217,6 +217,19 @@ TEST(WeightsOverTime, Refused) {
   RawScene long_one = strip();
   long_one.clips[0].scalars[0].times_s = {0, 100'000};
   expect_refused(long_one, rule(), "too long for 60 keys a second");
+}
+
+// Two rules may go by one number; of one joint it is given once.
+TEST(WeightsOverTime, OneChannelForTwoJoints) {
+  RawScene two = strip();
+  for (std::size_t v = 0; v < 5; ++v) two.meshes[0].primitives[0].influences[v] = {{0, 1.0F}};
+  Notes notes;
+  WeightsOverTime of_root = rule();
+  of_root.from = "root";
+  const RawScene scene = weights_over_time(two, {rule(), of_root}, notes);
+  ASSERT_EQ(scene.skins[0].joints.size(), 5U);
+  EXPECT_EQ(scene.nodes[to_index(scene.skins[0].joints[4])].name, "root/loose");
+  expect_refused(scene, rule(), "there is a joint chest/loose already");
 }
 
 TEST(WeightsOverTime, AsAnOption) {

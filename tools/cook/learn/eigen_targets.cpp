@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -149,38 +151,44 @@ std::string note_of(const std::vector<Fitted>& all, std::size_t fields, std::siz
                      fields, std::sqrt(before / numbers), std::sqrt(after / numbers), all.size());
 }
 
-// Distinct names of the new targets' channels, as those of the source's are: NODE.TARGET.
-std::vector<RawTargetWeight> names_for(const RawNode& node, std::size_t count) {
+// Channels are called as the source's are: NODE.TARGET, or nodes[N].TARGET where another node has the name already.
+std::vector<RawTargetWeight> names_for(const RawScene& scene, int node, std::size_t count,
+                                       std::set<std::string>& taken) {
+  const std::string& own = scene.nodes[to_index(node)].name;
+  const bool is_its = !own.empty() && taken.insert(own).second;
+  const std::string owner = is_its ? own : fmt::format("nodes[{}]", node);
   std::vector<RawTargetWeight> out;
   for (std::size_t n = 0; n < count; ++n) {
     const std::string name = fmt::format("eigenskin[{}]", n);
-    out.push_back({name, node.name.empty() ? name : node.name + "." + name, 0});
+    out.push_back({name, owner + "." + name, 0});
   }
   return out;
 }
 
-void add_to(std::size_t instance_index, const LearnOptions& options, RawScene& scene, Notes& notes) {
+// False if there is nothing to add.
+bool add_to(std::size_t instance_index, const LearnOptions& options, std::set<std::string>& taken, RawScene& scene,
+            Notes& notes) {
   RawInstance& instance = scene.instances[instance_index];
   Notes of_binding;  // said when it is built
   Subject subject{&scene, &scene.skins[to_index(instance.skin)], {}, {}, {}, {}};
   RawMesh mesh = scene.meshes[to_index(instance.mesh)];
   static_cast<WeldedMesh&>(subject.source) = welded(mesh, *subject.skin, bind_to_skin(mesh, of_binding));
-  if (subject.source.mesh.positions.empty()) return;
+  if (subject.source.mesh.positions.empty()) return false;
   if (subject.source.mesh.positions.size() > kMostMissing / kFewestMoments)
     throw tools::Failure(tools::Exit::unsupported, scene.source, mesh.primitives.front().pointer, "too-many-vertices",
                          fmt::format("--eigenskin takes at most {}", kMostMissing / kFewestMoments));
   subject.truth = make_truth(subject.source, options);
   find_moments(subject);
-  if (subject.moments.empty()) return;
+  if (subject.moments.empty()) return false;
   const std::vector<deform::Positions> fields = fields_of(subject, to_index(options.eigen_targets));
-  if (fields.empty()) return;
+  if (fields.empty()) return false;
   std::vector<Fitted> all(subject.moments.size());
   tools::for_each_in_parallel(all.size(), [&](std::size_t i) { all[i] = fitted(subject, fields, subject.moments[i]); });
   std::vector<double> most(fields.size(), 1e-30);  // so that weights are -1 … 1
   for (const Fitted& f : all)
     for (std::size_t n = 0; n < fields.size(); ++n) most[n] = std::max(most[n], std::abs(f.weights[n]));
   add_fields(subject, fields, most, mesh);
-  const std::vector<RawTargetWeight> names = names_for(scene.nodes[to_index(instance.node)], fields.size());
+  const std::vector<RawTargetWeight> names = names_for(scene, instance.node, fields.size(), taken);
   add_weights(subject, all, most, names, instance.node, scene.clips);
   mesh.weights.insert(mesh.weights.end(), names.begin(), names.end());
   instance.weights.insert(instance.weights.end(), names.begin(), names.end());
@@ -190,18 +198,25 @@ void add_to(std::size_t instance_index, const LearnOptions& options, RawScene& s
   if (is_shared) instance.mesh = static_cast<int>(scene.meshes.size());
   if (is_shared) scene.meshes.emplace_back();
   scene.meshes[to_index(instance.mesh)] = std::move(mesh);
+  return true;
 }
 
 }  // namespace
 
 RawScene add_eigen_targets(RawScene scene, const LearnOptions& options, Notes& notes) {
+  std::set<std::string> taken;
+  bool any = false;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const RawInstance& instance = scene.instances[i];
     if (instance.skin == kNone || !scene.nodes[to_index(instance.node)].in_scene) continue;
     const std::vector<RawPrimitive>& primitives = scene.meshes[to_index(instance.mesh)].primitives;
     const auto is_bound = [](const RawPrimitive& p) { return !p.influences.empty(); };
-    if (!primitives.empty() && std::ranges::all_of(primitives, is_bound)) add_to(i, options, scene, notes);
+    if (!primitives.empty() && std::ranges::all_of(primitives, is_bound))
+      any = add_to(i, options, taken, scene, notes) || any;
   }
+  if (!any)
+    notes.warnings.push_back({"/meshes", "eigenskin-idle",
+                              "linear blend skinning misses nothing of the truth in any clip: no mesh gets fields"});
   return scene;
 }
 

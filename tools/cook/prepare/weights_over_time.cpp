@@ -306,8 +306,10 @@ void apply(const WeightsOverTime& rule, RawScene& scene, Notes& notes) {
       bind_joints(scene, scene.skins[s], rest, work);
       for (int b = 0; b < rule.splines; ++b) {
         RawNode node;
-        node.name = channel_of(rule, b);
+        node.name = rule.from + "/" + channel_of(rule, b);
         node.parent = work.from;
+        if (std::ranges::find(scene.nodes, node.name, &RawNode::name) != scene.nodes.end())
+          refuse(rule, "there is a joint " + node.name + " already", "give each channel of a joint once");
         node.in_scene = scene.nodes[to_index(work.from)].in_scene;
         work.made.push_back(static_cast<int>(scene.nodes.size()));
         scene.nodes.push_back(std::move(node));

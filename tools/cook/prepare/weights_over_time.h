@@ -13,12 +13,12 @@
 namespace marrow::cook {
 
 // The scene with what the rules say, one after the other. The weights of the joint `from` go to new joints below it,
-// called as the channel, or channel[0], channel[1] … where there are several splines. A new joint moves as `from` where
-// its channel is 0, as `to` where it is 1; between, its turn is that of the quaternions' weighted mean, its place and
-// its scale are the weighted means. Keys: 60 a second, and where the channel has some.
-// Notes clips of which none has the channel. Throws tools::Failure: usage (in the rule's place) for a joint that is not
-// there, is not alone in its name, or no skin follows; invalid for a joint without volume or too far away; unsupported
-// for too many keys.
+// called from/channel, or from/channel[0], from/channel[1] … where there are several splines. A new joint moves as
+// `from` where its channel is 0, as `to` where it is 1; between, its turn is that of the quaternions' weighted mean,
+// its place and its scale are the weighted means. Keys: 60 a second, and where the channel has some. Notes clips of
+// which none has the channel. Throws tools::Failure: usage (in the rule's place) for a joint that is not there, is not
+// alone in its name, or no skin follows; invalid for a joint without volume or too far away; unsupported for too many
+// keys.
 RawScene weights_over_time(RawScene scene, const std::vector<WeightsOverTime>& rules, Notes& notes);
 
 }  // namespace marrow::cook
