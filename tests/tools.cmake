@@ -168,8 +168,8 @@ set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSI
 # What others make of exports: the Khronos validator, and three.js in a headless browser beside the source. Skipped, which
 # ctest says aloud, where npm cannot be had.
 if(NOT MARROW_SANITIZE)
-  add_test(NAME export.validator COMMAND ${PROJECT_SOURCE_DIR}/tools/check_export.sh $<TARGET_FILE:marrow>)
-  add_test(NAME export.three COMMAND ${PROJECT_SOURCE_DIR}/tools/check_three.sh $<TARGET_FILE:marrow>)
+  add_test(NAME export.validator COMMAND ${PROJECT_SOURCE_DIR}/tools/check/export.sh $<TARGET_FILE:marrow>)
+  add_test(NAME export.three COMMAND ${PROJECT_SOURCE_DIR}/tools/check/three.sh $<TARGET_FILE:marrow>)
   set_tests_properties(export.validator export.three PROPERTIES LABELS cli SKIP_RETURN_CODE 3 TIMEOUT 1800)
   set_property(TEST export.three APPEND PROPERTY LABELS long)
 endif()

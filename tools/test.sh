@@ -43,48 +43,19 @@ get_angle() {
   export MARROW_ANGLE="${MARROW_ANGLE:-$here/build/angle}"
   [ -e "$MARROW_ANGLE/libEGL.so" ] || tools/get_angle.sh "$MARROW_ANGLE" || echo "SKIPPED: tests on ANGLE" >&2
 }
-validate_sample() {
-  tools/validate_gltf.sh tools/sample/newt.glb && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: gltf-validator on the sample" >&2
-}
-check_bindings() {
-  tools/check_bindings.sh build/release/tools/marrow && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: calls from some of Rust, C# and JavaScript" >&2
-}
 get_arm64_gl() {
   export MARROW_ARM64_GL="${MARROW_ARM64_GL:-$here/build/arm64-gl}"
   tools/get_arm64.sh "$MARROW_ARM64_GL" tools/packages/arm64-gl.txt || echo "SKIPPED: OpenGL ES on AArch64" >&2
 }
-
-compare_bytes() {
-  tools/same_bytes.sh && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: cooked bytes of some compilers or processors" >&2
+# A check that needs what not every machine can have: its exit code 3 says so.
+where_possible() {  # WHAT COMMAND ...
+  local what=$1 code=0
+  shift
+  timed "$what" "$@" || code=$?
+  [ $code -ne 3 ] || { echo "SKIPPED: some or all of: $what" >&2 && return 0; }
+  return $code
 }
-
-compare_bits() {
-  tools/same_bits.sh && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: bits of poses by some compilers or processors" >&2
-}
-
-check_web() {
-  tools/check_web.sh build/release/tools/marrow && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: WebGL 2 in a browser" >&2
-}
-
-check_fbx() {
-  tools/check_fbx.sh build/release/tools/marrow && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: FBX, by Blender" >&2
-}
-
-check_phone() {
-  tools/check_phone.sh && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: the kit for phones" >&2
-}
-
-fuzz() {
-  tools/fuzz.sh 30 && return 0
-  [ $? -eq 3 ] && echo "SKIPPED: libFuzzer" >&2
-}
+validate_sample() { where_possible "gltf-validator on the sample" tools/validate_gltf.sh tools/sample/newt.glb; }
 
 test_preset() {
   echo "== $1" >&2
@@ -103,7 +74,7 @@ test_parts() {
 }
 
 test_once() {
-  timed "validate the sample" validate_sample
+  validate_sample
   timed "build release" build release
   timed "run release" run release -LE long
   timed "build hostile, sanitized" build asan --target marrow_hostile
@@ -115,21 +86,22 @@ case "${1:-}" in
   "") test_once ;;
   all)
     [ $# -eq 1 ] || usage
-    timed "validate the sample" validate_sample
+    validate_sample
     # What is sanitized, emulated or without SIMD takes the same roads through the code in the short form.
     MARROW_TESTS=all test_preset release
     for preset in asan tsan scalar aarch64; do test_preset $preset; done
     export MARROW_TESTS=all
-    timed "Rust, C# and JavaScript" check_bindings
-    timed "same bytes everywhere" compare_bytes
-    timed "same bits everywhere" compare_bits
-    timed "FBX, by Blender" check_fbx
-    timed "WebGL 2, in Chromium" check_web
+    marrow=build/release/tools/marrow
+    where_possible "Rust, C# and JavaScript" tools/check/bindings.sh $marrow
+    where_possible "same bytes everywhere" tools/same_bytes.sh
+    where_possible "same bits everywhere" tools/same_bits.sh
+    where_possible "FBX, by Blender" tools/check/fbx.sh $marrow
+    where_possible "WebGL 2, in Chromium" tools/check/web.sh $marrow
     timed "what phones' compilers say" tools/gpu_cost.sh --if-changed
-    timed "the kit for phones" check_phone
-    timed "SPIR-V, Vulkan and Metal" tools/check_spirv.sh
-    timed "installed, in a game" tools/check_install.sh
-    timed "libFuzzer, 30 s a target" fuzz
+    where_possible "the kit for phones" tools/check/phone.sh
+    timed "SPIR-V, Vulkan and Metal" tools/check/spirv.sh
+    timed "installed, in a game" tools/check/install.sh
+    where_possible "libFuzzer, 30 s a target" tools/fuzz.sh 30
     ;;
   *)
     if [[ $presets == *" $1 "* ]]; then

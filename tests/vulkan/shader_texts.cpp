@@ -1,4 +1,4 @@
-// Writes every distinct text of marrow::gles3 to a folder, as a driver gets it: for tools/check_spirv.sh.
+// Writes every distinct text of marrow::gles3 to a folder, as a driver gets it: for tools/check/spirv.sh.
 //
 // usage: marrow_shader_texts FOLDER     files are called WAY-PALETTES-DEFORMER-INFLUENCES-ATTRIBUTES.vert, .frag, .comp
 #include <cstdio>

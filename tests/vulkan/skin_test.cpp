@@ -1,6 +1,6 @@
 // Skins meshes by Vulkan, by the compute shader of marrow::gles3, and compares every vertex with the CPU's.
 //
-// usage: marrow_vulkan_skin FOLDER     with the SPIR-V that tools/check_spirv.sh makes of the texts
+// usage: marrow_vulkan_skin FOLDER     with the SPIR-V that tools/check/spirv.sh makes of the texts
 // Exit 0: all are as near as OpenGL ES is; 1: one is not; 77: there is no driver of Vulkan.
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 """Checks results of the kit, the page that phone_table.py makes of them, and that it refuses spoilt ones.
 
-usage: check_results.py FOLDER     with arm64.json, armv7.json, crashed.json, stub.json; called by tools/check_phone.sh
+usage: check_results.py FOLDER     with arm64.json, armv7.json, crashed.json, stub.json; called by tools/check/phone.sh
 """
 import copy
 import json
@@ -20,7 +20,7 @@ failures = 0
 def expect(holds, what):
     global failures
     if not holds:
-        print(f"check_phone: {what}", file=sys.stderr)
+        print(f"check/phone: {what}", file=sys.stderr)
         failures += 1
 
 
@@ -140,5 +140,5 @@ check_crashed(json.loads((work / "crashed.json").read_text()))
 check_stub(results["stub"])
 check_page(results["arm64"])
 check_refusals(results["arm64"])
-print(f"check_phone: {'good' if failures == 0 else f'{failures} failures'}", file=sys.stderr)
+print(f"check/phone: {'good' if failures == 0 else f'{failures} failures'}", file=sys.stderr)
 sys.exit(min(failures, 1))

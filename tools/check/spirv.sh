@@ -2,11 +2,11 @@
 # For ports to Vulkan and Metal: every text of marrow::gles3 becomes SPIR-V for Vulkan (glslang) and is validated, and
 # that becomes OpenGL ES again, which must compile, and Metal's language (SPIRV-Cross). Then the compute shader skins
 # meshes on Vulkan, in software, and every vertex is compared with the CPU's. See docs/other_apis.md.
-# usage: tools/check_spirv.sh
+# usage: tools/check/spirv.sh
 # The texts stay in build/spirv/texts: NAME.vert, .frag or .comp, and beside each .spv, .es and .metal. All that it needs
 # comes from Debian's packages; where they cannot be had it says so and exits with 0.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 work=$PWD/build/spirv
 skip() { echo "SKIPPED: SPIR-V, Vulkan and Metal: $1" >&2; exit 0; }
 tools/install.sh tools/packages/build.txt tools/packages/spirv.txt || skip "some packages cannot be installed"
@@ -36,7 +36,7 @@ check_text() {  # FILE
 }
 check_quietly() {
   local said
-  if said=$(check_text "$1" 2>&1); then echo "$1"; else echo "check_spirv: $1: $said" >&2; fi
+  if said=$(check_text "$1" 2>&1); then echo "$1"; else echo "check/spirv: $1: $said" >&2; fi
 }
 export -f check_text check_quietly
 all=$(find "$work/texts" -type f | wc -l)
@@ -46,7 +46,7 @@ echo "$all texts, $passed passed: OpenGL ES → SPIR-V for Vulkan → OpenGL ES,
 
 # What the manual shows is what runs.
 if sed -n '/^```cpp/,/^```$/p' docs/other_apis.md | grep -v '^```' | grep -vxFf tests/vulkan/skin_test.cpp >&2; then
-  echo "check_spirv: docs/other_apis.md: these lines are not in tests/vulkan/skin_test.cpp" >&2
+  echo "check/spirv: docs/other_apis.md: these lines are not in tests/vulkan/skin_test.cpp" >&2
   exit 1
 fi
 

@@ -3,9 +3,9 @@
 # refused, and a hash of poses and vertices. Then all but JavaScript, which has no driver of OpenGL ES, let the self-test
 # draw. Exit 1 if they differ, 3 if a language cannot be had. Builds below
 # build/bindings.
-# usage: tools/check_bindings.sh MARROW      (the program)
+# usage: tools/check/bindings.sh MARROW      (the program)
 set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 marrow=$(realpath "$1")
 work="$here/build/bindings"
 mkdir -p "$work"
@@ -32,13 +32,13 @@ quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "
   -o "$work/road_c" -L"$LD_LIBRARY_PATH" -lmarrow_c
 quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "$here/tests/bindings/gles3.c" \
   -o "$work/gles3_c" -L"$LD_LIBRARY_PATH" -lmarrow_c -lEGL
-"$work/gles3_c" >"$work/gles3.txt" || { echo "check_bindings: the self-test does not draw in C" >&2; exit 1; }
+"$work/gles3_c" >"$work/gles3.txt" || { echo "check/bindings: the self-test does not draw in C" >&2; exit 1; }
 draw() {  # LANGUAGE COMMAND ...
   local language=$1
   shift
   "$@" >"$work/drawn.txt" || true
   diff "$work/drawn.txt" "$work/gles3.txt" >&2 ||
-    { echo "check_bindings: $language: the self-test says other than in C" >&2; exit 1; }
+    { echo "check/bindings: $language: the self-test says other than in C" >&2; exit 1; }
   echo "$language, OpenGL ES: the self-test chooses $(tail -1 "$work/drawn.txt")"
 }
 compare() {  # LANGUAGE CODEC COMMAND ...
@@ -47,7 +47,7 @@ compare() {  # LANGUAGE CODEC COMMAND ...
   wanted=$("$work/road_c" "$work/newt_$codec.mrw")
   got=$("$@" "$work/newt_$codec.mrw") || true
   if [ "$got" != "$wanted" ]; then
-    printf 'check_bindings: %s, %s: says\n%s\nand C\n%s\n' "$language" "$codec" "$got" "$wanted" >&2
+    printf 'check/bindings: %s, %s: says\n%s\nand C\n%s\n' "$language" "$codec" "$got" "$wanted" >&2
     exit 1
   fi
   echo "$language, $codec: "${got//$'\n'/, }
@@ -85,7 +85,7 @@ if has em++ node; then
   said=$(node -e 'import(process.argv[1]).then((b) => b.Marrow.load(require("fs").readFileSync(process.argv[2])))' \
     "$work/marrow.mjs" "$work/wasm/runtime/c/marrow.wasm" 2>&1) && said=nothing
   [[ $said == *"Error: marrow: the library has ABI"* ]] ||
-    { printf 'check_bindings: JavaScript takes a library of another ABI, and says\n%s\n' "$said" >&2; exit 1; }
+    { printf 'check/bindings: JavaScript takes a library of another ABI, and says\n%s\n' "$said" >&2; exit 1; }
 else
   skip "JavaScript: there is no em++ or node"
 fi

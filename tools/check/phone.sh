@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Makes the kit of tools/phone.sh, runs it under qemu as arm64, on Mesa for that processor, and as armv7, without OpenGL
 # ES, and puts both results into a copy of docs/performance.md. Then it spoils them: each must be refused. Two minutes.
-# usage: tools/check_phone.sh
+# usage: tools/check/phone.sh
 # Exit code: 0 good, 1 not, 2 no build, 3 a compiler, qemu or Mesa cannot be had here.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 work=$PWD/build/phone/check
 mesa=${MARROW_ARM64_GL:-$PWD/build/arm64-gl}
-missing() { echo "check_phone: $1" >&2; exit 3; }
+missing() { echo "check/phone: $1" >&2; exit 3; }
 tools/install.sh tools/packages/build.txt tools/packages/phone.txt || missing "some packages cannot be installed"
 command -v qemu-aarch64 >/dev/null || tools/install.sh tools/packages/test.txt || missing "there is no qemu-user"
 tools/get_arm64.sh "$mesa" tools/packages/arm64-gl.txt || missing "there is no OpenGL ES for AArch64"

@@ -2,9 +2,9 @@
 # Installs Marrow, static and shared, and builds a game with it in each of the ways of docs/install.md, whose programs,
 # CMake files and commands it runs as they stand there. All games must print the same. Also: what shared libraries
 # export, that the installation can be moved, that a version that does not fit is refused. Writes to a temporary folder.
-# usage: tools/check_install.sh
+# usage: tools/check/install.sh
 set -euo pipefail
-MARROW=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+MARROW=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export MARROW
@@ -14,7 +14,7 @@ if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE
 character=$MARROW/tests/golden/dance_v1.mrw
 packed=$MARROW/tests/fuzz/seeds/dance-draco.mrw
 
-fail() { echo "check_install: $*" >&2; exit 1; }
+fail() { echo "check/install: $*" >&2; exit 1; }
 
 # The first block of code of a language under a heading of docs/install.md.
 block() {  # HEADING LANGUAGE

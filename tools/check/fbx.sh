@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # The sample's body becomes FBX by Blender, GLB by tools/fbx_to_glb.sh, is cooked, and is compared with the sample: the
 # rest pose and every clip, vertex by vertex. Exit 1 if something is lost, 3 without Blender.
-# usage: tools/check_fbx.sh MARROW      (the program)
+# usage: tools/check/fbx.sh MARROW      (the program)
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 marrow=$1
-tools/install.sh tools/packages/fbx.txt || echo "check_fbx: some packages cannot be installed" >&2
+tools/install.sh tools/packages/fbx.txt || echo "check/fbx: some packages cannot be installed" >&2
 blender=${BLENDER:-blender}
-command -v "$blender" >/dev/null || { echo "check_fbx: Blender is not installed" >&2; exit 3; }
+command -v "$blender" >/dev/null || { echo "check/fbx: Blender is not installed" >&2; exit 3; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 run_blender() {  # SCRIPT ARGUMENT ...
@@ -16,7 +16,7 @@ run_blender() {  # SCRIPT ARGUMENT ...
   "$blender" --background --factory-startup -noaudio --python-exit-code 1 --python "$script" -- "$@" \
     >"$work/log" 2>&1 || { tail -5 "$work/log" >&2; exit 1; }
 }
-complain() { echo "check_fbx: $*" >&2; exit 1; }
+complain() { echo "check/fbx: $*" >&2; exit 1; }
 
 cat >"$work/write_fbx.py" <<'PYTHON'
 import sys
@@ -97,7 +97,7 @@ for clip in "" idle reach twist walk; do
   fi
   for file in body newt; do "$marrow" pose "$work/$file.mrw" "${play[@]}" -o "$work/$file.bin"; done
   run_blender "$work/compare.py" "$work/body.bin" "$work/newt.bin"
-  echo "check_fbx: ${clip:-rest}: $(grep ^vertices "$work/log")" >&2
+  echo "check/fbx: ${clip:-rest}: $(grep ^vertices "$work/log")" >&2
 done
 grep -q ', 1 morph targets' <<<"$info" || complain "no morph target"
 
@@ -108,4 +108,4 @@ for wrong in "$work/broken.fbx" "$work/none.fbx"; do
   [ -s "$work/said" ] || complain "$wrong is refused in silence"
 done
 for left in "$work"/out.glb*; do [ ! -e "$left" ] || complain "$left is left"; done
-echo "check_fbx: the same rest pose and clips" >&2
+echo "check/fbx: the same rest pose and clips" >&2
