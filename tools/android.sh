@@ -45,7 +45,12 @@ configure() {  # ABI SOURCE BUILD [OPTION ...]
 tool() {  # NAME ARGUMENT ...: of the NDK, or Debian's
   local name=$1
   shift
-  if [ -n "$ndk" ]; then "$ndk"/toolchains/llvm/prebuilt/*/bin/"$name" "$@"; else "$name-19" "$@"; fi
+  if [ -n "$ndk" ]; then
+    local folders=("$ndk"/toolchains/llvm/prebuilt/*/bin)
+    "${folders[0]}/$name" "$@"
+  else
+    "$name-19" "$@"
+  fi
 }
 
 build_libraries() {  # ABI
@@ -112,8 +117,8 @@ quietly_zip() { zip -q -X -r -0 "$@"; }
 
 [ -x "$marrow" ] || { quietly cmake --preset release && quietly cmake --build --preset release --target marrow; }
 rm -rf $work/apk
-for abi in $abis; do build_libraries $abi; done
+for abi in $abis; do build_libraries "$abi"; done
 make_aar
-for abi in $abis; do build_example $abi; done
+for abi in $abis; do build_example "$abi"; done
 make_apk
 ls -l "$out/marrow.aar" "$out/newt.apk"

@@ -39,7 +39,8 @@ road() {  # NAME TARGET FOLDER-OF-LIBC RUN LIBRARY … [OPTION …]; RUN is told
   # shellcheck disable=SC2086  # a command of several words
   $run "LD_LIBRARY_PATH=$(libraries "$name"):$work/$name" "$work/$name/road" "$work/newt.mrw"
 }
-here=$(road here x86_64-linux-gnu /lib/x86_64-linux-gnu env build/release/runtime/{c/libmarrow_c,libmarrow_unpack,libmarrow_runtime}.a -lm)
+built=$(dirname "$MARROW_PROGRAM")/../runtime
+here=$(road here x86_64-linux-gnu /lib/x86_64-linux-gnu env "$built"/{c/libmarrow_c,libmarrow_unpack,libmarrow_runtime}.a -lm)
 compare() {  # ABI TARGET FOLDER-OF-LIBC RUN OPTION …
   local abi=$1 kind said
   for kind in libmarrow_c.so libmarrow.a; do
@@ -52,6 +53,20 @@ compare x86_64 x86_64-linux-gnu /lib/x86_64-linux-gnu env
 compare arm64-v8a aarch64-linux-gnu /usr/aarch64-linux-gnu/lib "qemu-aarch64 -L /usr/aarch64-linux-gnu -E"
 compare armeabi-v7a arm-linux-gnueabi /usr/arm-linux-gnueabi/lib "qemu-arm -L /usr/arm-linux-gnueabi -E" \
   -march=armv7-a -mfloat-abi=softfp
+
+# The program and the CMake file of the page, by what Gradle would tell CMake of the AAR.
+page=docs/platforms/android.md
+mkdir -p "$work/page"
+block() { awk -v begin="\`\`\`$1" '$0 == begin { on = 1; next } $0 == "```" { on = 0 } on' $page; }
+block cmake >"$work/page/CMakeLists.txt"
+block cpp >"$work/page/game.cpp"
+{
+  cmake -G Ninja -S "$work/page" -B "$work/page/build" --toolchain "$PWD/cmake/android.cmake" -DMARROW_ABI=arm64-v8a \
+    "-DMARROW_STUBS=$PWD/build/android/stubs/arm64-v8a" "-DMARROW_PREFAB=$PWD/build/android/aar/prefab" \
+    "-Dmarrow_DIR=$PWD/tests/platform/android" -DCMAKE_BUILD_TYPE=Release
+  cmake --build "$work/page/build"
+} >"$work/page/log.txt" 2>&1 || fail "$page: $(tail -20 "$work/page/log.txt")"
+[ -e "$work/page/build/libgame.so" ] || fail "$page: there is no libgame.so"
 
 # The app's life, on the APK's own library.
 "${CXX:-c++}" -std=c++20 -O1 -Wall -Wextra -Werror -Itools/android/include tests/platform/android/*.cpp -o "$work/play" \

@@ -97,9 +97,10 @@ void App::schedule(long nanoseconds) {
 }
 
 void App::give_up() {
-  LOG_ERROR("EGL: no context after %d tries in %d s (error 0x%04x): the graphics driver does not answer, so the app ends; "
-            "start it again, and the phone if that does not help",
-            kMostTries, kMostTries / 4, static_cast<unsigned>(window.error()));
+  LOG_ERROR(
+      "EGL: no context after %d tries in %d s (error 0x%04x): the graphics driver does not answer, so the app ends; "
+      "start it again, and the phone if that does not help",
+      kMostTries, kMostTries / 4, static_cast<unsigned>(window.error()));
   ANativeActivity_finish(activity);
 }
 
@@ -129,9 +130,12 @@ void App::frame() {
   const double time_s = now_s();
   const float step = static_cast<float>(time_s - last_s);
   last_s = time_s;
-  if (!scene.advance(step < 0 ? 0 : step > kLongestStep_s ? kLongestStep_s : step)) return ANativeActivity_finish(activity);
-  if (!scene.draw(window.width(), window.height())) window.lose_context();
-  else window.show();  // waits for the screen
+  if (!scene.advance(step < 0 ? 0 : step > kLongestStep_s ? kLongestStep_s : step))
+    return ANativeActivity_finish(activity);
+  if (!scene.draw(window.width(), window.height()))
+    window.lose_context();
+  else
+    window.show();  // waits for the screen
   schedule(kSoon);
 }
 

@@ -56,10 +56,22 @@ void view(float aspect, float (&m)[16]) {
   constexpr float kDepth = (kFar + kNear) / (kFar - kNear), kShift = 2 * kFar * kNear / (kFar - kNear);
   // A window taller than wide sees as much from side to side.
   const float x = aspect < 1 ? kTall : kTall / aspect, y = aspect < 1 ? kTall * aspect : kTall;
-  const float columns[16] = {x * kCos,  0, -kDepth * kSin, -kSin,  // right is (cos, 0, -sin), back (sin, 0, cos)
-                             0,         y, 0,              0,      //
-                             -x * kSin, 0, -kDepth * kCos, -kCos,  //
-                             0,         -y * kHeight,      kDepth * kDistance - kShift, kDistance};
+  const float columns[16] = {x * kCos,
+                             0,
+                             -kDepth * kSin,
+                             -kSin,  // right is (cos, 0, -sin), back (sin, 0, cos)
+                             0,
+                             y,
+                             0,
+                             0,  //
+                             -x * kSin,
+                             0,
+                             -kDepth * kCos,
+                             -kCos,  //
+                             0,
+                             -y * kHeight,
+                             kDepth * kDistance - kShift,
+                             kDistance};
   for (int i = 0; i < 16; ++i) m[i] = columns[i];
 }
 
@@ -83,7 +95,8 @@ bool Scene::load(AAssetManager* manager) {
   if (body_.meshes.size > kMostMeshes) LOG_ERROR("%s: has more than %d meshes", kCharacter, int{kMostMeshes});
   ramp_bytes_ = ramp_.open(manager, kRamp);
   if (!ramp_bytes_.empty() && ramp_bytes_.size != 3 * kRampTexels)
-    LOG_ERROR("%s: has %u bytes and not %d, three a texel", kRamp, static_cast<unsigned>(ramp_bytes_.size), 3 * kRampTexels);
+    LOG_ERROR("%s: has %u bytes and not %d, three a texel", kRamp, static_cast<unsigned>(ramp_bytes_.size),
+              3 * kRampTexels);
   if (ramp_bytes_.size != 3 * kRampTexels) {
     LOG_WARN("%s: drawn without, so all light is even", kRamp);
     ramp_bytes_ = {};

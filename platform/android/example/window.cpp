@@ -37,8 +37,19 @@ bool Window::open_display() {
   if (display_ != EGL_NO_DISPLAY) return true;
   const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
   if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return fail();
-  const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT_KHR, EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_RED_SIZE, 8,
-                           EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 16, EGL_NONE};
+  const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_ES3_BIT_KHR,
+                           EGL_SURFACE_TYPE,
+                           EGL_WINDOW_BIT,
+                           EGL_RED_SIZE,
+                           8,
+                           EGL_GREEN_SIZE,
+                           8,
+                           EGL_BLUE_SIZE,
+                           8,
+                           EGL_DEPTH_SIZE,
+                           16,
+                           EGL_NONE};
   EGLint count = 0;
   if (eglChooseConfig(display, wanted, &config_, 1, &count) != EGL_TRUE || count < 1) {
     fail();

@@ -15,11 +15,11 @@ void open_apk(const char* path);
 void pump(int frames, double seconds);
 
 struct Screen {
-  int frames = 0;           // shown
-  int contexts = 0;         // made
-  int alive_contexts = 0;   // made and not destroyed
+  int frames = 0;          // shown
+  int contexts = 0;        // made
+  int alive_contexts = 0;  // made and not destroyed
   int alive_surfaces = 0;
-  int lose_at_frame = -1;   // then eglSwapBuffers says that the context is lost
+  int lose_at_frame = -1;  // then eglSwapBuffers says that the context is lost
   bool makes_contexts = true;
   int width = 360, height = 640;
   std::vector<unsigned char> rgba;  // of the last frame, rows from below

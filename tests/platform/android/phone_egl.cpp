@@ -39,7 +39,8 @@ EGLBoolean fail(EGLint code) {
 extern "C" {
 
 EGLDisplay eglGetDisplay(EGLNativeDisplayType) {
-  const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(REAL(eglGetProcAddress)("eglGetPlatformDisplayEXT"));
+  const auto get =
+      reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(REAL(eglGetProcAddress)("eglGetPlatformDisplayEXT"));
   return get(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
 }
 EGLBoolean eglInitialize(EGLDisplay display, EGLint* major, EGLint* minor) {

@@ -91,7 +91,8 @@ AAsset* AAssetManager_open(AAssetManager*, const char* name, int) {
   while (end > 0 && phone::number(apk + end, 4) != 0x06054B50) --end;
   const unsigned char* at = apk + phone::number(apk + end + 16, 4);
   for (unsigned i = phone::number(apk + end + 10, 2); i > 0; --i) {
-    const unsigned method = phone::number(at + 10, 2), packed = phone::number(at + 20, 4), size = phone::number(at + 24, 4);
+    const unsigned method = phone::number(at + 10, 2), packed = phone::number(at + 20, 4),
+                   size = phone::number(at + 24, 4);
     const unsigned named = phone::number(at + 28, 2), rest = phone::number(at + 30, 2) + phone::number(at + 32, 2);
     const unsigned char* const local = apk + phone::number(at + 42, 4);
     if (path == std::string(reinterpret_cast<const char*>(at) + 46, named)) {

@@ -88,7 +88,8 @@ void lose(phone::Activity& app) {
   phone::screen.rgba.clear();
   phone::screen.lose_at_frame = 10;
   phone::pump(5, 30);
-  expect(phone::screen.contexts == 2 && phone::screen.alive_contexts == 1, "a second context, and the first is destroyed");
+  expect(phone::screen.contexts == 2 && phone::screen.alive_contexts == 1,
+         "a second context, and the first is destroyed");
   expect(std::fabs(covered() - before) < 0.1 * before, "the character is there again");
   hide(app);
   end(app);

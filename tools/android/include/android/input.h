@@ -8,7 +8,8 @@ extern "C" {
 #endif
 typedef struct AInputEvent AInputEvent;
 
-void AInputQueue_attachLooper(AInputQueue* queue, ALooper* looper, int identifier, ALooper_callbackFunc callback, void* data);
+void AInputQueue_attachLooper(AInputQueue* queue, ALooper* looper, int identifier, ALooper_callbackFunc callback,
+                              void* data);
 void AInputQueue_detachLooper(AInputQueue* queue);
 int32_t AInputQueue_getEvent(AInputQueue* queue, AInputEvent** event);
 int32_t AInputQueue_preDispatchEvent(AInputQueue* queue, AInputEvent* event);
