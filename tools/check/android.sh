@@ -114,6 +114,11 @@ checker_says compressed-library "lib/arm64-v8a/libnewt.so: is compressed"
 checker_says new-import "lib/x86_64/libnewt.so: imports timerfd_invent, which Android 21 may not export"
 checker_says cut-library "lib/arm64-v8a/libnewt.so: is damaged"
 checker_says no-library "lib/arm64-v8a/libnewt.so: is no library of Android's"
+# Whatever lies before them, align_apk.py finds cooked files their places.
+for size in 1 2 3 5 6 7 9 10; do head -c $size "$work/newt.mrw" >"$work/$size.mrw"; done
+(cd "$work" && rm -f many.apk && zip -q many.apk ./{1,2,3,5,6,7,9,10}.mrw)
+python3 platform/android/align_apk.py "$work/many.apk" "$work/aligned.apk"
+python3 platform/android/check_apk.py "$work/aligned.apk" || fail "align_apk.py does not find cooked files their places"
 said=$(python3 platform/android/check_apk.py "$work/newt.mrw" 2>&1) && fail "check_apk.py takes a file that is no APK"
 wanted "File is not a zip file" "$said"
 echo "check/android: good"
