@@ -39,7 +39,7 @@ configure() {  # ABI SOURCE BUILD [OPTION ...]
   else
     kit=(--toolchain "$PWD/cmake/android.cmake" "-DMARROW_STUBS=$PWD/$work/stubs/$abi")
   fi
-  quietly cmake -G Ninja -S "$source" -B "$build" "${kit[@]}" "-DMARROW_ABI=$abi" -DCMAKE_BUILD_TYPE=Release \
+  quietly cmake --fresh -G Ninja -S "$source" -B "$build" "${kit[@]}" "-DMARROW_ABI=$abi" -DCMAKE_BUILD_TYPE=Release \
     "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG -ffunction-sections -fdata-sections" --no-warn-unused-cli "$@"
 }
 tool() {  # NAME ARGUMENT ...: of the NDK, or Debian's
