@@ -1,7 +1,9 @@
 """Says what is wrong with Marrow.xcframework: its plists, its folders, and what each slice is made of.
 
 usage: xcframework.py MARROW PACKAGE
+       xcframework.py --stub
 MARROW: the folder of Marrow's sources. PACKAGE: what tools/apple.sh has made. Exit code: 0 good, 1 not.
+--stub: prints what a linker wants to know of the system's library, with what the slices may want of it.
 """
 
 import pathlib
@@ -103,7 +105,23 @@ def check_slice(marrow, framework, entry, wanted):
     print(f"{name}: {objects} objects, {library.stat().st_size} B, {platform} {MINIMUM[platform]}")
 
 
+def stub():
+    """A text-based stub of libSystem."""
+    targets = "[ arm64-ios, arm64-ios-simulator, x86_64-ios-simulator, arm64-macos, x86_64-macos ]"
+    return f"""--- !tapi-tbd
+tbd-version: 4
+targets: {targets}
+install-name: '/usr/lib/libSystem.B.dylib'
+exports:
+  - targets: {targets}
+    symbols: [ {', '.join(sorted(OF_THE_SYSTEM))}, dyld_stub_binder ]
+..."""
+
+
 def main():
+    if sys.argv[1:] == ["--stub"]:
+        print(stub())
+        return 0
     marrow, package = (pathlib.Path(argument) for argument in sys.argv[1:3])
     framework = package / "Marrow.xcframework"
     wanted = set()

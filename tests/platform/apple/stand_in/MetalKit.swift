@@ -19,6 +19,10 @@ public struct MTLResourceOptions: OptionSet {
 public protocol MTLDrawable {}
 public protocol CAMetalDrawable: MTLDrawable {}
 public protocol MTLFunction {}
+public protocol MTLComputePipelineState {}
+public struct MTLSize {
+  public init(width: Int, height: Int, depth: Int) {}
+}
 public protocol MTLRenderPipelineState {}
 public protocol MTLDepthStencilState {}
 public final class MTLCompileOptions {}
@@ -55,6 +59,7 @@ public protocol MTLDevice {
   func makeCommandQueue() -> MTLCommandQueue?
   func makeLibrary(source: String, options: MTLCompileOptions?) throws -> MTLLibrary
   func makeRenderPipelineState(descriptor: MTLRenderPipelineDescriptor) throws -> MTLRenderPipelineState
+  func makeComputePipelineState(function: MTLFunction) throws -> MTLComputePipelineState
   func makeDepthStencilState(descriptor: MTLDepthStencilDescriptor) -> MTLDepthStencilState?
 }
 public func MTLCreateSystemDefaultDevice() -> MTLDevice? { nil }
@@ -64,6 +69,7 @@ public protocol MTLCommandQueue {
 }
 public protocol MTLCommandBuffer {
   func makeRenderCommandEncoder(descriptor: MTLRenderPassDescriptor) -> MTLRenderCommandEncoder?
+  func makeComputeCommandEncoder() -> MTLComputeCommandEncoder?
   func addCompletedHandler(_ block: @escaping @Sendable (MTLCommandBuffer) -> Void)
   func present(_ drawable: MTLDrawable)
   func commit()
@@ -78,6 +84,13 @@ public protocol MTLRenderCommandEncoder {
   func setVertexBuffer(_ buffer: MTLBuffer?, offset: Int, index: Int)
   func drawIndexedPrimitives(
     type: MTLPrimitiveType, indexCount: Int, indexType: MTLIndexType, indexBuffer: MTLBuffer, indexBufferOffset: Int)
+  func endEncoding()
+}
+
+public protocol MTLComputeCommandEncoder {
+  func setComputePipelineState(_ state: MTLComputePipelineState)
+  func setBuffer(_ buffer: MTLBuffer?, offset: Int, index: Int)
+  func dispatchThreadgroups(_ groups: MTLSize, threadsPerThreadgroup: MTLSize)
   func endEncoding()
 }
 
