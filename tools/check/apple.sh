@@ -122,13 +122,14 @@ code_and_data() {  # EXECUTABLE: without what pads its segments
   llvm-size-19 -m "$1" | awk '/^\tSection/ && $2 !~ /__bss/ { sum += $3 } END { print sum }'
 }
 link_all() {
-  local target slice said with without
+  local target slice said with with_gpu without
   python3 "$tests/xcframework.py" --stub >"$work/libSystem.tbd"
   for target in $targets; do
     slice=${target%%/*}
     target=${target##*/}
     link "$slice" "$target" empty -all_load  # all that is wanted is there
     link "$slice" "$target" empty -dead_strip
+    link "$slice" "$target" gpu -dead_strip
     link "$slice" "$target" road -dead_strip
     said=$(llvm-otool-19 -l "$work/road-$target" | awk '/cmd LC_BUILD_VERSION/ { b = 1 } b && /platform|minos/ { printf "%s ", $2 }
       /cmd LC_LOAD_DYLIB/ { d = 1 } d && / name / { printf "%s", $2; d = 0 } / ntools / { b = 0 }')
@@ -136,8 +137,12 @@ link_all() {
       *-simulator) [ "$said" = "7 14.0 /usr/lib/libSystem.B.dylib" ] || fail "$target: is linked for $said" ;;
       *) [ "$said" = "2 14.0 /usr/lib/libSystem.B.dylib" ] || fail "$target: is linked for $said" ;;
     esac
-    with=$(code_and_data "$work/road-$target") without=$(code_and_data "$work/empty-$target")
-    echo "$target: the road adds $((with - without)) B to an executable, $(wc -c <"$work/road-$target") B as a file"
+    if llvm-otool-19 -l "$work/gpu-$target" | grep -E '__init_offsets|__mod_init_func' >&2; then
+      fail "$target: something would run before main(), which nothing here runs"
+    fi
+    without=$(code_and_data "$work/empty-$target")
+    with=$(code_and_data "$work/road-$target") with_gpu=$(code_and_data "$work/gpu-$target")
+    echo "$target: the road adds $((with - without)) B to an executable; with the GPU it is $((with_gpu - without)) B"
   done
 }
 

@@ -1,4 +1,4 @@
-"""Puts a Swift package together: Marrow.xcframework of static libraries, Package.swift and its Swift source.
+"""Puts a Swift package together: Marrow.xcframework of static libraries, Package.swift, its Swift and the example.
 
 usage: package.py MARROW OUT SLICE=LIBRARY ...
 MARROW: the folder of Marrow's sources. OUT: the package's folder; what it had of a package before is replaced.
@@ -39,7 +39,7 @@ def main():
     marrow, out = (pathlib.Path(argument) for argument in sys.argv[1:3])
     apple = marrow / "platform/apple"
     framework = out / "Marrow.xcframework"
-    for old in (framework, out / "Sources"):
+    for old in (framework, out / "Sources", out / "Example"):
         if old.exists():
             shutil.rmtree(old)
     available = []
@@ -58,7 +58,8 @@ def main():
         plistlib.dump(
             {"AvailableLibraries": available, "CFBundlePackageType": "XFWK", "XCFrameworkFormatVersion": "1.0"}, plist
         )
-    shutil.copytree(apple / "Sources", out / "Sources")
+    for folder in ("Sources", "Example"):
+        shutil.copytree(apple / folder, out / folder)
     shutil.copyfile(apple / "Package.swift", out / "Package.swift")
     for text in ("LICENSE", "THIRD_PARTY.md"):
         shutil.copyfile(marrow / text, out / text)

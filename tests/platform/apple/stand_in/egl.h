@@ -24,7 +24,8 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char* name);
 EGLDisplay eglGetPlatformDisplay(EGLenum platform, void* native, const EGLAttrib* attributes);
 EGLBoolean eglInitialize(EGLDisplay display, EGLint* major, EGLint* minor);
-EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint* attributes, EGLConfig* configs, EGLint size, EGLint* count);
+EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint* attributes, EGLConfig* configs, EGLint size,
+                           EGLint* count);
 EGLSurface eglCreateWindowSurface(EGLDisplay display, EGLConfig config, EGLNativeWindowType window,
                                   const EGLint* attributes);
 EGLContext eglCreateContext(EGLDisplay display, EGLConfig config, EGLContext shared, const EGLint* attributes);
