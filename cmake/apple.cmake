@@ -1,5 +1,5 @@
-# Compiles for iOS and macOS by Debian's Clang, where there is no Xcode: see tools/apple.sh. MARROW_TARGET is Clang's name
-# of the system, as arm64-apple-ios14.0-simulator. libc++ is LLVM's, the C library's headers are the few declarations in
+# Compiles for iOS and macOS by Debian's Clang, where there is no Xcode: see tools/apple.sh. MARROW_TARGET is Clang's
+# name of the system, as arm64-apple-ios14.0-simulator. libc++ is LLVM's, the C library's headers are the few declarations in
 # tests/platform/apple/headers; what is compiled calls Apple's own.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_CXX_COMPILER clang++-19)

@@ -91,7 +91,11 @@ for slice in $slices; do
   parts=()
   for architecture in $(architectures "$slice"); do
     log=$work/$slice-$architecture
-    [ "$(cat "$log.code")" = 0 ] || { tail -30 "$log.log" >&2; echo "apple: $slice, $architecture: no build" >&2; exit 2; }
+    if [ "$(cat "$log.code")" != 0 ]; then
+      tail -30 "$log.log" >&2
+      echo "apple: $slice, $architecture: no build, see $log.log" >&2
+      exit 2
+    fi
     parts+=("$work/$slice/$architecture/libMarrow.a")
   done
   "${lipo[@]}" -create "${parts[@]}" -output "$work/$slice/libMarrow.a"

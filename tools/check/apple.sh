@@ -131,8 +131,10 @@ link_all() {
     link "$slice" "$target" empty -dead_strip
     link "$slice" "$target" gpu -dead_strip
     link "$slice" "$target" road -dead_strip
-    said=$(llvm-otool-19 -l "$work/road-$target" | awk '/cmd LC_BUILD_VERSION/ { b = 1 } b && /platform|minos/ { printf "%s ", $2 }
-      /cmd LC_LOAD_DYLIB/ { d = 1 } d && / name / { printf "%s", $2; d = 0 } / ntools / { b = 0 }')
+    said=$(llvm-otool-19 -l "$work/road-$target" | awk '
+      $1 == "cmd" { command = $2 }
+      command == "LC_BUILD_VERSION" && /platform|minos/ { printf "%s ", $2 }
+      command == "LC_LOAD_DYLIB" && $1 == "name" { printf "%s", $2 }')
     case $target in
       *-simulator) [ "$said" = "7 14.0 /usr/lib/libSystem.B.dylib" ] || fail "$target: is linked for $said" ;;
       *) [ "$said" = "2 14.0 /usr/lib/libSystem.B.dylib" ] || fail "$target: is linked for $said" ;;
@@ -150,7 +152,8 @@ link_all() {
 run_road() {  # TARGET COMPILER [EMULATOR]
   local target=$1 compiler=$2 emulator=${3:-} said
   $compiler -O2 -Wall -Wextra -Werror "$tests/run_macho.c" -o "$work/run-$target" -lm
-  $emulator "$work/run-$target" "$work/road-$target" "$package/newt.mrw" walk 0.4 "$work/$target.bin" || fail "$target: stops"
+  $emulator "$work/run-$target" "$work/road-$target" "$package/newt.mrw" walk 0.4 "$work/$target.bin" ||
+    fail "$target: stops"
   python3 "$tests/same_vertices.py" "$work/pose.bin" "$work/$target.bin" || fail "$target: other vertices"
   for bad in packed cut; do
     if said=$($emulator "$work/run-$target" "$work/road-$target" "$work/$bad.mrw" walk 0.4 "$work/bad.bin" 2>&1); then
@@ -185,7 +188,8 @@ names() {
   fi
 }
 
-# Debian 12 has no Swift. Where there is one, the example is compiled, with Apple's modules declared by hand, and its road runs.
+# Debian 12 has no Swift. Where there is one, the example is compiled, with Apple's modules declared by hand, and its
+# road runs.
 swift() {
   local compiler=${SWIFTC:-swiftc} modules=$work/swift name
   has "$compiler" || { echo "Swift: not compiled, as there is no swiftc; its names were looked up" >&2; return; }
@@ -196,11 +200,11 @@ swift() {
   quietly "$compiler" -O -parse-as-library -emit-module -module-name MarrowKit -emit-library -static \
     -I "$xcframework/ios-arm64/Headers" "$here/platform/apple/Sources/MarrowKit/MarrowKit.swift"
   quietly "$compiler" -typecheck -warnings-as-errors -parse-as-library -I . -I "$xcframework/ios-arm64/Headers" \
-    -import-objc-header "$tests/stand_in/egl.h" "$here"/platform/apple/Example/*.swift "$here"/platform/apple/Example/gpu/*.swift
+    -import-objc-header "$tests/stand_in/egl.h" "$here"/platform/apple/Example/{,gpu/}*.swift
   quietly cmake -G Ninja -S "$here" -B native -DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF
   quietly cmake --build native --target marrow_c
-  quietly "$compiler" -O -parse-as-library -static-stdlib -I . -I "$xcframework/ios-arm64/Headers" -module-name road -wmo \
-    "$here/platform/apple/Example/Puppet.swift" "$tests/road.swift" -o road -L . -lMarrowKit \
+  quietly "$compiler" -O -parse-as-library -static-stdlib -I . -I "$xcframework/ios-arm64/Headers" -module-name road \
+    -wmo "$here/platform/apple/Example/Puppet.swift" "$tests/road.swift" -o road -L . -lMarrowKit \
     native/runtime/c/libmarrow_c.a native/runtime/libmarrow_unpack.a native/runtime/libmarrow_runtime.a
   quietly ./road "$package/newt.mrw" walk 0.4 swift.bin
   python3 "$tests/same_vertices.py" "$work/pose.bin" swift.bin || fail "Swift: other vertices"

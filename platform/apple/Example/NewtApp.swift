@@ -1,4 +1,4 @@
-// The newt walks: Marrow skins on the CPU, straight into Metal's buffers, and Metal draws. An app of SwiftUI for iOS 14.
+// The newt walks: Marrow skins on the CPU, straight into Metal's buffers, and Metal draws. SwiftUI, iOS 14.
 import MarrowKit
 import MetalKit
 import SwiftUI

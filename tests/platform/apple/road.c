@@ -16,8 +16,8 @@ static void* take(size_t bytes) {
 #define TRY(call) \
   if ((call) != MRW_OK) return -__LINE__
 
-/* Poses a clip at a moment and skins all meshes: `out` gets the positions of every slot, 3 floats each. Returns how many
-   floats; below zero the line at which it stopped. `bytes` and `memory` begin on boundaries of 16 bytes. */
+/* Poses a clip at a moment and skins all meshes: `out` gets the positions of every slot, 3 floats each. Returns how
+   many floats; below zero the line at which it stopped. `bytes` and `memory` begin on boundaries of 16 bytes. */
 long road(const void* bytes, size_t byte_count, const char* clip, float time_s, void* memory, size_t memory_bytes,
           float* out, size_t out_count) {
   mrw_bytes cooked = {bytes, byte_count};

@@ -1,5 +1,5 @@
-// Runs code for iOS on Linux: maps an executable that ld64.lld linked, binds what it imports, and calls its entry, which
-// is road() of road.c. Both systems pass these arguments alike. The executable has its fixups in chains, as iOS 14 has.
+// Runs code for iOS on Linux: maps an executable that ld64.lld linked, binds what it imports, and calls its entry,
+// which is road() of road.c. Both systems pass these arguments alike. The executable has its fixups in chains, as iOS 14 has.
 // usage: run_macho EXECUTABLE FILE.mrw CLIP SECONDS OUT.bin
 #define _GNU_SOURCE
 #include <math.h>
@@ -71,8 +71,8 @@ static void map_segment(const char* command, const char* file) {
   if (u32(command + 56) == 0) return;  // __PAGEZERO may not be touched
   const size_t whole = (size + 0xfff) / 0x1000 * 0x1000;
   void* const where = (void*)(uintptr_t)address;
-  if (mmap(where, whole, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0) !=
-      where)
+  const int all = PROT_READ | PROT_WRITE | PROT_EXEC, there = MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE;
+  if (mmap(where, whole, all, there, -1, 0) != where)
     die("a segment cannot be mapped at its address");
   memcpy(where, file + offset, u64(command + 48));
   if (strcmp(command + 8, "__TEXT") == 0) base = address;

@@ -3,8 +3,10 @@
 import Foundation
 import MarrowKit
 
-/// GL's functions by name. With ANGLE: `try loadGL { unsafeBitCast(eglGetProcAddress($0), to: UnsafeMutableRawPointer?.self) }`
-func loadGL(_ find: @escaping @convention(c) (UnsafePointer<CChar>?) -> UnsafeMutableRawPointer?) throws -> mrw_gles3_api {
+typealias FindGL = @convention(c) (UnsafePointer<CChar>?) -> UnsafeMutableRawPointer?
+
+/// GL's functions by name.
+func loadGL(_ find: @escaping FindGL) throws -> mrw_gles3_api {
   var api = mrw_gles3_api()
   var missing: UnsafePointer<CChar>?
   let status = mrw_gles3_load_api(&api, find, &missing)
@@ -20,7 +22,7 @@ struct AngleContext {
 
   /// layer: a CAMetalLayer, whose drawableSize is set. Makes the context current on this thread.
   init?(layer: AnyObject) throws {
-    let metal = [EGLAttrib(EGL_PLATFORM_ANGLE_TYPE_ANGLE), EGLAttrib(EGL_PLATFORM_ANGLE_TYPE_METAL_ANGLE), EGLAttrib(EGL_NONE)]
+    let metal = [EGL_PLATFORM_ANGLE_TYPE_ANGLE, EGL_PLATFORM_ANGLE_TYPE_METAL_ANGLE, EGL_NONE].map { EGLAttrib($0) }
     guard let display = eglGetPlatformDisplay(EGLenum(EGL_PLATFORM_ANGLE_ANGLE), nil, metal),
       eglInitialize(display, nil, nil) == EGL_TRUE
     else { return nil }

@@ -12,18 +12,20 @@ struct SkinKernel {
     pipeline = try device.makeComputePipelineState(function: library.makeFunction(name: "main0")!)
   }
 
-  /// streams: bindings 0 to 2, each bound if the kernel has it. out: positions of all slots, then normals, then tangents.
+  /// streams: bindings 0 to 2, bound to anything where the kernel has none. out: positions of all slots, then normals,
+  /// then tangents.
   /// palette: 341 matrices of 48 bytes. uniforms: MarrowUniforms.
   func encode(
-    _ commands: MTLCommandBuffer, slots: Int, streams: [MTLBuffer], out: MTLBuffer, palette: MTLBuffer, uniforms: MTLBuffer
+    _ commands: MTLCommandBuffer, slots: Int, streams: [MTLBuffer], out: MTLBuffer, palette: MTLBuffer,
+    uniforms: MTLBuffer
   ) {
     guard let encoder = commands.makeComputeCommandEncoder() else { return }
     encoder.setComputePipelineState(pipeline)
     for (binding, buffer) in (streams + [out, palette, uniforms]).enumerated() {
       encoder.setBuffer(buffer, offset: 0, index: binding)
     }
-    encoder.dispatchThreadgroups(
-      MTLSize(width: (slots + 63) / 64, height: 1, depth: 1), threadsPerThreadgroup: MTLSize(width: 64, height: 1, depth: 1))
+    let groups = MTLSize(width: (slots + 63) / 64, height: 1, depth: 1)
+    encoder.dispatchThreadgroups(groups, threadsPerThreadgroup: MTLSize(width: 64, height: 1, depth: 1))
     encoder.endEncoding()
   }
 }
