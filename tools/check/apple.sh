@@ -18,7 +18,7 @@ skip() { echo "SKIPPED: $*" >&2; skipped=3; }
 has() { for name in "$@"; do command -v "$name" >/dev/null || return 1; done; }
 quietly() { "$@" >"$work/log.txt" 2>&1 || { cat "$work/log.txt" >&2; exit 1; }; }
 
-"$here/tools/install.sh" "$here/tools/packages/apple.txt" || true
+"$here/tools/install.sh" "$here"/tools/packages/apple{,-check}.txt || true
 for tool in clang-19 clang++-19 ld64.lld-19 llvm-objdump-19 llvm-otool-19 llvm-libtool-darwin-19 python3; do
   has $tool || { echo "SKIPPED: the package for iOS: there is no $tool" >&2; exit 3; }
 done
