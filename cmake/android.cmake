@@ -1,7 +1,7 @@
 # Builds for Android 21 without its kit: Debian's clang-19, lld-19 and libc++'s headers; GNU's headers of the same
-# processor stand in for Android's C library, and libraries of tools/android/stubs.txt for what it exports.
+# processor stand in for Android's C library, and libraries of tools/packaging/android/stubs.txt for what it exports.
 #   MARROW_ABI     arm64-v8a, armeabi-v7a or x86_64
-#   MARROW_STUBS   the folder of the ABI's libraries, which tools/android/make_stubs.sh makes
+#   MARROW_STUBS   the folder of the ABI's libraries, which tools/packaging/android/make_stubs.sh makes
 # Where there is an NDK take its own toolchain file: headers that stand in may lie about what Marrow does not use.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_C_COMPILER clang-19)
@@ -25,7 +25,7 @@ elseif(MARROW_ABI STREQUAL "x86_64")
 else()
   message(FATAL_ERROR "MARROW_ABI is arm64-v8a, armeabi-v7a or x86_64, not \"${MARROW_ABI}\"")
 endif()
-get_filename_component(stand_ins ${CMAKE_CURRENT_LIST_DIR}/../tools/android/include ABSOLUTE)
+get_filename_component(stand_ins ${CMAKE_CURRENT_LIST_DIR}/../tests/platform/android/headers ABSOLUTE)
 foreach(language C CXX)
   set(CMAKE_${language}_COMPILER_TARGET ${target})
   set(CMAKE_${language}_FLAGS_INIT "-nostdlibinc -isystem ${stand_ins} -isystem ${MARROW_STUBS}/include ${headers}")

@@ -55,7 +55,7 @@ tool() {  # NAME ARGUMENT ...: of the NDK, or Debian's
 
 build_libraries() {  # ABI
   local abi=$1 libraries=$work/$1/libraries name
-  [ -n "$ndk" ] || quietly tools/android/make_stubs.sh "$abi" "$work/stubs/$abi"
+  [ -n "$ndk" ] || quietly tools/packaging/android/make_stubs.sh "$abi" "$work/stubs/$abi"
   configure "$abi" . "$work/$abi" -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF \
     -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0
   quietly cmake --build "$work/$abi" --target marrow_c_shared marrow_c_gles3
@@ -81,7 +81,7 @@ build_example() {  # ABI
 
 make_aar() {
   rm -rf $work/aar
-  python3 tools/android/make_prefab.py $work $work/aar "${ndk:+$(sed -n 's/^Pkg.Revision *= *\([0-9]*\).*/\1/p' "$ndk/source.properties")}"
+  python3 tools/packaging/android/make_prefab.py $work $work/aar "${ndk:+$(sed -n 's/^Pkg.Revision *= *\([0-9]*\).*/\1/p' "$ndk/source.properties")}"
   cp platform/android/AndroidManifest.xml $work/aar/
   cp LICENSE $work/aar/LICENSE
   rm -f "$out/marrow.aar"

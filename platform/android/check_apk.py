@@ -4,7 +4,7 @@
 usage: check_apk.py FILE [EXPORTS]
 Libraries: of the processor that their folder names, on pages of 16 KB in themselves and in the APK, found by devices of
 Android 21, stored without compression. Cooked files: stored, on a boundary of 16 bytes.
-EXPORTS: a list as tools/android/stubs.txt; libraries may import no other functions. Exit code: 0 good, 1 not.
+EXPORTS: a list as tools/packaging/android/stubs.txt; libraries may import no other functions. Exit code: 0 good, 1 not.
 """
 import os
 import re

@@ -17,7 +17,7 @@ libraries() { echo "build/android/$1/libraries"; }
 
 # What each library imports, its pages, where entries begin, and who signed.
 for package in marrow.aar newt.apk; do
-  python3 platform/android/check_apk.py "$work/$package" tools/android/stubs.txt || fail "$package is not good"
+  python3 platform/android/check_apk.py "$work/$package" tools/packaging/android/stubs.txt || fail "$package is not good"
 done
 said=$(apksigner verify --verbose --min-sdk-version 21 "$work/newt.apk") || fail "the signature of newt.apk: $said"
 wanted "Verified using v1 scheme (JAR signing): true" "$said"
@@ -69,7 +69,7 @@ block cpp >"$work/page/game.cpp"
 [ -e "$work/page/build/libgame.so" ] || fail "$page: there is no libgame.so"
 
 # The app's life, on the APK's own library.
-"${CXX:-c++}" -std=c++20 -O1 -Wall -Wextra -Werror -Itools/android/include tests/platform/android/*.cpp -o "$work/play" \
+"${CXX:-c++}" -std=c++20 -O1 -Wall -Wextra -Werror -Itests/platform/android/headers tests/platform/android/*.cpp -o "$work/play" \
   -rdynamic -Wl,--no-as-needed -lGLESv2 -lz -ldl
 play() {  # APK STORY
   unzip -q -o "$1" lib/x86_64/libnewt.so -d "$work/apk"
@@ -93,7 +93,7 @@ app_says() {  # STORY TEXT
 }
 checker_says() {  # STORY TEXT
   spoil "$1"
-  said=$(python3 platform/android/check_apk.py "$work/$1.apk" tools/android/stubs.txt 2>&1) && fail "check_apk.py takes $1.apk"
+  said=$(python3 platform/android/check_apk.py "$work/$1.apk" tools/packaging/android/stubs.txt 2>&1) && fail "check_apk.py takes $1.apk"
   wanted "$2" "$said"
 }
 app_says compressed-asset "newt.mrw: 517839 bytes, copied, as it begins on no multiple of 16 in the APK: it is compressed there, see noCompress"

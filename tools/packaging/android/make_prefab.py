@@ -34,7 +34,7 @@ def make_module(build, prefab, name, library, headers, ndk):
 def main():
     build, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     ndk = int(sys.argv[3]) if len(sys.argv) > 3 and sys.argv[3] else 27
-    include = pathlib.Path(__file__).parents[2] / "runtime/include/marrow"
+    include = pathlib.Path(__file__).parents[3] / "runtime/include/marrow"
     numbers = dict(re.findall(r"#define MARROW_VERSION_(\w+) (\d+)", (include / "version.h").read_text()))
     version = ".".join(numbers[part] for part in ("MAJOR", "MINOR", "PATCH"))
     write(out / "prefab/prefab.json", {"schema_version": 2, "name": "marrow", "version": version, "dependencies": []})

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes libraries that stand in for Android's where there is no NDK: they export what stubs.txt says and do nothing.
-# usage: tools/android/make_stubs.sh ABI FOLDER
+# usage: tools/packaging/android/make_stubs.sh ABI FOLDER
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 abi=$1 folder=$2
