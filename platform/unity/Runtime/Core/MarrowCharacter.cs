@@ -29,7 +29,8 @@ public struct MarrowLayer {
 /// One thread at a time; different characters on different threads.
 /// </summary>
 public sealed unsafe partial class MarrowCharacter : IDisposable {
-    NativeBlock memory, fileBlock, fileHandle;
+    readonly MarrowFile file;
+    NativeBlock memory;
     readonly MarrowCharacterOptions options;
     readonly int most;  // layers
     readonly string name;
@@ -41,15 +42,17 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
         this.options = options;
         name = file.Name;
         most = options.Layers == 0 ? 2 : options.Layers;
+        if (most < 1 || options.Level < 0)
+            throw new MarrowException(name + ": give at least one layer, and a level of detail from 0 on");
         CharacterOptions wanted = CharacterOptions.New();
-        wanted.layers = (uint)Math.Max(most, 0);
-        wanted.level = (uint)Math.Max(options.Level, 0);
+        wanted.layers = (uint)most;
+        wanted.level = (uint)options.Level;
         wanted.skin = (byte)(options.PosesAlone ? 0 : 1);
         wanted.animation_space = (byte)(options.AnimationSpace ? 1 : 0);
         ulong bytes = (ulong)Marrow.CharacterBytes(file.Native, &wanted);
         ulong head = Rounded(sizeof(Character)), tail = Rounded(most * sizeof(AnimationLayer));
-        if (bytes == 0) throw new MarrowException(name + ": no character can be made: give at least one layer");
-        file.Keep(out fileBlock, out fileHandle);
+        if (bytes == 0) throw new MarrowException(name + ": is too large for a character");
+        this.file = file.Keep();
         memory = new NativeBlock(head + tail + bytes);
         Status status = Marrow.MakeCharacter(file.Native, &wanted, memory.First + head + tail, new UIntPtr(bytes),
                                              (Character*)memory.First);
@@ -87,33 +90,37 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
     /// <summary>One clip at a time. seconds: of the clip, as MarrowPlayback has it.</summary>
     public void Pose(MarrowClip clip, float seconds) {
         Character* character = Native;
-        AnimationLayer* layers = Layers;
-        layers[0].animation = clip.Native;
-        layers[0].time_s = seconds;
-        layers[0].weight = 1;
-        MustPose(Marrow.PoseCharacter(character, layers, new UIntPtr(1)), clip);
+        SetLayer(0, clip, seconds, 1);
+        MustPose(Marrow.PoseCharacter(character, Layers, new UIntPtr(1)), clip);
     }
 
     /// <summary>The mean of the first `count` layers by their weights; of none, the rest pose.</summary>
     public void Pose(MarrowLayer[] layers, int count) {
         Character* character = Native;
-        AnimationLayer* to = Layers;
         if (count < 0 || count > most || (count > 0 && count > layers.Length)) {
             throw new MarrowException(name + ": " + count + " layers, and there is room for " + most +
                 ": see MarrowCharacterOptions.Layers");
         }
-        for (int i = 0; i < count; ++i) {
-            to[i].animation = layers[i].Clip.Native;
-            to[i].time_s = layers[i].Time;
-            to[i].weight = layers[i].Weight;
+        for (int i = 0; i < count; ++i) SetLayer(i, layers[i].Clip, layers[i].Time, layers[i].Weight);
+        MustPose(Marrow.PoseCharacter(character, Layers, new UIntPtr((uint)count)), count > 0 ? layers[0].Clip : null);
+    }
+
+    void SetLayer(int index, MarrowClip clip, float seconds, float weight) {
+        AnimationLayer* layer = Layers + index;
+        if (clip == null) throw new ArgumentNullException("clip");
+        layer->animation = clip.Native;
+        layer->time_s = seconds;
+        layer->weight = weight;
+        if (!clip.IsFor(file)) {
+            throw new MarrowException(name + ": \"" + clip.Name + "\" was opened for the characters of another file, " +
+                "or the same opened twice: take clips from MarrowFile.Clips or ClipsOf() of the character's own file");
         }
-        MustPose(Marrow.PoseCharacter(character, to, new UIntPtr((uint)count)), count > 0 ? layers[0].Clip : null);
     }
 
     void MustPose(Status status, MarrowClip clip) {
         if (status == Status.Ok) return;
-        throw new MarrowException(name + ": cannot play \"" + (clip == null ? "" : clip.Name) + "\": clips must be of " +
-            "this character's file, times and weights numbers, weights not below 0", status);
+        throw new MarrowException(name + ": cannot play \"" + (clip == null ? "" : clip.Name) + "\": times must be " +
+            "numbers, weights too and not below 0", status);
     }
 
     /// <summary>What Skin() and skinners on the GPU need of the pose.</summary>
@@ -169,10 +176,9 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
 
     public void Dispose() {
         if (memory == null) return;
-        memory.LetGo();
-        fileBlock.LetGo();
-        fileHandle.LetGo();
-        memory = fileBlock = fileHandle = null;
+        memory.Dispose();
+        memory = null;
+        file.LetGo();
     }
 }
 

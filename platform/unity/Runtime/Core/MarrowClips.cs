@@ -27,19 +27,26 @@ public sealed unsafe class MarrowClip {
             return animation;
         }
     }
+
+    internal bool IsFor(MarrowFile file) { return owner.IsFor(file); }
 }
 
 /// <summary>The clips of a file, or of a pack for the characters of a file. Serves any number of characters.</summary>
 public sealed unsafe class MarrowClips : IDisposable, IReadOnlyList<MarrowClip> {
     readonly MarrowClip[] all;
     readonly string source;
-    NativeBlock memory, fileBlock, fileHandle, packBlock, packHandle;
+    readonly MarrowFile file, pack;  // the same, of a file's own clips
+    NativeBlock memory;
 
     internal MarrowClips(MarrowFile file, MarrowFile pack) {
         source = pack.Name;
         UIntPtr bytes = Marrow.AnimationsBytes(file.Native, pack.Native);
-        file.Keep(out fileBlock, out fileHandle);
-        pack.Keep(out packBlock, out packHandle);
+        this.file = file;
+        this.pack = pack;
+        if (file != pack) {
+            file.Keep();
+            pack.Keep();
+        }
         memory = new NativeBlock((ulong)bytes);
         Animations animations;
         Status status = Marrow.MakeAnimations(file.Native, pack.Native, memory.First, bytes, &animations);
@@ -79,19 +86,20 @@ public sealed unsafe class MarrowClips : IDisposable, IReadOnlyList<MarrowClip> 
     public IEnumerator<MarrowClip> GetEnumerator() { return ((IEnumerable<MarrowClip>)all).GetEnumerator(); }
     IEnumerator IEnumerable.GetEnumerator() { return all.GetEnumerator(); }
 
+    internal bool IsFor(MarrowFile file) { return file == this.file; }
+
     internal void MustBeOpen() {
         if (memory == null) throw new ObjectDisposedException(source);
     }
 
-    /// <summary>After this its clips cannot be played. Those of MarrowFile.Clips go with the file.</summary>
+    /// <summary>After this its clips cannot be played. Those of MarrowFile.Clips go with their file.</summary>
     public void Dispose() {
-        if (fileHandle == null) return;
-        if (memory != null) memory.LetGo();
-        fileBlock.LetGo();
-        fileHandle.LetGo();
-        packBlock.LetGo();
-        packHandle.LetGo();
-        memory = fileBlock = fileHandle = packBlock = packHandle = null;
+        if (memory == null) return;
+        memory.Dispose();
+        memory = null;
+        if (file == pack) return;
+        file.LetGo();
+        pack.LetGo();
     }
 }
 

@@ -20,9 +20,12 @@ public sealed class MarrowException : Exception {
 
     /// <summary>Of a file that cannot be read.</summary>
     internal static unsafe MarrowException Of(string name, DataError error) {
-        string place = error.rule == null ? "" : ": byte " + error.offset + ": " + Marrow.Text(error.rule);
-        return new MarrowException(name + place + ": " + Marrow.Text(Marrow.StatusText(error.status)) + ": " +
-                                   WhatToDo(error.status), error.status);
+        string what = Marrow.Text(Marrow.StatusText(error.status)), place = "";
+        if (error.rule != null) {
+            string rule = Marrow.Text(error.rule);
+            place = ": byte " + error.offset + (rule == what ? "" : ": the rule \"" + rule + "\" does not hold");
+        }
+        return new MarrowException(name + place + ": " + what + ": " + WhatToDo(error.status), error.status);
     }
 
     static string WhatToDo(Status status) {

@@ -1,18 +1,20 @@
 using System;
 using System.IO;
-using System.Text;
+using System.Threading;
 using MarrowRuntime;
 
 namespace MarrowAnimation {
 
 /// <summary>
-/// A cooked file, checked and unpacked. Any number of characters share one. It may be disposed of before them: its
-/// memory goes when the last of them does.
+/// A cooked file, checked and unpacked. Any number of characters share one. It may be disposed of before them: it closes,
+/// and its memory goes, when the last of them has gone, too.
 /// </summary>
 public sealed unsafe class MarrowFile : IDisposable {
     NativeBlock block;  // the file's bytes
     NativeBlock handle;  // what the runtime knows of them
     MarrowClips clips;
+    int users = 1;
+    bool disposed;
 
     /// <summary>What errors call it.</summary>
     public string Name { get; private set; }
@@ -130,24 +132,26 @@ public sealed unsafe class MarrowFile : IDisposable {
     }
 
     public void Dispose() {
+        if (disposed) return;
+        disposed = true;
+        LetGo();
+    }
+
+    // Of what has pointers into the file.
+    internal MarrowFile Keep() {
+        if (handle == null) throw new ObjectDisposedException(Name);
+        Interlocked.Increment(ref users);
+        return this;
+    }
+
+    internal void LetGo() {
+        if (Interlocked.Decrement(ref users) > 0) return;
         if (clips != null) clips.Dispose();
-        if (block != null) block.LetGo();
-        if (handle != null) handle.LetGo();
+        if (block != null) block.Dispose();
+        if (handle != null) handle.Dispose();
         clips = null;
         block = handle = null;
     }
-
-    // What has pointers into the file keeps its memory.
-    internal void Keep(out NativeBlock bytes, out NativeBlock known) {
-        if (handle == null) throw new ObjectDisposedException(Name);
-        bytes = block;
-        known = handle;
-        bytes.Keep();
-        known.Keep();
-    }
-
-    /// <summary>A name as the runtime wants it.</summary>
-    internal static byte[] Utf8(string name) { return Encoding.UTF8.GetBytes(name + "\0"); }
 }
 
 }

@@ -65,15 +65,17 @@ public sealed unsafe class MarrowMesh {
         return made;
     }
 
-    /// <summary>Two floats a slot and, as bytes, four of colour: 12 bytes a slot. White and zeros where there are none.</summary>
+    /// <summary>
+    /// 12 bytes a slot: red, green, blue, alpha as bytes, then u and v as floats. White and zeros where there are none.
+    /// </summary>
     public void CopySurface(byte* to) {
         Geometry* geometry = &Native->geometry;
-        for (int i = 0; i < SlotCount; ++i) {
-            float* uv = (float*)(to + 12 * i);
+        for (int i = 0; i < SlotCount; ++i, to += 12) {
+            for (int k = 0; k < 4; ++k) to[k] = HasColours ? geometry->colours[4 * i + k] : (byte)255;
+            float* uv = (float*)(to + 4);
             uv[0] = HasUvs ? geometry->uvs[2 * i] : 0;
             uv[1] = HasUvs ? geometry->uvs[2 * i + 1] : 0;
             if (space == MarrowSpace.Unity && HasUvs) uv[1] = 1 - uv[1];
-            for (int k = 0; k < 4; ++k) to[12 * i + 8 + k] = HasColours ? geometry->colours[4 * i + k] : (byte)255;
         }
     }
 }

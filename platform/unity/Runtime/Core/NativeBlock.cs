@@ -1,13 +1,11 @@
 using System;
-using System.Threading;
 using MarrowRuntime;
 
 namespace MarrowAnimation {
 
-/// <summary>Memory that no collector moves, on a boundary of 16 bytes; freed when its last owner lets go of it.</summary>
-internal sealed unsafe class NativeBlock {
+/// <summary>Memory on a boundary of 16 bytes that no collector moves; freed at the latest when it is collected itself.</summary>
+internal sealed unsafe class NativeBlock : IDisposable {
     void* first;
-    int owners = 1;
 
     internal NativeBlock(ulong bytes) {
         if (bytes > int.MaxValue) throw new MarrowException("more than 2 GiB of memory are asked for");
@@ -18,10 +16,7 @@ internal sealed unsafe class NativeBlock {
 
     internal byte* First { get { return (byte*)first; } }
 
-    internal void Keep() { Interlocked.Increment(ref owners); }
-
-    internal void LetGo() {
-        if (Interlocked.Decrement(ref owners) > 0) return;
+    public void Dispose() {
         Free();
         GC.SuppressFinalize(this);
     }
