@@ -199,7 +199,7 @@ public static class GL {
 }
 
 public static class Application { public static bool isPlaying = true; }
-public static class Time { public static float deltaTime = 1.0f / 60; }
+public static class Time { public static float deltaTime = 1.0f / 60, time; }
 
 public static class Debug {
     public static readonly List<string> Said = new List<string>();

@@ -24,9 +24,19 @@ public struct Vector4 {
     public Vector4(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
 }
 
+public static class Mathf { public static float Sin(float x) { return (float)Math.Sin(x); } }
+
 public struct Quaternion {
     public float x, y, z, w;
     public Quaternion(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+    public static Quaternion AngleAxis(float degrees, Vector3 axis) {
+        float half = degrees * (float)Math.PI / 360, s = (float)Math.Sin(half);
+        return new Quaternion(s * axis.x, s * axis.y, s * axis.z, (float)Math.Cos(half));
+    }
+    public static Quaternion operator *(Quaternion a, Quaternion b) {
+        return new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+                              a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
+    }
     public static Vector3 operator *(Quaternion q, Vector3 v) {
         Vector3 u = new Vector3(q.x, q.y, q.z);
         Vector3 t = 2 * Vector3.Cross(u, v);

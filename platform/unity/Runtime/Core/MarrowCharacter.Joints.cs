@@ -51,7 +51,7 @@ public sealed unsafe partial class MarrowCharacter {
     public void SetLocal(int skeleton, int joint, MarrowTransform to) {
         CharacterSkeleton* s = JointOf(skeleton, joint);
         if (options.Space == MarrowSpace.Unity) to = MarrowMirror.Mirrored(to);
-        JointTransform t;
+        JointTransform t = default(JointTransform);
         t.translation[0] = to.Px;
         t.translation[1] = to.Py;
         t.translation[2] = to.Pz;
