@@ -34,14 +34,14 @@ says() {  # EXIT-CODE WORDS COMMAND ...: it fails so, and says these words
   fi
 }
 has() { grep -q -- "$1" "$2" || fail "$2 has no \"$1\""; }  # WORDS FILE
-blocks() {  # LANGUAGE FOLDER: the page's blocks of code, a file each; how many there are
+blocks() {  # LANGUAGE FOLDER [PAGE]: the page's blocks of code, a file each; how many there are
   rm -rf "$2" && mkdir -p "$2"
   awk -v fence="\`\`\`$1" -v to="$2/block" '
     inside && $0 == "```" { inside = 0; close(name) }
     inside { print > name }
     $0 == fence { inside = 1; name = to sprintf("%02d", ++count) ".txt" }
     END { print count + 0 }
-  ' "$page"
+  ' "${3:-$page}"
 }
 
 # The page's first commands, from the sample to the package, as they stand there.
@@ -128,4 +128,25 @@ LD_LIBRARY_PATH="$work/plain" says 2 "MARROW_DRACO" mono "$work/Core.exe" says "
 mono "$work/Player.exe" "$newt" "$work/corner.mrw" "$work"
 quietly gcc -std=c11 -D_GNU_SOURCE -Wall -Wextra -Werror -I"$here/runtime/include" "$tests/engine.c" -o "$work/engine" \
   -L"$plugins" -lmarrow_c -lEGL -lGLESv2 -lm -lpthread -ldl
-"$work/engine" "$plugins/libmarrow_unity.so" "$work/newt_none.mrw"
+"$work/engine" "$plugins/libmarrow_unity.so" "$work/newt_none.mrw" || fail "the render event"
+
+# Unreal's module: what cmake installs is what it names, and a program links with that.
+page="$here/docs/platforms/unreal.md"
+game="$work/unreal"
+module="$game/Source/ThirdParty/Marrow"
+rm -rf "$game"
+mkdir -p "$game"
+compile "-out:$work/BuildTool.exe" "$here/tests/platform/unreal/BuildTool.cs" \
+  "$here/platform/unreal/ThirdParty/Marrow/Marrow.Build.cs"
+says 6 "lib/Linux/libmarrow_c.a is not there: build and install" mono "$work/BuildTool.exe" Linux "$module"
+says 6 "lib/Win64/marrow_c.lib is not there" mono "$work/BuildTool.exe" Win64 "$module"
+says 6 "lib/Android/arm64-v8a/libmarrow_c.a is not there" mono "$work/BuildTool.exe" Android "$module"
+[ "$(blocks sh "$work/commands")" = 1 ] || fail "$page: other commands than those that are run"
+(cd "$here" && GAME="$game" CMAKE_GENERATOR=Ninja quietly bash -euo pipefail "$work/commands/block01.txt")
+mono "$work/BuildTool.exe" Linux "$module" >"$work/unreal.txt" || fail "Marrow.Build.cs: $(cat "$work/unreal.txt")"
+cmp -s "$module/Marrow.Build.cs" "$here/platform/unreal/ThirdParty/Marrow/Marrow.Build.cs" || fail "no Marrow.Build.cs"
+[ "$(blocks cpp "$work/snippets")" = 1 ] || fail "$page: other C++ than what is compiled"
+cat "$work/snippets/block01.txt" "$here/tests/platform/unreal/pose.cpp" >"$work/unreal.cpp"
+readarray -t named <"$work/unreal.txt"
+quietly g++ -std=c++11 -Wall -Wextra -Werror "${named[0]}" "$work/unreal.cpp" "${named[@]:1}" -o "$work/unreal_pose"
+"$work/unreal_pose" "$work/corner.mrw" || fail "the C++ of $page says otherwise"
