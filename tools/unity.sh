@@ -45,7 +45,7 @@ if [ $host = yes ]; then
   if command -v ninja >/dev/null; then generator=(-G Ninja); fi
   log=$(mktemp)
   { cmake -S "$here/platform/unity/native" -B "$build" "${generator[@]}" -DCMAKE_BUILD_TYPE=Release &&
-    cmake --build "$build" --target plugins; } >"$log" 2>&1 || { tail -30 "$log" >&2; die "the libraries do not build"; }
+    cmake --build "$build" --target plugins; } >"$log" 2>&1 || { tail -30 "$log" >&2; die "no library"; }
   rm "$log"
   case $(uname -sm) in
     "Linux x86_64") given+=("Linux/x86_64|$build/plugins|lib*.so") ;;

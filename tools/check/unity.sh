@@ -56,7 +56,8 @@ package="$work/walk/com.marrow.animation"
 newt="$work/walk/newt.mrw"
 python3 "$here/tools/unity/metas.py" check "$here/platform/unity" >/dev/null
 python3 "$here/tools/unity/metas.py" check "$package"
-cmp -s "$here/runtime/c/bindings/csharp/Marrow.cs" "$package/Runtime/Core/Marrow.cs" || fail "the package's Marrow.cs is old"
+cmp -s "$here/runtime/c/bindings/csharp/Marrow.cs" "$package/Runtime/Core/Marrow.cs" ||
+  fail "the package's Marrow.cs is old"
 says 1 "is there and no package" "$here/tools/unity.sh" --no-host --out "$here/docs"
 says 1 "has no marrow_c" "$here/tools/unity.sh" --no-host --out "$work/given" --ios "$here/docs"
 says 1 "arm64-v8a=DIR" "$here/tools/unity.sh" --no-host --out "$work/given" --android "mips=$here"
@@ -102,6 +103,7 @@ export LD_LIBRARY_PATH="$plugins"
 "$marrow" cook "$here/tools/sample/newt.glb" --mesh-codec none -o "$work/newt_none.mrw" >/dev/null
 python3 "$tests/corner.py" "$work/corner.gltf"
 "$marrow" cook "$work/corner.gltf" --mesh-codec none --clip-codec raw -o "$work/corner.mrw" >/dev/null
+"$marrow" cook "$here/tools/sample/newt.glb" --clips-only --skeleton "$newt" -o "$work/pack.mrw" >/dev/null
 quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "$tests/poses.c" -o "$work/poses" \
   -L"$plugins" -lmarrow_c
 for file in "$newt" "$work/newt_none.mrw"; do
@@ -111,7 +113,7 @@ for file in "$newt" "$work/newt_none.mrw"; do
   echo "poses and vertices of $(basename "$file"): $got, as C"
 done
 mono "$work/Core.exe" hand "$work/corner.mrw"
-mono "$work/Core.exe" tests "$newt" "$work/corner.mrw" "$work" | sed "s|$work/||"
+mono "$work/Core.exe" tests "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" | sed "s|$work/||"
 
 # Libraries that are missing, of another release, of another kind, without codecs.
 mkdir -p "$work"/{none,other,foreign,plain}
@@ -125,7 +127,7 @@ LD_LIBRARY_PATH="$work/foreign" says 2 "has no mrw_abi" mono "$work/Core.exe" sa
 LD_LIBRARY_PATH="$work/plain" says 2 "MARROW_DRACO" mono "$work/Core.exe" says "$newt"
 
 # With stand-ins of UnityEngine, and the render event with a stand-in of Unity.
-mono "$work/Player.exe" "$newt" "$work/corner.mrw" "$work"
+mono "$work/Player.exe" "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work"
 quietly gcc -std=c11 -D_GNU_SOURCE -Wall -Wextra -Werror -I"$here/runtime/include" "$tests/engine.c" -o "$work/engine" \
   -L"$plugins" -lmarrow_c -lEGL -lGLESv2 -lm -lpthread -ldl
 "$work/engine" "$plugins/libmarrow_unity.so" "$work/newt_none.mrw" || fail "the render event"

@@ -1,8 +1,8 @@
 """The .meta files of the Unity package: each asset's GUID, and how Unity imports it.
 
 usage: metas.py write FOLDER    writes those that are missing below the package's folder
-       metas.py check FOLDER    exit code 1 if one is missing, has no asset, or has another's GUID; or if package.json or
-                                an .asmdef is wrong
+       metas.py check FOLDER    exit code 1 if one is missing, has no asset, or has another's GUID; or if
+                                package.json or an .asmdef is wrong
 
 A GUID that is written is a hash of the asset's path in the package, so it is the same in every build of the package.
 """

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace MarrowAnimation.Editor {
 
-/// <summary>Makes of a .mrw file a MarrowAsset, its materials, and an object with a player that can be dragged into a scene.</summary>
+/// <summary>
+/// Makes of a .mrw file a MarrowAsset, its materials, and an object with a player that can be dragged into a scene.
+/// </summary>
 [ScriptedImporter(1, "mrw")]
 public sealed class MarrowImporter : ScriptedImporter {
     public override void OnImportAsset(AssetImportContext context) {

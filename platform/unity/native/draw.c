@@ -18,7 +18,9 @@ static mrw_gles3_program_set programs;
 static bool has_context = false, has_programs = false;
 static char log_text[1024];
 
-const char* compile_log(void) { return log_text; }
+const char* compile_log(void) {
+  return log_text;
+}
 
 static void options_of(mrw_gles3_skinner_options* out) {
   mrw_gles3_skinner_options_init(out); /* in the vertex shader, palettes in a uniform block */

@@ -7,7 +7,7 @@
 
 typedef struct drawn_mesh {
   mrw_mesh mesh;
-  void* memory;  /* as it was allocated */
+  void* memory; /* as it was allocated */
   mrw_block block;
   mrw_gles3_skinner skinner;
   bool made; /* the skinner is one, in this context or in one that is gone */

@@ -29,21 +29,21 @@ enum {
   GL_CURRENT_PROGRAM_ = 0x8B8D
 };
 
-#define GL_FUNCTIONS(X)                                                       \
-  X(void, UseProgram, (uint32_t))                                             \
-  X(int32_t, GetUniformLocation, (uint32_t, const char*))                     \
-  X(void, UniformMatrix4fv, (int32_t, int32_t, unsigned char, const float*))  \
-  X(void, Uniform4fv, (int32_t, int32_t, const float*))                       \
-  X(void, Enable, (uint32_t))                                                 \
-  X(void, Disable, (uint32_t))                                                \
-  X(unsigned char, IsEnabled, (uint32_t))                                     \
-  X(void, GetIntegerv, (uint32_t, int32_t*))                                  \
-  X(void, DepthFunc, (uint32_t))                                              \
-  X(void, DepthMask, (unsigned char))                                         \
-  X(void, CullFace, (uint32_t))                                               \
-  X(void, FrontFace, (uint32_t))                                              \
-  X(void, ActiveTexture, (uint32_t))                                          \
-  X(void, BindBuffer, (uint32_t, uint32_t))                                   \
+#define GL_FUNCTIONS(X)                                                      \
+  X(void, UseProgram, (uint32_t))                                            \
+  X(int32_t, GetUniformLocation, (uint32_t, const char*))                    \
+  X(void, UniformMatrix4fv, (int32_t, int32_t, unsigned char, const float*)) \
+  X(void, Uniform4fv, (int32_t, int32_t, const float*))                      \
+  X(void, Enable, (uint32_t))                                                \
+  X(void, Disable, (uint32_t))                                               \
+  X(unsigned char, IsEnabled, (uint32_t))                                    \
+  X(void, GetIntegerv, (uint32_t, int32_t*))                                 \
+  X(void, DepthFunc, (uint32_t))                                             \
+  X(void, DepthMask, (unsigned char))                                        \
+  X(void, CullFace, (uint32_t))                                              \
+  X(void, FrontFace, (uint32_t))                                             \
+  X(void, ActiveTexture, (uint32_t))                                         \
+  X(void, BindBuffer, (uint32_t, uint32_t))                                  \
   X(void, BindVertexArray, (uint32_t))
 
 static struct {

@@ -78,16 +78,18 @@ void UNITY_API UnityPluginUnload(void) {
   graphics = NULL;
 }
 
-uint32_t marrow_unity_abi(void) { return MRW_GLES3_ABI; }
+uint32_t marrow_unity_abi(void) {
+  return MRW_GLES3_ABI;
+}
 
 const char* marrow_unity_unavailable(void) {
-  if (mrw_gles3_abi() != MRW_GLES3_ABI)
-    return "marrow_unity and marrow_c are of two releases: take both from one";
+  if (mrw_gles3_abi() != MRW_GLES3_ABI) return "marrow_unity and marrow_c are of two releases: take both from one";
   if (graphics == NULL)
     return "Unity has not loaded marrow_unity as a rendering plugin: tick Load on startup in the file's settings";
   if (renderer == UNITY_GLES3) return "";
   if (renderer == UNITY_NO_DEVICE) return "there is no graphics device at the moment";
-  if (renderer == UNITY_VULKAN) return "the graphics device is Vulkan: put OpenGLES3 first in Player Settings, Graphics APIs";
+  if (renderer == UNITY_VULKAN)
+    return "the graphics device is Vulkan: put OpenGLES3 first in Player Settings, Graphics APIs";
   return "the graphics device is not OpenGL ES 3: skin to a Mesh there (MarrowPlayer does)";
 }
 
@@ -111,7 +113,8 @@ int32_t marrow_unity_open(const mrw_mesh* mesh) {
   int32_t i;
   if (mesh == NULL || mesh->joints == NULL || mesh->geometry.slot_count == 0) return 0;
   pthread_mutex_lock(&posing);
-  for (i = 0; i < MOST_OBJECTS && objects[i].open; ++i) {}
+  for (i = 0; i < MOST_OBJECTS && objects[i].open; ++i) {
+  }
   if (i < MOST_OBJECTS) {
     objects[i].open = true;
     objects[i].status = MRW_GL_ERROR;
@@ -162,7 +165,9 @@ mrw_status marrow_unity_status(int32_t handle) {
   return status;
 }
 
-const char* marrow_unity_log(void) { return compile_log(); }
+const char* marrow_unity_log(void) {
+  return compile_log();
+}
 
 void marrow_unity_close(int32_t handle) {
   pthread_mutex_lock(&drawing);
@@ -213,4 +218,6 @@ static void UNITY_API on_render_event(int id) {
   pthread_mutex_unlock(&drawing);
 }
 
-unity_render_event marrow_unity_render_event(void) { return on_render_event; }
+unity_render_event marrow_unity_render_event(void) {
+  return on_render_event;
+}

@@ -1,7 +1,7 @@
 // Tests the package's part without UnityEngine against a real library.
 // usage: Core.exe poses NEWT.mrw        the hash that poses.c prints
 //        Core.exe hand CORNER.mrw       numbers by hand, of corner.py
-//        Core.exe tests NEWT.mrw CORNER.mrw FOLDER
+//        Core.exe tests NEWT.mrw CORNER.mrw PACK.mrw FOLDER
 //        Core.exe says NEWT.mrw         what a library makes of it that is missing or another
 using System;
 using System.IO;
@@ -84,75 +84,23 @@ public static unsafe class Core {
     // corner.py's triangle, which the clip's end puts at (10, 20, 30), turned by 90 degrees about z: (x, y, z) comes to
     // (10 - y, 20 + x, 30 + z). In Unity x has the other sign.
     static void Hand(string name, MarrowSpace space) {
-        float mirror = space == MarrowSpace.Unity ? -1 : 1;
-        double h = Math.Sqrt(0.5), third = 1 / Math.Sqrt(3);
         MarrowCharacterOptions options = new MarrowCharacterOptions {Space = space};
         using (MarrowFile file = MarrowFile.Load(name))
         using (MarrowCharacter character = new MarrowCharacter(file, options)) {
+            float mirror = space == MarrowSpace.Unity ? -1 : 1;
             MarrowMesh mesh = character.Mesh(0);
             Expect(mesh.HasNormals && mesh.HasTangents && mesh.HasUvs && mesh.HasColours, "attributes");
-            float[] p = new float[3 * mesh.SlotCount], n = new float[p.Length], t = new float[4 * mesh.SlotCount];
             byte[] surface = new byte[12 * mesh.SlotCount];
             fixed (byte* to = surface) mesh.CopySurface(to);
             int[] at = new int[3];  // which slot a corner has: they are red, green and blue
             for (int slot = mesh.SlotCount - 1; slot >= 0; --slot)
                 for (int k = 0; k < 3; ++k)
                     if (surface[12 * slot + k] == 255) at[k] = slot;
-            character.Pose(file.Clips["turn"], 1);
-            character.Finish();
-            character.Skin(0, p, n, t);
-            Near(p, 3 * at[0], "corner 0", mirror * 10, 21, 30);
-            Near(p, 3 * at[1], "corner 1", mirror * 8, 20, 30);
-            Near(p, 3 * at[2], "corner 2", mirror * 10, 20, 33);
-            Near(n, 3 * at[0], "normal 0", 0, 1, 0);
-            Near(n, 3 * at[1], "normal 1", mirror * -1, 0, 0);
-            Near(n, 3 * at[2], "normal 2", mirror * -third, third, third);
-            // The bitangent w · n × t is to be mirrored, too; a cross product is not, so w has to change.
-            Near(t, 4 * at[0], "tangent 0", mirror * -1, 0, 0, mirror);
-            Near(t, 4 * at[1], "tangent 1", 0, 1, 0, -mirror);
-            Near(t, 4 * at[2], "tangent 2", mirror * h, h, 0, mirror);
-            float v = BitConverter.ToSingle(surface, 12 * at[1] + 8);
             Near(BitConverter.ToSingle(surface, 12 * at[1] + 4), 0.25, "u");
-            Near(v, space == MarrowSpace.Unity ? 0.875 : 0.125, "v");
-
-            MarrowTransform joint = character.GetLocal(0, 0);
-            Near(joint.Px, mirror * 10, "x");
-            Near(joint.Py, 20, "y");
-            Near(joint.Pz, 30, "z");
-            // About z: turned round by the mirror, as a left-handed z-axis turns x to y clockwise for its viewer.
-            Near(joint.Rz, mirror * h, "rotation z");
-            Near(joint.Rw, h, "rotation w");
-            float[] rows = new float[12];
-            character.GetScene(0, 0, rows);
-            Near(rows, 0, "scene", 0, -mirror, 0, mirror * 10, mirror, 0, 0, 20, 0, 0, 1, 30);
-            character.Pose(file.Clips["turn"], 0.5f);
-            joint = character.GetLocal(0, 0);
-            Near(joint.Ry, mirror * h, "rotation y");  // (x, -y, -z, w)
-            // What is put in comes out, and moves the vertices.
-            joint.Px = 7;
-            joint.Rx = 1;
-            joint.Ry = joint.Rz = joint.Rw = 0;  // half a turn about x
-            character.SetLocal(0, 0, joint);
-            character.UpdateJoints();
-            character.Finish();
-            character.Skin(0, p, null, null);
-            Near(p, 3 * at[0], "moved corner 0", 7 + mirror, 0, 0);
-            Near(p, 3 * at[2], "moved corner 2", 7, 0, -3);
-
-            int[] indices = mesh.MakeIndices();
-            Expect(indices.Length == 3, "one triangle");
-            // In the bind pose (b - a) × (c - a) is (6, 3, 2) in glTF's numbers, (-6, 3, 2) in Unity's: never inwards.
-            character.Pose(new MarrowLayer[0], 0);
-            character.Finish();
-            character.Skin(0, p, n, t);
-            double[] a = new double[3], b = new double[3];
-            for (int k = 0; k < 3; ++k) {
-                a[k] = p[3 * indices[1] + k] - p[3 * indices[0] + k];
-                b[k] = p[3 * indices[2] + k] - p[3 * indices[0] + k];
-            }
-            Near((float)(a[1] * b[2] - a[2] * b[1]), mirror * 6, "front x");
-            Near((float)(a[2] * b[0] - a[0] * b[2]), 3, "front y");
-            Near((float)(a[0] * b[1] - a[1] * b[0]), 2, "front z");
+            Near(BitConverter.ToSingle(surface, 12 * at[1] + 8), space == MarrowSpace.Unity ? 0.875 : 0.125, "v");
+            HandVertices(file, character, at, mirror);
+            HandJoints(file, character, at, mirror);
+            HandFront(character, mirror);
 
             float[] least = new float[3], most = new float[3];
             Expect(file.TryGetBox(0, space, least, most), "a box");
@@ -160,6 +108,70 @@ public static unsafe class Core {
             Expect(space == MarrowSpace.Unity ? least[0] <= -10 && most[0] < 1 : most[0] >= 10 && least[0] > -1,
                    "the box is mirrored");
         }
+    }
+
+    static void HandVertices(MarrowFile file, MarrowCharacter character, int[] at, float mirror) {
+        double h = Math.Sqrt(0.5), third = 1 / Math.Sqrt(3);
+        int slots = character.Mesh(0).SlotCount;
+        float[] p = new float[3 * slots], n = new float[3 * slots], t = new float[4 * slots];
+        character.Pose(file.Clips["turn"], 1);
+        character.Finish();
+        character.Skin(0, p, n, t);
+        Near(p, 3 * at[0], "corner 0", mirror * 10, 21, 30);
+        Near(p, 3 * at[1], "corner 1", mirror * 8, 20, 30);
+        Near(p, 3 * at[2], "corner 2", mirror * 10, 20, 33);
+        Near(n, 3 * at[0], "normal 0", 0, 1, 0);
+        Near(n, 3 * at[1], "normal 1", mirror * -1, 0, 0);
+        Near(n, 3 * at[2], "normal 2", mirror * -third, third, third);
+        // The bitangent w · n × t is to be mirrored, too; a cross product is not, so w has to change.
+        Near(t, 4 * at[0], "tangent 0", mirror * -1, 0, 0, mirror);
+        Near(t, 4 * at[1], "tangent 1", 0, 1, 0, -mirror);
+        Near(t, 4 * at[2], "tangent 2", mirror * h, h, 0, mirror);
+    }
+
+    static void HandJoints(MarrowFile file, MarrowCharacter character, int[] at, float mirror) {
+        double h = Math.Sqrt(0.5);
+        float[] p = new float[3 * character.Mesh(0).SlotCount], rows = new float[12];
+        character.Pose(file.Clips["turn"], 1);
+        MarrowTransform joint = character.GetLocal(0, 0);
+        Near(joint.Px, mirror * 10, "x");
+        Near(joint.Py, 20, "y");
+        Near(joint.Pz, 30, "z");
+        Near(joint.Rz, mirror * h, "rotation z");  // (x, -y, -z, w)
+        Near(joint.Rw, h, "rotation w");
+        character.GetScene(0, 0, rows);
+        Near(rows, 0, "scene", 0, -mirror, 0, mirror * 10, mirror, 0, 0, 20, 0, 0, 1, 30);
+        character.Pose(file.Clips["turn"], 0.5f);
+        joint = character.GetLocal(0, 0);
+        Near(joint.Ry, mirror * h, "rotation y");
+        // What is put in comes out, and moves the vertices.
+        joint.Px = 7;
+        joint.Rx = 1;
+        joint.Ry = joint.Rz = joint.Rw = 0;  // half a turn about x
+        character.SetLocal(0, 0, joint);
+        character.UpdateJoints();
+        character.Finish();
+        character.Skin(0, p, null, null);
+        Near(p, 3 * at[0], "moved corner 0", 7 + mirror, 0, 0);
+        Near(p, 3 * at[2], "moved corner 2", 7, 0, -3);
+    }
+
+    // In the bind pose (b - a) × (c - a) is (6, 3, 2) in glTF's numbers, (-6, 3, 2) in Unity's: never inwards.
+    static void HandFront(MarrowCharacter character, float mirror) {
+        int[] indices = character.Mesh(0).MakeIndices();
+        float[] p = new float[3 * character.Mesh(0).SlotCount];
+        double[] a = new double[3], b = new double[3];
+        Expect(indices.Length == 3, "one triangle");
+        character.Pose(new MarrowLayer[0], 0);
+        character.Finish();
+        character.Skin(0, p, null, null);
+        for (int k = 0; k < 3; ++k) {
+            a[k] = p[3 * indices[1] + k] - p[3 * indices[0] + k];
+            b[k] = p[3 * indices[2] + k] - p[3 * indices[0] + k];
+        }
+        Near((float)(a[1] * b[2] - a[2] * b[1]), mirror * 6, "front x");
+        Near((float)(a[2] * b[0] - a[0] * b[2]), 3, "front y");
+        Near((float)(a[0] * b[1] - a[1] * b[0]), 2, "front z");
     }
 
     // A quarter turn about each axis, moved, scaled by 2, 3, 4; and what is none.
@@ -201,7 +213,8 @@ public static unsafe class Core {
     static void Misuse(string newt, string corner) {
         MarrowFile file = MarrowFile.Load(newt), other = MarrowFile.Load(corner);
         MarrowCharacter character = new MarrowCharacter(file);
-        Console.WriteLine(Refused(new[] {"newt.mrw", "\"wlak\"", "idle, walk"}, () => { MarrowClip c = file.Clips["wlak"]; }));
+        Console.WriteLine(Refused(new[] {"newt.mrw", "\"wlak\"", "idle, walk"},
+                                  () => { MarrowClip c = file.Clips["wlak"]; }));
         Refused(new[] {"newt.mrw", "\"turn\""}, () => character.Pose(other.Clips["turn"], 0));
         Refused(new[] {"corner.mrw", "another skeleton"}, () => file.ClipsOf(other));
         Refused(new[] {"newt.mrw", "walk"}, () => character.Pose(file.Clips["walk"], float.NaN));
@@ -243,6 +256,31 @@ public static unsafe class Core {
         GC.WaitForPendingFinalizers();
     }
 
+    // The clips of a pack that was cooked of the same file play the same; and animation space without a fit is SSD.
+    static void PackAndAnimationSpace(string newt, string pack) {
+        MarrowFile file = MarrowFile.Load(newt), more = MarrowFile.Load(pack);
+        MarrowClips clips = file.ClipsOf(more);
+        more.Dispose();
+        MarrowCharacterOptions fitted = new MarrowCharacterOptions {AnimationSpace = true};
+        using (MarrowCharacter one = new MarrowCharacter(file), other = new MarrowCharacter(file, fitted)) {
+            float[] a = new float[3 * one.Mesh(0).SlotCount], b = new float[a.Length];
+            one.Pose(file.Clips["walk"], 0.4f);
+            other.Pose(clips["walk"], 0.4f);
+            one.Finish();
+            other.Finish();
+            one.Skin(0, a, null, null);
+            other.Skin(0, b, null, null);
+            for (int i = 0; i < a.Length; ++i)
+                Expect(Math.Abs(a[i] - b[i]) < 1e-3, "float " + i + " is " + b[i] + ", and of the own clip " + a[i]);
+            Expect(clips.Count == file.Clips.Count, "as many clips");
+            clips.Dispose();
+            Disposed(() => other.Pose(clips["walk"], 0.4f));
+        }
+        file.Dispose();
+        Disposed(() => Console.Write(more.MeshCount));
+        Disposed(() => Console.Write(file.MeshCount));
+    }
+
     static void Disposed(Action what) {
         try {
             what();
@@ -261,8 +299,9 @@ public static unsafe class Core {
             Console.WriteLine("numbers by hand: right, in both spaces");
         }
         if (args[0] == "tests") {
-            Damage(System.IO.File.ReadAllBytes(args[1]), args[3]);
+            Damage(System.IO.File.ReadAllBytes(args[1]), args[4]);
             Misuse(args[1], args[2]);
+            PackAndAnimationSpace(args[1], args[3]);
         }
         if (args[0] == "says") {
             try {

@@ -1,8 +1,9 @@
 // Runs the package's UnityEngine part over stand-ins of its types, and a real library.
-// usage: Player.exe NEWT.mrw CORNER.mrw FOLDER
+// usage: Player.exe NEWT.mrw CORNER.mrw PACK.mrw FOLDER
 using System;
 using System.IO;
 using System.Reflection;
+using System.Runtime.InteropServices;
 using MarrowAnimation;
 using MarrowAnimation.Editor;
 using Unity.Collections;
@@ -115,7 +116,8 @@ public static class Player {
         int posed = 0;
         player.Posed += p => ++posed;
         for (int i = 0; i < 20; ++i) player.Advance(1.0f / 60);
-        MethodInfo update = typeof(MarrowPlayer).GetMethod("LateUpdate", BindingFlags.Instance | BindingFlags.NonPublic);
+        MethodInfo update =
+            typeof(MarrowPlayer).GetMethod("LateUpdate", BindingFlags.Instance | BindingFlags.NonPublic);
         Action frame = (Action)Delegate.CreateDelegate(typeof(Action), player, update);
         float before = player.Time;
         frame();
@@ -200,6 +202,65 @@ public static class Player {
         GameObject.Destroy(player.gameObject);
     }
 
+    // ---- Unity's interfaces of plugins, for the library of the render event ----
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)] delegate int GetRenderer();
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)] delegate void Callback(IntPtr callback);
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)] delegate IntPtr Find(ulong high, ulong low);
+    [DllImport("marrow_unity")] static extern void UnityPluginLoad(IntPtr[] interfaces);
+    [DllImport("marrow_unity")] static extern void UnityPluginUnload();
+    static readonly GetRenderer renderer = () => 11;  // OpenGL ES 3
+    static readonly Callback ignored = callback => {};
+    static readonly Find find = (high, low) => graphics;
+    static readonly IntPtr graphics = Marshal.AllocHGlobal(4 * IntPtr.Size);
+
+    static IntPtr Pointer(Delegate function) { return Marshal.GetFunctionPointerForDelegate(function); }
+
+    // With it: the meshes are opened, each camera asks for an event a mesh, and all is closed before memory goes.
+    static void RenderEventThere(AssetImportContext newt) {
+        Marshal.Copy(new[] {Pointer(renderer), Pointer(ignored), Pointer(ignored), IntPtr.Zero}, 0, graphics, 4);
+        UnityPluginLoad(new[] {IntPtr.Zero, IntPtr.Zero, Pointer(find), IntPtr.Zero});
+        Expect(MarrowRenderEvent.Unavailable == "", "it is available, and says " + MarrowRenderEvent.Unavailable);
+        MarrowPlayer player = Instance(newt);
+        MarrowGles3Renderer drawn = player.gameObject.AddComponent<MarrowGles3Renderer>();
+        Expect(drawn.enabled && !player.SkinsMeshes && player.transform.childCount == 0, "the player poses alone");
+        Camera.current = new Camera();
+        GL.Events.Clear();
+        for (int frame = 1; frame <= 3; ++frame) {
+            player.Advance(1.0f / 60);
+            drawn.Send("LateUpdate");
+            drawn.Send("OnRenderObject");
+            Expect(GL.Events.Count == 6 * frame && !GL.Events.Contains(0), "an event a mesh");
+        }
+        Expect(drawn.Problem(0) == "", "no problem: " + drawn.Problem(0));
+        player.Open(player.File);  // another character: the meshes of the one before are closed
+        Expect(GL.Events.Count == 19 && GL.Events[18] == 0, "an event that deletes");
+        drawn.Send("LateUpdate");
+        drawn.Send("OnRenderObject");
+        Expect(GL.Events.Count == 25, "and it goes on");
+        drawn.enabled = false;
+        Expect(player.SkinsMeshes && player.transform.childCount == 6, "the player skins again");
+        GameObject.Destroy(player.gameObject);
+        UnityEngine.Object.Destroy(Camera.current);
+        UnityPluginUnload();
+    }
+
+    // A pack's clips play, and nothing is culled by boxes that do not know them.
+    static void Pack(AssetImportContext newt, AssetImportContext pack) {
+        Expect(pack.Errors.Count == 0 && pack.Objects.Count == 2, "a pack is a file without meshes");
+        MarrowAsset asset = (MarrowAsset)pack.Objects["file"];
+        MarrowPlayer player = Instance(newt), quiet = Instance(pack);
+        quiet.Advance(1);
+        using (MarrowClips clips = player.File.ClipsOf(asset.File)) {
+            Expect(MeshOf(player, "body").bounds.extents.x < 2, "the file's box");
+            player.Play(clips["walk"], 0);
+            player.Advance(0.1f);
+            Expect(MeshOf(player, "body").bounds.extents.x == 100, "no box");
+        }
+        GameObject.Destroy(player.gameObject);
+        GameObject.Destroy(quiet.gameObject);
+    }
+
     static void MoreWays(string path) {
         Application.isPlaying = false;
         Shader.There.Clear();
@@ -212,21 +273,26 @@ public static class Player {
         using (MarrowFile file = MarrowFile.Load(path)) player.Open(file);
         player.Advance(0.5f);
         Expect(MeshOf(player, "body") != null, "without a shader there is a mesh");
+        player.SkinsMeshes = false;  // begins anew, with a file that nobody else has any more
+        player.SkinsMeshes = true;
+        player.Advance(0.5f);
         GameObject.Destroy(empty);
         Application.isPlaying = true;
     }
 
     public static int Main(string[] args) {
-        AssetImportContext newt = Import(args[0]), corner = Import(args[1]);
-        Expect(newt.Errors.Count == 0 && newt.Objects.Count == 8, "the importer makes a file, six materials, an object");
+        AssetImportContext newt = Import(args[0]), corner = Import(args[1]), pack = Import(args[2]);
+        Expect(newt.Errors.Count == 0 && newt.Objects.Count == 8, "a file, six materials, an object");
         int alive = UnityEngine.Object.Alive;
         Corner(corner);
         Rig(corner);
         Newt(newt);
         RenderEvent(newt);
+        RenderEventThere(newt);
+        Pack(newt, pack);
         MoreWays(args[0]);
         Expect(UnityEngine.Object.Alive == alive, "objects left: " + (UnityEngine.Object.Alive - alive));
-        BadFiles(newt, args[2]);
+        BadFiles(newt, args[3]);
         Expect(Counted.Open == 0, "native arrays left: " + Counted.Open);
         Console.WriteLine("player: mirrored right, no allocation a frame, nothing left behind");
         return 0;

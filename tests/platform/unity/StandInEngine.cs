@@ -1,5 +1,5 @@
-// Of UnityEngine what the package uses of objects, written by hand from Unity's manual. A mesh checks what Unity checks:
-// the order of attributes, the sizes of streams, the range of indices.
+// Of UnityEngine what the package uses of objects, written by hand from Unity's manual. A mesh checks what Unity
+// checks: the order of attributes, the sizes of streams, the range of indices.
 using System;
 using System.Collections.Generic;
 using System.Reflection;
@@ -31,7 +31,7 @@ public class Object {
     public static bool operator !=(Object a, Object b) { return !(a == b); }
     public override bool Equals(object other) { return ReferenceEquals(this, other); }
     public override int GetHashCode() { return base.GetHashCode(); }
-    internal void Send(string message) {
+    public void Send(string message) {
         MethodInfo method = GetType().GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic |
                                                          BindingFlags.Public);
         if (method != null) method.Invoke(this, null);
@@ -214,7 +214,9 @@ namespace UnityEditor.AssetImporters {
 public sealed class ScriptedImporterAttribute : Attribute {
     public ScriptedImporterAttribute(int version, string extension) {}
 }
-public abstract class ScriptedImporter : UnityEngine.Object { public abstract void OnImportAsset(AssetImportContext context); }
+public abstract class ScriptedImporter : UnityEngine.Object {
+    public abstract void OnImportAsset(AssetImportContext context);
+}
 public sealed class AssetImportContext {
     public string assetPath;
     public readonly Dictionary<string, UnityEngine.Object> Objects = new Dictionary<string, UnityEngine.Object>();

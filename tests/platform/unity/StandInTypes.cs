@@ -34,8 +34,10 @@ public struct Quaternion {
         return new Quaternion(s * axis.x, s * axis.y, s * axis.z, (float)Math.Cos(half));
     }
     public static Quaternion operator *(Quaternion a, Quaternion b) {
-        return new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-                              a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
+        return new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+                              a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+                              a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
+                              a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
     }
     public static Vector3 operator *(Quaternion q, Vector3 v) {
         Vector3 u = new Vector3(q.x, q.y, q.z);
@@ -84,7 +86,7 @@ public struct Bounds {
 }
 
 [Flags]
-public enum HideFlags { None = 0, HideInHierarchy = 1, DontSaveInEditor = 4, NotEditable = 8, DontSave = 52, HideAndDontSave = 61 }
+public enum HideFlags { None = 0, NotEditable = 8, DontSave = 52, HideAndDontSave = 61 }
 public enum MeshTopology { Triangles = 0 }
 
 public sealed class SerializeField : Attribute {}
@@ -111,7 +113,8 @@ public struct VertexAttributeDescriptor {
     public VertexAttribute attribute;
     public VertexAttributeFormat format;
     public int dimension, stream;
-    public VertexAttributeDescriptor(VertexAttribute attribute, VertexAttributeFormat format, int dimension, int stream) {
+    public VertexAttributeDescriptor(VertexAttribute attribute, VertexAttributeFormat format, int dimension,
+                                     int stream) {
         this.attribute = attribute;
         this.format = format;
         this.dimension = dimension;

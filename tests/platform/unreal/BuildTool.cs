@@ -14,7 +14,9 @@ public struct UnrealTargetPlatform {
     public static UnrealTargetPlatform Parse(string name) { return new UnrealTargetPlatform(name); }
     public static bool operator ==(UnrealTargetPlatform a, UnrealTargetPlatform b) { return a.name == b.name; }
     public static bool operator !=(UnrealTargetPlatform a, UnrealTargetPlatform b) { return a.name != b.name; }
-    public override bool Equals(object other) { return other is UnrealTargetPlatform && this == (UnrealTargetPlatform)other; }
+    public override bool Equals(object other) {
+        return other is UnrealTargetPlatform && this == (UnrealTargetPlatform)other;
+    }
     public override int GetHashCode() { return name.GetHashCode(); }
     public override string ToString() { return name; }
 }

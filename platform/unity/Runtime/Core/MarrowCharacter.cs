@@ -139,8 +139,8 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
     }
 
     /// <summary>
-    /// Skinned vertices: 3 floats a slot of the mesh, of tangents 4. Normals and tangents may be null, and must be where
-    /// the mesh has none. Normals are exact, of length 1.
+    /// Skinned vertices: 3 floats a slot of the mesh, of tangents 4. Normals and tangents may be null, and must be
+    /// where the mesh has none. Normals are exact, of length 1.
     /// </summary>
     public void Skin(int mesh, float* positions, float* normals, float* tangents) {
         CharacterMesh* m = &Native->meshes[meshes[mesh].Index];

@@ -67,7 +67,9 @@ public sealed unsafe class MarrowClips : IDisposable, IReadOnlyList<MarrowClip> 
     public int Count { get { return all.Length; } }
     public MarrowClip this[int index] { get { return all[index]; } }
 
-    /// <summary>The clip of a name, or an exception that lists those that there are. Look clips up once, not a frame.</summary>
+    /// <summary>
+    /// The clip of a name, or an exception that lists those that there are. Look clips up once, not a frame.
+    /// </summary>
     public MarrowClip this[string name] {
         get {
             MarrowClip found;

@@ -6,8 +6,8 @@ using MarrowRuntime;
 namespace MarrowAnimation {
 
 /// <summary>
-/// A cooked file, checked and unpacked. Any number of characters share one. It may be disposed of before them: it closes,
-/// and its memory goes, when the last of them has gone, too.
+/// A cooked file, checked and unpacked. Any number of characters share one. It may be disposed of before them: it
+/// closes, and its memory goes, when the last of them has gone, too.
 /// </summary>
 public sealed unsafe class MarrowFile : IDisposable {
     NativeBlock block;  // the file's bytes
@@ -108,8 +108,8 @@ public sealed unsafe class MarrowFile : IDisposable {
     }
 
     /// <summary>
-    /// A box, in metres, that a mesh stays in while any clip of the file plays: x, y, z of its least and largest corner,
-    /// of space `space`. False if the file has none.
+    /// A box, in metres, that a mesh stays in while any clip of the file plays: x, y, z of its least and largest
+    /// corner, of space `space`. False if the file has none.
     /// </summary>
     public bool TryGetBox(int mesh, MarrowSpace space, float[] least, float[] largest) {
         bool any = false;

@@ -7,7 +7,9 @@ namespace MarrowAnimation {
 public static class MarrowLibrary {
     static bool good;
 
-    /// <summary>Throws a MarrowException that says what to do. Files call it; a game may call it at its start.</summary>
+    /// <summary>
+    /// Throws a MarrowException that says what to do. Files call it; a game may call it at its start.
+    /// </summary>
     public static void Check() {
         if (good) return;
         uint abi;

@@ -18,7 +18,9 @@ public struct MarrowTransform {
     public float Rx, Ry, Rz, Rw;
     public float Sx, Sy, Sz;
 
-    /// <summary>Of three rows of four. False if the map shears, which no such transform can: then the nearest axes.</summary>
+    /// <summary>
+    /// Of three rows of four. False if the map shears, which no such transform can: then the nearest axes.
+    /// </summary>
     public static bool TryMake(float[] rows, out MarrowTransform made) {
         made = default(MarrowTransform);
         made.Px = rows[3];

@@ -3,7 +3,9 @@ using MarrowRuntime;
 
 namespace MarrowAnimation {
 
-/// <summary>Memory on a boundary of 16 bytes that no collector moves; freed at the latest when it is collected itself.</summary>
+/// <summary>
+/// Memory on a boundary of 16 bytes that no collector moves; freed at the latest when it is collected itself.
+/// </summary>
 internal sealed unsafe class NativeBlock : IDisposable {
     void* first;
 

@@ -2,7 +2,9 @@ using UnityEngine;
 
 namespace MarrowAnimation {
 
-/// <summary>A cooked file in the project, which the importer makes of each .mrw. All players of it share one copy.</summary>
+/// <summary>
+/// A cooked file in the project, which the importer makes of each .mrw. All players of it share one copy.
+/// </summary>
 public sealed class MarrowAsset : ScriptableObject {
     [SerializeField, HideInInspector] byte[] bytes = new byte[0];
     [SerializeField, HideInInspector] string source = "";

@@ -35,7 +35,7 @@ public sealed unsafe class MarrowGles3Renderer : MonoBehaviour {
         for (int i = 0; i < handles.Length; ++i) {
             handles[i] = MarrowRenderEvent.Open(character.Mesh(i).Native);
             if (handles[i] == 0)
-                Debug.LogError(name + ": \"" + character.Mesh(i).Name + "\": no more than 256 meshes can be drawn", this);
+                Debug.LogError(name + ": \"" + character.Mesh(i).Name + "\": no more than 256 can be drawn", this);
         }
     }
 
@@ -67,7 +67,9 @@ public sealed unsafe class MarrowGles3Renderer : MonoBehaviour {
         }
     }
 
-    /// <summary>What keeps a mesh from being drawn, such as a text that the driver does not take; empty: nothing.</summary>
+    /// <summary>
+    /// What keeps a mesh from being drawn, such as a text that the driver does not take; empty: nothing.
+    /// </summary>
     public string Problem(int mesh) { return mesh < handles.Length ? MarrowRenderEvent.Problem(handles[mesh]) : ""; }
 }
 

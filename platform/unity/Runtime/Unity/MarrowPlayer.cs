@@ -85,13 +85,15 @@ public sealed class MarrowPlayer : MonoBehaviour {
     /// file when he likes. Throws a MarrowException.
     /// </summary>
     public void Open(MarrowFile file) {
+        MarrowCharacterOptions options = new MarrowCharacterOptions();
+        options.Space = MarrowSpace.Unity;
+        options.PosesAlone = !skinsMeshes;
+        // Before the old one goes, and maybe the file with it.
+        MarrowCharacter next = new MarrowCharacter(file, options);
         Close();
+        character = next;
+        this.file = file;
         try {
-            MarrowCharacterOptions options = new MarrowCharacterOptions();
-            options.Space = MarrowSpace.Unity;
-            options.PosesAlone = !skinsMeshes;
-            this.file = file;
-            character = new MarrowCharacter(file, options);
             if (skinsMeshes) {
                 skins = new MarrowSkin[character.MeshCount];
                 for (int i = 0; i < skins.Length; ++i)
@@ -124,7 +126,9 @@ public sealed class MarrowPlayer : MonoBehaviour {
         now = before = null;
     }
 
-    /// <summary>A clip of the file by its name; the exception of one that there is not lists those that there are.</summary>
+    /// <summary>
+    /// A clip of the file by its name; the exception of one that there is not lists those that there are.
+    /// </summary>
     public void Play(string clip, float fadeSeconds = 0.2f) {
         if (file == null) throw new InvalidOperationException(name + ": nothing is open to play \"" + clip + "\" with");
         Play(file.Clips[clip], fadeSeconds);
@@ -137,6 +141,14 @@ public sealed class MarrowPlayer : MonoBehaviour {
         fade = fadeLeft = fadeSeconds;
         now = clip;
         at = MarrowPlayback.Start(clip, mode, speed);
+        if (IsOwn(clip)) return;
+        foreach (MarrowSkin skin in skins) skin.NeverCull();  // the file's boxes know nothing of a pack's clips
+    }
+
+    bool IsOwn(MarrowClip clip) {
+        foreach (MarrowClip own in file.Clips)
+            if (own == clip) return true;
+        return false;
     }
 
     /// <summary>A joint's Transform; null if there is none, or the player has no Transforms.</summary>

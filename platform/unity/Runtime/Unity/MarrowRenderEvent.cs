@@ -12,7 +12,8 @@ public static unsafe class MarrowRenderEvent {
     public static string Unavailable { get { return "there is no marrow_unity for this system: skin to a Mesh"; } }
     internal static IntPtr Callback { get { return IntPtr.Zero; } }
     internal static int Open(MarrowRuntime.Mesh* mesh) { return 0; }
-    internal static void Pose(int handle, MarrowRuntime.CharacterSkeleton* skeleton, MarrowRuntime.CharacterMesh* mesh) {}
+    internal static void Pose(int handle, MarrowRuntime.CharacterSkeleton* skeleton,
+                              MarrowRuntime.CharacterMesh* mesh) {}
     internal static int Request(int handle, float* clipFromScene) { return 0; }
     internal static string Problem(int handle) { return ""; }
     internal static void Close(int handle) {}
@@ -51,7 +52,9 @@ public static unsafe class MarrowRenderEvent {
         marrow_unity_pose(handle, skeleton->scene_from_joint, skeleton->scene_from_joint_count, mesh->weights,
                           mesh->weight_count);
     }
-    internal static int Request(int handle, float* clipFromScene) { return marrow_unity_request(handle, clipFromScene); }
+    internal static int Request(int handle, float* clipFromScene) {
+        return marrow_unity_request(handle, clipFromScene);
+    }
 
     /// <summary>What keeps a mesh from being drawn; empty: nothing that lasts.</summary>
     internal static string Problem(int handle) {

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace MarrowAnimation {
 
-/// <summary>Transforms of the joints of a character: those found below an object by their names, the others made.</summary>
+/// <summary>
+/// Transforms of the joints of a character: those found below an object by their names, the others made.
+/// </summary>
 internal sealed class MarrowRig {
     readonly Transform[][] joints;
     readonly List<GameObject> made = new List<GameObject>();
@@ -33,8 +35,8 @@ internal sealed class MarrowRig {
         for (int i = 0; i < 12; ++i) plain = plain && rows[i] == (i % 5 == 0 ? 1 : 0);
         if (plain) return parent;
         if (!MarrowTransform.TryMake(rows, out t))
-            Debug.LogWarning(character.JointName(skeleton, root) + ": what stands above it shears, which no Transform " +
-                             "can: apply transforms before exporting", parent);
+            Debug.LogWarning(character.JointName(skeleton, root) + ": what stands above it shears, which no " +
+                             "Transform can: apply transforms before exporting", parent);
         Transform above = Make("above " + character.JointName(skeleton, root), parent);
         Set(above, t);
         return above;

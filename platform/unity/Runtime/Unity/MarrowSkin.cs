@@ -9,6 +9,7 @@ namespace MarrowAnimation {
 internal sealed unsafe class MarrowSkin {
     const MeshUpdateFlags Quietly = MeshUpdateFlags.DontValidateIndices | MeshUpdateFlags.DontRecalculateBounds |
                                     MeshUpdateFlags.DontNotifyMeshUsers | MeshUpdateFlags.DontResetBoneBounds;
+    const float Far = 100;  // metres: always in sight
     readonly int index, slots;
     readonly GameObject shown;
     readonly UnityEngine.Mesh mesh;
@@ -61,14 +62,20 @@ internal sealed unsafe class MarrowSkin {
         mesh.SetIndices(source.MakeIndices(), MeshTopology.Triangles, 0, false);
     }
 
-    static UnityEngine.Bounds BoxOf(MarrowFile file, int index) {
+    static Bounds BoxOf(MarrowFile file, int index) {
         float[] least = new float[3], largest = new float[3];
-        UnityEngine.Bounds box = new UnityEngine.Bounds();
+        Bounds box = new Bounds();
         if (file.TryGetBox(index, MarrowSpace.Unity, least, largest))
             box.SetMinMax(new Vector3(least[0], least[1], least[2]), new Vector3(largest[0], largest[1], largest[2]));
         else
-            box.extents = new Vector3(100, 100, 100);  // never culled
+            box.extents = new Vector3(Far, Far, Far);
         return box;
+    }
+
+    internal void NeverCull() {
+        Bounds box = new Bounds();
+        box.extents = new Vector3(Far, Far, Far);
+        mesh.bounds = box;
     }
 
     /// <summary>After MarrowCharacter.Finish(). Allocates nothing.</summary>
