@@ -33,6 +33,7 @@ says() {  # EXIT-CODE WORDS COMMAND ...: it fails so, and says these words
     fail "exit code $said and not $code, or it does not say \"$words\""
   fi
 }
+run() { (cd "$work" && mono "$@"); }  # ASSEMBLY ARGUMENTS: what crashes leaves its report there
 has() { grep -q -- "$1" "$2" || fail "$2 has no \"$1\""; }  # WORDS FILE
 blocks() {  # LANGUAGE FOLDER [PAGE]: the page's blocks of code, a file each; how many there are
   rm -rf "$2" && mkdir -p "$2"
@@ -108,12 +109,13 @@ quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "
   -L"$plugins" -lmarrow_c
 for file in "$newt" "$work/newt_none.mrw"; do
   wanted=$("$work/poses" "$file")
-  got=$(mono "$work/Core.exe" poses "$file") || true
+  got=$(run "$work/Core.exe" poses "$file") || true
   [ "$got" = "$wanted" ] || fail "C# says $got of $file, and C $wanted"
   echo "poses and vertices of $(basename "$file"): $got, as C"
 done
-mono "$work/Core.exe" hand "$work/corner.mrw"
-mono "$work/Core.exe" tests "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" | sed "s|$work/||"
+run "$work/Core.exe" hand "$work/corner.mrw" || fail "numbers by hand"
+run "$work/Core.exe" tests "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" | sed "s|$work/||" ||
+  fail "the part without UnityEngine"
 
 # Libraries that are missing, of another release, of another kind, without codecs.
 mkdir -p "$work"/{none,other,foreign,plain}
@@ -127,7 +129,7 @@ LD_LIBRARY_PATH="$work/foreign" says 2 "has no mrw_abi" mono "$work/Core.exe" sa
 LD_LIBRARY_PATH="$work/plain" says 2 "MARROW_DRACO" mono "$work/Core.exe" says "$newt"
 
 # With stand-ins of UnityEngine, and the render event with a stand-in of Unity.
-mono "$work/Player.exe" "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work"
+run "$work/Player.exe" "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" || fail "the player"
 quietly gcc -std=c11 -D_GNU_SOURCE -Wall -Wextra -Werror -I"$here/runtime/include" "$tests/engine.c" -o "$work/engine" \
   -L"$plugins" -lmarrow_c -lEGL -lGLESv2 -lm -lpthread -ldl
 "$work/engine" "$plugins/libmarrow_unity.so" "$work/newt_none.mrw" || fail "the render event"
