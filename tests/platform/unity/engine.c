@@ -397,6 +397,34 @@ static void refuse_nonsense(int32_t handle) {
   NEEDS(plugin.marrow_unity_open(&character.meshes[0].mesh) > 0);  // those of before are gone by the event
 }
 
+// The render thread draws while the main thread poses, asks, opens and closes.
+static int32_t crowded = 0;
+static void* draw_many(void* unused) {
+  int i;
+  NEEDS(eglBindAPI(EGL_OPENGL_ES_API) && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context));
+  for (i = 0; i < 60; ++i) plugin.marrow_unity_render_event()(1 + i % 50);
+  NEEDS(glGetError() == GL_NO_ERROR);
+  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  return unused;
+}
+
+static void crowd(int32_t handle, const float* m) {
+  pthread_t thread;
+  int i;
+  NEEDS(pthread_create(&thread, NULL, draw_many, NULL) == 0);
+  for (i = 0; i < 400; ++i) {
+    const int32_t other = plugin.marrow_unity_open(&character.meshes[i % 2].mesh);
+    TRY(pose(handle));
+    NEEDS(plugin.marrow_unity_request(handle, m) > 0);
+    if (other == 0) continue;  // those that are closed stay until an event
+    NEEDS(plugin.marrow_unity_request(other, m) > 0);
+    plugin.marrow_unity_close(other);
+    ++crowded;
+  }
+  pthread_join(thread, NULL);
+  NEEDS(crowded >= 255);
+}
+
 int main(int argc, char** argv) {
   static unsigned char before[sizeof rgba];
   float m[16];
@@ -437,6 +465,7 @@ int main(int argc, char** argv) {
   plugin.marrow_unity_render_event()(event_id);
   NEEDS(plugin.marrow_unity_status(handle) == MRW_GL_ERROR);
   open_device();
+  crowd(handle, m);
   draw(handle, m);
   NEEDS(memcmp(before, rgba, sizeof rgba) == 0);
   refuse_nonsense(handle);
