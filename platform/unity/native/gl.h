@@ -81,7 +81,7 @@ static int load_gl(void) {
 }
 
 /* What the engine has set and is to find again. Bindings of textures and of uniform blocks are left as drawing leaves
- * them: texture units 12 to 16 and binding 20, which engines hardly know. */
+ * them: texture units 12 and 13 and binding 20, which engines hardly know. */
 typedef struct gl_state {
   int32_t program, vertex_array, array_buffer, uniform_buffer, texture, depth_mask, depth_function, cull_mode, front;
   unsigned char depth, cull, blend;
