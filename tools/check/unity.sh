@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Puts the Unity package together and tests it without Unity: its C# by Mono, over stand-ins of UnityEngine's types, and
 # its native plugin by a program that plays Unity's side on Mesa. Runs the commands and compiles the C# of
-# docs/platforms/unity.md, and compiles platform/unreal likewise. Exit 1 if something is wrong, 3 if there is no Mono or no OpenGL ES.
-# Builds below build/unity.
+# docs/platforms/unity.md, and compiles platform/unreal likewise. Exit 1 if something is wrong, 3 if there is no Mono or
+# no OpenGL ES. Builds below build/unity.
 # usage: tools/check/unity.sh MARROW      (the program)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -133,8 +133,12 @@ LD_LIBRARY_PATH="$work/plain" says 2 "MARROW_DRACO" mono "$work/Core.exe" says "
 run "$work/Player.exe" "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" || fail "the player"
 quietly gcc -std=c11 -D_GNU_SOURCE -Wall -Wextra -Werror -I"$here/runtime/include" "$tests/engine.c" -o "$work/engine" \
   -L"$plugins" -lmarrow_c -lEGL -lGLESv2 -lm -lpthread -ldl
+"$marrow" cook "$here/tools/sample/newt.glb" --eigenskin 4 --effort fast --mesh-codec none -o "$work/newt_morphs.mrw" \
+  >/dev/null 2>&1
 drawn=0
-"$work/engine" "$plugins/libmarrow_unity.so" "$work/newt_none.mrw" || drawn=$?
+for file in newt_none newt_morphs; do
+  "$work/engine" "$plugins/libmarrow_unity.so" "$work/$file.mrw" || drawn=$?
+done
 case $drawn in
   0) ;;
   77) echo "SKIPPED: Unity's render event: there is no OpenGL ES 3 here" >&2; skipped=3 ;;

@@ -1,112 +1,17 @@
-// Plays Unity for marrow_unity: loads the library, hands it interfaces that are declared here once more by hand, has a
+// Plays Unity for marrow_unity: loads the library, hands it interfaces that are declared once more by hand, has a
 // render thread with an OpenGL ES context of its own, loses it and makes another. Checks pixels against vertices that
 // the CPU skins.
 // usage: engine LIBMARROW_UNITY.so NEWT.mrw
-#include <dlfcn.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
 
 #include <GLES3/gl3.h>
 
-#include "../../../platform/unity/native/marrow_unity.h"
 #include "../../c/surfaceless.h"
-
-#define NEEDS(condition)                                                                                       \
-  do {                                                                                                         \
-    if (!(condition)) exit((fprintf(stderr, "engine: line %d: %s does not hold\n", __LINE__, #condition), 1)); \
-  } while (0)
-#define TRY(call) NEEDS((call) == MRW_OK)
+#include "unity_side.h"
 
 enum { kSide = 192 };
-
-// ---- Unity's own interfaces, by their documentation ----
-
-typedef struct Guid {
-  unsigned long long high, low;
-} Guid;
-struct Interfaces {
-  void* (*GetInterface)(Guid);
-  void (*RegisterInterface)(Guid, void*);
-  void* (*GetInterfaceSplit)(unsigned long long, unsigned long long);
-  void (*RegisterInterfaceSplit)(unsigned long long, unsigned long long, void*);
-};
-struct Graphics {
-  int (*GetRenderer)(void);
-  void (*RegisterDeviceEventCallback)(void (*)(int));
-  void (*UnregisterDeviceEventCallback)(void (*)(int));
-  int (*ReserveEventIDRange)(int);
-};
-enum { kInitialize = 0, kShutdown = 1, kNull = 4, kOpenGLES30 = 11, kMetal = 16, kVulkan = 21 };
-
-static int renderer = kNull;
-static void (*device_event)(int) = NULL;
-static int get_renderer(void) {
-  return renderer;
-}
-static void add_callback(void (*callback)(int)) {
-  device_event = callback;
-}
-static void remove_callback(void (*callback)(int)) {
-  NEEDS(callback == device_event);
-  device_event = NULL;
-}
-static int reserve_ids(int count) {
-  return count;
-}
-static struct Graphics graphics = {get_renderer, add_callback, remove_callback, reserve_ids};
-static void* find_split(unsigned long long high, unsigned long long low) {
-  return high == 0x7CBA0A9CA4DDB544ull && low == 0x8C5AD4926EB17B11ull ? (void*)&graphics : NULL;
-}
-static void* find(Guid guid) {
-  return find_split(guid.high, guid.low);
-}
-static void add_interface(Guid guid, void* made) {
-  (void)guid, (void)made;
-}
-static void add_interface_split(unsigned long long high, unsigned long long low, void* made) {
-  (void)high, (void)low, (void)made;
-}
-static struct Interfaces interfaces = {find, add_interface, find_split, add_interface_split};
-
-// ---- the plugin ----
-
-#define PLUGIN(X)                                                                              \
-  X(void, UnityPluginLoad, (struct Interfaces*))                                               \
-  X(void, UnityPluginUnload, (void))                                                           \
-  X(uint32_t, marrow_unity_abi, (void))                                                        \
-  X(const char*, marrow_unity_unavailable, (void))                                             \
-  X(unity_render_event, marrow_unity_render_event, (void))                                     \
-  X(int32_t, marrow_unity_open, (const mrw_mesh*))                                             \
-  X(mrw_status, marrow_unity_pose, (int32_t, const mrw_affine*, size_t, const float*, size_t)) \
-  X(int32_t, marrow_unity_request, (int32_t, const float*))                                    \
-  X(mrw_status, marrow_unity_status, (int32_t))                                                \
-  X(const char*, marrow_unity_log, (void))                                                     \
-  X(void, marrow_unity_close, (int32_t))
-static struct {
-#define MEMBER(Result, Name, Parameters) Result(*Name) Parameters;
-  PLUGIN(MEMBER)
-#undef MEMBER
-} plugin;
-
-static void load_plugin(const char* name) {
-  void* const library = dlopen(name, RTLD_NOW);
-  void* function;
-  if (library == NULL) exit((fprintf(stderr, "engine: %s\n", dlerror()), 1));
-#define LOAD(Result, Name, Parameters) \
-  function = dlsym(library, #Name);    \
-  NEEDS(function != NULL);             \
-  memcpy(&plugin.Name, &function, sizeof function);
-  PLUGIN(LOAD)
-#undef LOAD
-}
-
-static int says(const char* what) {
-  const char* const why = plugin.marrow_unity_unavailable();
-  if (strstr(why, what) != NULL && (why[0] == 0) == (what[0] == 0)) return 1;
-  fprintf(stderr, "engine: it says \"%s\"\n", why);
-  return 0;
-}
 
 // ---- the render thread ----
 
@@ -210,9 +115,22 @@ static void* block_of(size_t bytes) {
   return block.data;
 }
 
-static mrw_character character;
+static mrw_character character, skinned;  // for the plugin, and by the CPU
 static float* positions;
 static size_t slots;
+
+// Weights of morph targets become so many times as large, and the CPU skins.
+static void grow_weights(float by) {
+  mrw_skin_output out;
+  size_t i;
+  for (i = 0; i < character.meshes[0].weight_count; ++i)
+    skinned.meshes[0].weights[i] = character.meshes[0].weights[i] *= by;
+  TRY(mrw_finish_character(&skinned));
+  mrw_skin_output_init(&out);
+  out.positions = positions;
+  out.position_count = 3 * slots;
+  TRY(mrw_skin_ssd(&skinned.meshes[0].mesh, skinned.meshes[0].palette, skinned.meshes[0].palette_count, &out));
+}
 
 static void load_character(const char* name) {
   FILE* const stream = fopen(name, "rb");
@@ -220,7 +138,6 @@ static void load_character(const char* name) {
   mrw_animations animations;
   mrw_character_options options;
   mrw_animation_layer layer;
-  mrw_skin_output out;
   size_t size;
   void* bytes;
   NEEDS(stream != NULL && fseek(stream, 0, SEEK_END) == 0);
@@ -234,19 +151,19 @@ static void load_character(const char* name) {
   TRY(mrw_make_animations(&file, &file, block_of(size), size, &animations));
   mrw_character_options_init(&options);
   size = mrw_character_bytes(&file, &options);
+  TRY(mrw_make_character(&file, &options, block_of(size), size, &skinned));
+  options.skin = false;
+  size = mrw_character_bytes(&file, &options);
   TRY(mrw_make_character(&file, &options, block_of(size), size, &character));
   mrw_animation_layer_init(&layer);
   layer.animation = mrw_find_animation(&animations, "walk");
   layer.time_s = 0.4f;
   NEEDS(layer.animation != NULL);
   TRY(mrw_pose_character(&character, &layer, 1));
-  TRY(mrw_finish_character(&character));
+  TRY(mrw_pose_character(&skinned, &layer, 1));
   slots = character.meshes[0].mesh.geometry.slot_count;
   positions = block_of(12 * slots);
-  mrw_skin_output_init(&out);
-  out.positions = positions;
-  out.position_count = 3 * slots;
-  TRY(mrw_skin_ssd(&character.meshes[0].mesh, character.meshes[0].palette, character.meshes[0].palette_count, &out));
+  grow_weights(30);
 }
 
 static mrw_status pose(int32_t handle) {
@@ -469,6 +386,10 @@ int main(int argc, char** argv) {
   crowd(handle, m);
   draw(handle, m);
   NEEDS(memcmp(before, rgba, sizeof rgba) == 0);
+  grow_weights(10);  // beyond the shape: a mesh with morph targets reaches further
+  TRY(pose(handle));
+  expect_box(draw(handle, m), expected_box(m));
+  NEEDS(character.meshes[0].weight_count == 0 || memcmp(before, rgba, sizeof rgba) != 0);
   refuse_nonsense(handle);
   plugin.marrow_unity_close(handle);
   NEEDS(plugin.marrow_unity_request(handle, m) == 0);
