@@ -9,6 +9,12 @@ from to_cpp import MADE
 NAMES = {'f32': 'float', 'f64': 'double', 'u8': 'byte', 'u16': 'ushort', 'u32': 'uint', 'u64': 'ulong', 'i8': 'sbyte',
          'i16': 'short', 'i32': 'int', 'size': 'UIntPtr', 'byte': 'void', 'void': 'void', 'bool': 'byte',
          'char': 'byte', 'text': 'byte*', 'code': 'IntPtr'}
+# Where all that a game has is one file.
+LIBRARY = ['#if (UNITY_IOS || UNITY_TVOS || UNITY_VISIONOS || UNITY_WEBGL) && !UNITY_EDITOR',
+           '    /// <summary>What all functions here are imported from: the program itself.</summary>',
+           '    public const string Library = "__Internal";', '#else',
+           '    /// <summary>What all functions here are imported from: libmarrow_c.so, marrow_c.dll, …</summary>',
+           '    public const string Library = "marrow_c";', '#endif']
 KEYWORDS = {'in', 'out', 'params', 'ref', 'fixed', 'object', 'base', 'lock', 'is', 'as', 'event', 'checked'}
 
 
@@ -161,7 +167,7 @@ def made(rows, parts):
             out += struct_text(row, wide, narrow)
         if row.kind == 'opaque':
             out += [f'public struct {camel(row.name)} {{}}', '']
-    out += ['public static unsafe class Marrow {', '    const string Library = "marrow_c";', '',
+    out += ['public static unsafe class Marrow {', *LIBRARY, '',
             *[line for p in parts for line in (
                 f'    /// <summary>What {camel(p.prefix + "abi")}() must give.</summary>',
                 f'    public const uint {camel(p.prefix + "abi")}Number = 0x{p.abi:08x};')], '']

@@ -3564,7 +3564,13 @@ public unsafe struct Gles3PathNeed {
 }
 
 public static unsafe class Marrow {
-    const string Library = "marrow_c";
+#if (UNITY_IOS || UNITY_TVOS || UNITY_VISIONOS || UNITY_WEBGL) && !UNITY_EDITOR
+    /// <summary>What all functions here are imported from: the program itself.</summary>
+    public const string Library = "__Internal";
+#else
+    /// <summary>What all functions here are imported from: libmarrow_c.so, marrow_c.dll, …</summary>
+    public const string Library = "marrow_c";
+#endif
 
     /// <summary>What Abi() must give.</summary>
     public const uint AbiNumber = 0xee494733;
