@@ -6,8 +6,8 @@
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/mark.h"
+#include "core/off_boundary.h"
 #include "marrow/blend.h"
-#include "marrow/block.h"
 #include "math/keys.h"
 #include "math/slerp.h"
 #include "pose/fits.h"
@@ -116,22 +116,27 @@ class MomentFinder {
   std::uint32_t first_ = 0, count_ = 0;
 };
 
-// Which clip this is: where it lies, and how it begins, for another one may lie there later.
-std::uint64_t identity(const Clip& clip) {
+constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // any with many bits
+
+// Which clip this is, and for which memory: where it lies, and how it begins, for another one may lie there later.
+std::uint64_t identity(const Clip& clip, Span<std::byte> memory) {
   const CodedTracks& coded = clip.coded;
   std::uint64_t head[2] = {0, 0};
   if (coded.frame_count != 0) std::memcpy(&head[0], coded.payload, 8);
   if (coded.constant_count != 0) std::memcpy(&head[1], coded.constants, 8);
-  std::uint64_t out = reinterpret_cast<std::uintptr_t>(clip.coded.payload) + 1;
-  for (const std::uint64_t word : {reinterpret_cast<std::uintptr_t>(clip.tracks.data), head[0], head[1],
-                                   std::uint64_t{coded.frame_count} << 32 | clip.tracks.size})
-    out = (out ^ word) * 0x9E3779B97F4A7C15u;
+  std::uint64_t out = 1;
+  for (const std::uint64_t word :
+       {std::uint64_t{reinterpret_cast<std::uintptr_t>(coded.payload)},
+        std::uint64_t{reinterpret_cast<std::uintptr_t>(clip.tracks.data)}, head[0], head[1],
+        std::uint64_t{coded.frame_count}, std::uint64_t{reinterpret_cast<std::uintptr_t>(memory.data)},
+        std::uint64_t{memory.size}})
+    out = (out ^ word) * kOdd;
   return out;
 }
 
 // Whether the cache holds of this clip what does not move; else from now on it is this clip's.
 bool is_of(SampleCache& cache, const Skeleton& skeleton, const Clip& clip, const SoaTransform* out) {
-  const std::uint64_t id = identity(clip);
+  const std::uint64_t id = identity(clip, cache.memory);
   if (cache.out == out && cache.clip == id) return true;
   cache.room = clip.coded.frame_count != 0 &&
                cache.memory.size / sizeof(FramePair) >= frame_pairs(clip.coded, skeleton.soa_size());
@@ -179,7 +184,8 @@ Status sample_cached(const Skeleton& skeleton, const Clip& clip, float time_s, S
                      SampleCache& cache) {
   MARROW_MARK;
   MARROW_REQUIRE(!clip.additive);
-  MARROW_REQUIRE(is_on_boundary(cache.memory.data));
+  MARROW_REQUIRE(holds(cache.memory));
+  MARROW_REQUIRE_GOOD(check_boundary(cache.memory.data));
   MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, {}, &cache));
   return Status::ok;
 }

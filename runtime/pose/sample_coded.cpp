@@ -451,8 +451,9 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
   const TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
                            place.frame - segment * coded.segment_intervals);
   FramePair* const kept = cache != nullptr && cache->room ? reinterpret_cast<FramePair*>(cache->memory.data) : nullptr;
-  set_moving({skeleton, coded, options, FrameBlend(place.between), kept, kept != nullptr && cache->frame == place.frame},
-             cursor, out);
+  set_moving(
+      {skeleton, coded, options, FrameBlend(place.between), kept, kept != nullptr && cache->frame == place.frame},
+      cursor, out);
   if (cache != nullptr) cache->frame = place.frame;
 }
 
