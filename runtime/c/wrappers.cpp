@@ -103,6 +103,11 @@ void mrw_sample_options_init(mrw_sample_options* out) {
   to<SampleOptions>(out) = SampleOptions{};
 }
 
+void mrw_sample_cache_init(mrw_sample_cache* out) {
+  MRW_NEEDS(leads_to<SampleCache>(out), );
+  to<SampleCache>(out) = SampleCache{};
+}
+
 void mrw_curve_init(mrw_curve* out) {
   MRW_NEEDS(leads_to<Curve>(out), );
   to<Curve>(out) = Curve{};
@@ -551,6 +556,17 @@ mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float 
     size_t out_count, const mrw_sample_options* options) {
   MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Clip>(clip) && is_list<SoaTransform>(out, out_count) && leads_to_if_any<SampleOptions>(options), MRW_BAD_ARGUMENT);
   return code(marrow::sample(of<Skeleton>(skeleton), of<Clip>(clip), time_s, span<SoaTransform>(out, out_count), or_default<SampleOptions>(options)));
+}
+
+size_t mrw_sample_cache_bytes(const mrw_clip* clip) {
+  MRW_NEEDS(leads_to<Clip>(clip), 0);
+  return marrow::sample_cache_bytes(of<Clip>(clip));
+}
+
+mrw_status mrw_sample_cached(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
+    size_t out_count, mrw_sample_cache* cache) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Clip>(clip) && is_list<SoaTransform>(out, out_count) && leads_to<SampleCache>(cache), MRW_BAD_ARGUMENT);
+  return code(marrow::sample_cached(of<Skeleton>(skeleton), of<Clip>(clip), time_s, span<SoaTransform>(out, out_count), to<SampleCache>(cache)));
 }
 
 mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,

@@ -13,9 +13,28 @@
 #include "marrow/skin.h"
 #include "math/finite.h"
 #include "pose/fits.h"
+#include "pose/sample_coded.h"
 
 namespace marrow {
 namespace {
+
+// Frames are kept of clips that turn all joints, and move or scale the joints of a few groups.
+constexpr std::size_t kOtherPairs = 4;
+
+// For each layer a pose, and what sample_cached() keeps.
+void take_layers(std::uint32_t layers, Memory& memory, CharacterSkeleton& s) {
+  const std::size_t size = s.skeleton.soa_size();
+  s.sampled = memory.take<SoaTransform>(std::uint64_t{layers} * size);
+  s.caches = memory.take<SampleCache>(layers);
+  const Span<FramePair> pairs = memory.take<FramePair>(std::uint64_t{layers} * (size + kOtherPairs));
+  if (pairs.empty()) return;  // it is only counted
+  for (std::uint32_t i = 0; i < layers; ++i) {
+    SampleCache cache;
+    cache.memory = {reinterpret_cast<std::byte*>(pairs.data + i * (size + kOtherPairs)),
+                    (size + kOtherPairs) * sizeof(FramePair)};
+    s.caches[i] = cache;
+  }
+}
 
 void take_skeletons(const File& file, const CharacterOptions& options, Memory& memory, Character& out) {
   out.skeletons = memory.take<CharacterSkeleton>(file.skeleton_count());
@@ -25,10 +44,10 @@ void take_skeletons(const File& file, const CharacterOptions& options, Memory& m
     made.skeleton = file.skeleton(s);
     made.local = memory.take<SoaTransform>(made.skeleton.soa_size());
     made.scene_from_joint = memory.take<Affine>(made.skeleton.joint_count);
+    take_layers(options.layers, memory, made);
     if (made.skeleton.soa_size() > largest) largest = made.skeleton.soa_size();
     if (!out.skeletons.empty()) out.skeletons[s] = made;
   }
-  out.sampled = memory.take<SoaTransform>(std::uint64_t{options.layers} * largest);
   out.blended = memory.take<BlendLayer>(options.layers);
   out.change = memory.take<AdditiveTransform>(largest);
 }
@@ -63,10 +82,9 @@ Status make_vertices(CharacterMesh& m) {
   return status;
 }
 
-// The pose of a clip; of an additive one its changes, laid on their reference.
-Status sample_either(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> change,
-                     Span<SoaTransform> out) {
-  if (!clip.additive) return sample(skeleton, clip, time_s, out);
+// The pose of an additive clip: its changes, laid on their reference.
+Status sample_laid_on(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> change,
+                      Span<SoaTransform> out) {
   const Status status = sample_additive(skeleton, clip, time_s, change);
   if (status != Status::ok) return status;
   std::memcpy(out.data, clip.reference != nullptr ? clip.reference : skeleton.rest, out.size * sizeof(SoaTransform));
@@ -74,9 +92,12 @@ Status sample_either(const Skeleton& skeleton, const Clip& clip, float time_s, S
 }
 
 Status sample_layer(const Skeleton& skeleton, const AnimationLayer& layer, std::uint32_t index,
-                    Span<AdditiveTransform> change, Span<SoaTransform> out) {
-  const std::uint32_t clip = layer.animation->clip_of_skeleton[index];
-  if (clip != kNoClip) return sample_either(skeleton, layer.animation->clips.clip(clip), layer.time_s, change, out);
+                    Span<AdditiveTransform> change, Span<SoaTransform> out, SampleCache& cache) {
+  const std::uint32_t number = layer.animation->clip_of_skeleton[index];
+  const Clip clip = layer.animation->clips.clip(number);
+  if (number != kNoClip && !clip.additive) return sample_cached(skeleton, clip, layer.time_s, out, cache);
+  cache.out = nullptr;  // others write there
+  if (number != kNoClip) return sample_laid_on(skeleton, clip, layer.time_s, change, out);
   std::memcpy(out.data, skeleton.rest, out.size * sizeof(SoaTransform));
   return Status::ok;
 }
@@ -85,10 +106,10 @@ Status sample_skeleton(Character& c, std::uint32_t index, Span<const AnimationLa
   const CharacterSkeleton& s = c.skeletons[index];
   const std::size_t size = s.skeleton.soa_size();
   for (std::size_t i = 0; i < layers.size; ++i) {
-    const Span<SoaTransform> pose(c.sampled.data + i * size, size);
+    const Span<SoaTransform> pose(s.sampled.data + i * size, size);
     c.blended[i] = {pose, layers[i].weight, {}};
     if (layers[i].weight == 0.0f) continue;  // blend() does not read it
-    const Status status = sample_layer(s.skeleton, layers[i], index, c.change, pose);
+    const Status status = sample_layer(s.skeleton, layers[i], index, c.change, pose, s.caches[i]);
     if (status != Status::ok) return status;
   }
   return blend(s.skeleton, {c.blended.data, layers.size}, s.local);

@@ -6,6 +6,7 @@
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/mark.h"
+#include "core/off_boundary.h"
 #include "marrow/blend.h"
 #include "math/keys.h"
 #include "math/slerp.h"
@@ -14,6 +15,8 @@
 
 namespace marrow {
 namespace {
+
+constexpr std::uint32_t kNoFrame = 0xFFFFFFFF;
 
 // The values of one key, or of two keys blended; n = 3 or 4.
 void mix(const float* a, const float* b, float wa, float wb, int n, float* out) {
@@ -113,15 +116,46 @@ class MomentFinder {
   std::uint32_t first_ = 0, count_ = 0;
 };
 
+constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // any with many bits
+
+// Which clip this is, and for which memory: where it lies, and how it begins, for another one may lie there later.
+std::uint64_t identity(const Clip& clip, Span<std::byte> memory) {
+  const CodedTracks& coded = clip.coded;
+  std::uint64_t head[2] = {0, 0};
+  if (coded.frame_count != 0) std::memcpy(&head[0], coded.payload, 8);
+  if (coded.constant_count != 0) std::memcpy(&head[1], coded.constants, 8);
+  std::uint64_t out = 1;
+  for (const std::uint64_t word :
+       {std::uint64_t{reinterpret_cast<std::uintptr_t>(coded.payload)},
+        std::uint64_t{reinterpret_cast<std::uintptr_t>(clip.tracks.data)}, head[0], head[1],
+        std::uint64_t{coded.frame_count}, std::uint64_t{reinterpret_cast<std::uintptr_t>(memory.data)},
+        std::uint64_t{memory.size}})
+    out = (out ^ word) * kOdd;
+  return out;
+}
+
+// Whether the cache holds of this clip what does not move; else from now on it is this clip's.
+bool is_of(SampleCache& cache, const Skeleton& skeleton, const Clip& clip, const SoaTransform* out) {
+  const std::uint64_t id = identity(clip, cache.memory);
+  if (cache.out == out && cache.clip == id) return true;
+  cache.room = clip.coded.frame_count != 0 &&
+               cache.memory.size / sizeof(FramePair) >= frame_pairs(clip.coded, skeleton.soa_size());
+  cache.out = out;
+  cache.clip = id;
+  cache.frame = kNoFrame;
+  return false;
+}
+
 BadCall sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
-                    const SampleOptions& options) {
+                    const SampleOptions& options, SampleCache* cache) {
   MARROW_CHECK(holds(out, skeleton.soa_size()));
   MARROW_CHECK(time_s == time_s);
   MARROW_CHECK(fits(clip, skeleton));
   MARROW_CHECK(options.joints.empty() || holds(options.joints, (std::size_t{skeleton.joint_count} + 31) / 32));
+  const bool is_still = cache != nullptr && is_of(*cache, skeleton, clip, out.data);
   if (clip.coded.frame_count != 0) {
-    sample_coded(skeleton, clip.coded, time_s, options, out.data);
-  } else if (!options.prefilled) {
+    sample_coded(skeleton, clip.coded, time_s, options, out.data, is_still, cache);
+  } else if (!is_still) {
     for (std::size_t g = 0; g < skeleton.soa_size(); ++g)
       copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
   }
@@ -137,7 +171,22 @@ Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<Soa
               const SampleOptions& options) {
   MARROW_MARK;
   MARROW_REQUIRE(!clip.additive);
-  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, options));
+  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, options, nullptr));
+  return Status::ok;
+}
+
+std::size_t sample_cache_bytes(const Clip& clip) {
+  const std::size_t groups = (std::size_t{clip.joint_count} + 3) / 4;
+  return clip.coded.frame_count != 0 ? sizeof(FramePair) * frame_pairs(clip.coded, groups) : 0;
+}
+
+Status sample_cached(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+                     SampleCache& cache) {
+  MARROW_MARK;
+  MARROW_REQUIRE(!clip.additive);
+  MARROW_REQUIRE(holds(cache.memory));
+  MARROW_REQUIRE_GOOD(check_boundary(cache.memory.data));
+  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, {}, &cache));
   return Status::ok;
 }
 
@@ -147,7 +196,7 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
   MARROW_REQUIRE(clip.reference == nullptr || clip.joint_count == skeleton.joint_count);
   // The pose stands where its change will; make_additive reads every group before it writes it.
   const Span<SoaTransform> pose{reinterpret_cast<SoaTransform*>(out.data), out.size};
-  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, pose, {}));
+  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, pose, {}, nullptr));
   const SoaTransform* const reference = clip.reference != nullptr ? clip.reference : skeleton.rest;
   return make_additive(skeleton, pose, {reference, skeleton.soa_size()}, out);
 }

@@ -210,6 +210,57 @@ inline Rodrigues rodrigues(const Tables& t, const f32x4 (&n)[3], const Unpacked&
   return {m, load_aligned(t.two) / (dot(m, m) + load_aligned(t.one))};
 }
 
+// Two rotations a lane, ready to be blended.
+struct Rotations {
+  Vector<f32x4> a, b;
+  f32x4 factor_a, factor_b, chord_squared;
+};
+
+inline Rotations rotations(const Tables& t, const Unpacked& four) {
+  const Rodrigues a = rodrigues(t, four.a, four), b = rodrigues(t, four.b, four);
+  // The squared chord between the quaternions, without a difference of large numbers.
+  const Vector<f32x4> d = a.m - b.m;
+  return {a.m, b.m, a.factor, b.factor, dot(d, d) * (a.factor * b.factor)};
+}
+
+inline Vector<f32x4> load3(const float (&from)[3][4]) {
+  return {load_aligned(from[0]), load_aligned(from[1]), load_aligned(from[2])};
+}
+inline void store3(const Vector<f32x4>& v, float (&to)[3][4]) {
+  store(to[0], v.x);
+  store(to[1], v.y);
+  store(to[2], v.z);
+}
+
+inline Rotations kept_rotations(const FramePair& from) {
+  return {load3(from.a), load3(from.b), load_aligned(from.rest[0]), load_aligned(from.rest[1]),
+          load_aligned(from.rest[2])};
+}
+inline void keep(const Rotations& r, FramePair& to) {
+  store3(r.a, to.a);
+  store3(r.b, to.b);
+  store(to.rest[0], r.factor_a);
+  store(to.rest[1], r.factor_b);
+  store(to.rest[2], r.chord_squared);
+}
+
+inline void load_kept(const FramePair& from, Unpacked& out) {
+  for (int c = 0; c < 3; ++c) {
+    out.a[c] = load_aligned(from.a[c]);
+    out.b[c] = load_aligned(from.b[c]);
+    out.least[c] = load_aligned(from.rest[c]);
+  }
+  out.step = load_aligned(from.rest[3]);
+}
+inline void keep(const Unpacked& four, FramePair& to) {
+  for (int c = 0; c < 3; ++c) {
+    store(to.a[c], four.a[c]);
+    store(to.b[c], four.b[c]);
+    store(to.rest[c], four.least[c]);
+  }
+  store(to.rest[3], four.step);
+}
+
 // The blend of two frames, the same for every joint.
 struct FrameBlend {
   f32x4 u;
@@ -218,12 +269,9 @@ struct FrameBlend {
 };
 
 // Rotations, into the lanes in `lanes`.
-inline void rotate_rest(const Tables& t, const Unpacked& four, const FrameBlend& blend, const float (&rest)[4][4],
+inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend& blend, const float (&rest)[4][4],
                         std::uint32_t lanes, float (&rotation)[4][4]) {
-  const Rodrigues a = rodrigues(t, four.a, four), b = rodrigues(t, four.b, four);
-  // The squared chord between the quaternions, without a difference of large numbers.
-  const Vector<f32x4> d = a.m - b.m;
-  const f32x4 chord_squared = dot(d, d) * (a.factor * b.factor);
+  const f32x4 chord_squared = two.chord_squared;
   f32x4 wa, wb;
   if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
     // Beyond half a turn, -b is as good as b, and nearer.
@@ -235,8 +283,8 @@ inline void rotate_rest(const Tables& t, const Unpacked& four, const FrameBlend&
     wa = slerp_weight(blend.a, chord_squared);
     wb = slerp_weight(blend.b, chord_squared);
   }
-  const f32x4 fa = wa * a.factor, fb = wb * b.factor;
-  const Vector<f32x4> v = a.m * fa + b.m * fb;
+  const f32x4 fa = wa * two.factor_a, fb = wb * two.factor_b;
+  const Vector<f32x4> v = two.a * fa + two.b * fb;
   const f32x4 x = v.x, y = v.y, z = v.z, w = (fa + fb) - (wa + wb);
   const f32x4 rx = load_aligned(rest[0]), ry = load_aligned(rest[1]), rz = load_aligned(rest[2]),
               rw = load_aligned(rest[3]);
@@ -255,24 +303,50 @@ inline void add_to_rest(const Tables& t, const Unpacked& four, f32x4 u, const fl
   store_lanes(t, out, lanes, vector);
 }
 
-// What moves in a group: the next tracks. One loop for all kinds, since they are unpacked alike.
-inline void set_moving(const Tables& t, TrackCursor& cursor, std::uint32_t moving, const FrameBlend& blend,
-                       const SoaTransform& rest, std::uint32_t wanted, SoaTransform& out) {
-  for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
-    const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
-    if (tracks == 0) continue;
-    if (lanes == 0) {
-      skip(cursor, tracks);
-      continue;
-    }
-    Unpacked four;
-    unpack(cursor, t, tracks, four);
-    if (kind == 0) {
-      rotate_rest(t, four, blend, rest.rotation, lanes, out.rotation);
-    } else {
-      const bool scales = kind == 2;
-      add_to_rest(t, four, blend.u, scales ? rest.scale : rest.translation, lanes,
-                  scales ? out.scale : out.translation);
+// What moves, group after group. One loop for all kinds, since they are unpacked alike.
+struct Moving {
+  const Skeleton& skeleton;
+  const CodedTracks& coded;
+  const SampleOptions& options;
+  FrameBlend blend;
+  FramePair* kept;  // one a kind and group; null: none is kept
+  bool is_kept;     // by an earlier call
+};
+
+// kept: how many pairs of frames there are; null: none is kept. is_kept: by an earlier call.
+void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
+  const Tables& t = tables();
+  const GroupMasks* masks = m.coded.masks;
+  const SoaTransform* rest = m.skeleton.rest;
+  SoaTransform* const end = out + m.skeleton.soa_size();
+  FramePair* pair = m.kept;
+  for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
+    std::uint32_t moving = masks->moving;
+    if (moving == 0) continue;
+    const std::uint32_t wanted = wanted_lanes(m.options, g);
+    for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
+      const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
+      if (tracks == 0) continue;
+      if (lanes == 0) {
+        skip(cursor, tracks);
+        continue;
+      }
+      Unpacked four;
+      if (!m.is_kept) unpack(cursor, t, tracks, four);
+      if (kind == 0) {
+        const Rotations two = m.is_kept ? kept_rotations(*pair) : rotations(t, four);
+        if (!m.is_kept && pair != nullptr) keep(two, *pair);
+        rotate_rest(t, two, m.blend, rest->rotation, lanes, out->rotation);
+      } else {
+        if (m.is_kept)
+          load_kept(*pair, four);
+        else if (pair != nullptr)
+          keep(four, *pair);
+        const bool scales = kind == 2;
+        add_to_rest(t, four, m.blend.u, scales ? rest->scale : rest->translation, lanes,
+                    scales ? out->scale : out->translation);
+      }
+      if (pair != nullptr) ++pair;
     }
   }
 }
@@ -304,8 +378,7 @@ inline void set_vectors(const Tables& t, i32x4 ab, i32x4 cd, const float (&rest)
               lanes, vector);
 }
 
-// What does not move: the rest pose, over it the constants. All: every joint is asked for.
-template <bool All>
+// What does not move: the rest pose, over it the constants.
 void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out) {
   const Tables& t = tables();
   const std::byte* next = coded.constants;
@@ -313,9 +386,9 @@ void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleO
   const SoaTransform* rest = skeleton.rest;
   SoaTransform* const end = out + skeleton.soa_size();
   for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
-    const std::uint32_t constant = masks->constant, wanted = All ? 15u : wanted_lanes(options, g);
+    const std::uint32_t constant = masks->constant, wanted = wanted_lanes(options, g);
     // Lanes that move will be written over.
-    const bool rotations_follow = All && (~(masks->moving | constant) & 15u) == 0;
+    const bool rotations_follow = wanted == 15 && (~(masks->moving | constant) & 15u) == 0;
     if (rotations_follow) {
       copy(rest->translation, out->translation);
       copy(rest->scale, out->scale);
@@ -363,24 +436,25 @@ Place find(const CodedTracks& coded, float time_s) {
 
 }  // namespace
 
+std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups) {
+  std::size_t out = 0;
+  for (std::size_t g = 0; g < groups; ++g)
+    for (std::uint32_t moving = coded.masks[g].moving; moving != 0; moving >>= 4) out += (moving & 15u) != 0;
+  return out;
+}
+
 void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time_s, const SampleOptions& options,
-                  SoaTransform* out) {
-  if (!options.prefilled)
-    options.joints.empty() ? set_still<true>(skeleton, coded, options, out)
-                           : set_still<false>(skeleton, coded, options, out);
+                  SoaTransform* out, bool is_still, SampleCache* cache) {
+  if (!is_still) set_still(skeleton, coded, options, out);
   const Place place = find(coded, time_s);
   const std::uint32_t segment = place.frame / coded.segment_intervals;
-  TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
-                     place.frame - segment * coded.segment_intervals);
-  const FrameBlend blend(place.between);
-  const Tables& t = tables();
-  const GroupMasks* masks = coded.masks;
-  const SoaTransform* rest = skeleton.rest;
-  SoaTransform* const end = out + skeleton.soa_size();
-  for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
-    const std::uint32_t moving = masks->moving;
-    if (moving != 0) set_moving(t, cursor, moving, blend, *rest, wanted_lanes(options, g), *out);
-  }
+  const TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
+                           place.frame - segment * coded.segment_intervals);
+  FramePair* const kept = cache != nullptr && cache->room ? reinterpret_cast<FramePair*>(cache->memory.data) : nullptr;
+  set_moving(
+      {skeleton, coded, options, FrameBlend(place.between), kept, kept != nullptr && cache->frame == place.frame},
+      cursor, out);
+  if (cache != nullptr) cache->frame = place.frame;
 }
 
 }  // namespace marrow

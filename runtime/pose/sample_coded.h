@@ -34,12 +34,22 @@ inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransfo
   }
 }
 
-// Writes the joints asked for: the rest pose, over it what is constant in the clip (both unless options.prefilled) and
-// what moves. time_s is a number.
+// Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended.
+//   rotations  modified Rodrigues parameters a and b; 2 / (1 + a²), 2 / (1 + b²), the squared chord between the two
+//   others     integers a and b; the least, which is to be added to them; the step
+struct FramePair {
+  alignas(16) float a[3][4], b[3][4], rest[4][4];
+};
+
+// Writes the joints asked for: the rest pose, over it what is constant in the clip, and what moves. time_s is a number.
+// is_still: `out` holds already what does not move. cache: null, or of this clip; all joints are asked for then.
 // Method: rotations are rest · q(m) with m = axis · tan(θ/4), the modified Rodrigues parameters (Shuster, "A survey of
 // attitude representations", 1993), translations and scales rest + v; each component an integer times the track's step.
 // Two neighbouring frames are unpacked and blended, rotations on the sphere.
 void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time_s, const SampleOptions& options,
-                  SoaTransform* out);
+                  SoaTransform* out, bool is_still, SampleCache* cache);
+
+// How many pairs of frames a clip has: one for each kind of sub-track that moves in a group of four joints.
+std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups);
 
 }  // namespace marrow

@@ -309,6 +309,19 @@ static int call_sample(const Round* r) {
   (void)r;
   return mrw_sample(at(r, 0), at(r, 1), real(r), list(r, 3), count(r), at(r, 4));
 }
+static int call_sample_cache_init(const Round* r) {
+  mrw_sample_cache_init(at(r, 0));
+  return -1;
+}
+static int call_sample_cache_bytes(const Round* r) {
+  (void)r;
+  (void)mrw_sample_cache_bytes(at(r, 0));
+  return -1;
+}
+static int call_sample_cached(const Round* r) {
+  (void)r;
+  return mrw_sample_cached(at(r, 0), at(r, 1), real(r), list(r, 3), count(r), at(r, 4));
+}
 static int call_sample_additive(const Round* r) {
   (void)r;
   return mrw_sample_additive(at(r, 0), at(r, 1), real(r), list(r, 3), count(r));
@@ -918,6 +931,9 @@ static const Row rows[] = {
     {"mrw_finished", call_finished, 1, 0},
     {"mrw_sample_options_init", call_sample_options_init, 0, 0},
     {"mrw_sample", call_sample, 1, 1},
+    {"mrw_sample_cache_init", call_sample_cache_init, 0, 0},
+    {"mrw_sample_cache_bytes", call_sample_cache_bytes, 1, 0},
+    {"mrw_sample_cached", call_sample_cached, 1, 1},
     {"mrw_sample_additive", call_sample_additive, 1, 1},
     {"mrw_sample_channels", call_sample_channels, 1, 1},
     {"mrw_curve_init", call_curve_init, 0, 0},

@@ -85,7 +85,7 @@ TEST(Bench, SamplesEveryClipOfTheSampleInEveryOrder) {
   const int joints = joints_of_the_sample();
   const Rows rows = bench("sample/*/newt_*", "2");
   std::set<std::string> hashes;
-  for (const char* order : {"forward", "random", "backward", "crowd", "prefilled"}) {
+  for (const char* order : {"forward", "random", "backward", "crowd", "playing"}) {
     for (const char* clip : {"idle", "walk", "twist", "reach"}) {
       const auto row = rows.find(std::string("sample/") + order + "/newt_" + clip);
       ASSERT_NE(row, rows.end()) << order << ' ' << clip;
@@ -96,7 +96,7 @@ TEST(Bench, SamplesEveryClipOfTheSampleInEveryOrder) {
   EXPECT_EQ(rows.size(), 20u);
   EXPECT_EQ(hashes.size(), 16u) << "each of them reads other poses";
   for (const std::string clip : {"idle", "walk", "twist", "reach"})
-    EXPECT_EQ(rows.at("sample/prefilled/newt_" + clip).hash, rows.at("sample/forward/newt_" + clip).hash);
+    EXPECT_EQ(rows.at("sample/playing/newt_" + clip).hash, rows.at("sample/forward/newt_" + clip).hash);
 }
 
 TEST(Bench, SkinsInEveryForm) {

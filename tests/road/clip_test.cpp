@@ -207,11 +207,12 @@ TEST_P(Clips, InPartsAreTheSame) {
     std::vector<SoaTransform> whole(skeleton.soa_size()), kept(skeleton.soa_size()), part(skeleton.soa_size());
     joints_of_clips += skeleton.joint_count;
     const Clip clip = cook::view(one, skeleton);
-    ASSERT_EQ(sample(skeleton, clip, clip.duration_s / 3, kept), Status::ok);
+    std::vector<SoaTransform> frames(sample_cache_bytes(clip) / sizeof(SoaTransform));
+    SampleCache cache = {{reinterpret_cast<std::byte*>(frames.data()), frames.size() * sizeof(SoaTransform)}};
     for (int i = 0; i < 5; ++i) {
       const float time_s = clip.duration_s * static_cast<float>(i) / 4;
       ASSERT_EQ(sample(skeleton, clip, time_s, whole), Status::ok);
-      ASSERT_EQ(sample(skeleton, clip, time_s, kept, {.prefilled = true}), Status::ok);
+      ASSERT_EQ(sample_cached(skeleton, clip, time_s, kept, cache), Status::ok);
       std::vector<std::uint32_t> joints((skeleton.joint_count + 31) / 32);
       for (std::uint32_t& word : joints) word = static_cast<std::uint32_t>(random() & (i % 2 == 0 ? random() : ~0U));
       const SoaTransform marker = {{{7, 7, 7, 7}}, {{5, 5, 5, 5}}, {{3, 3, 3, 3}}};

@@ -90,6 +90,8 @@ TEST_F(CallNames, OfPoses) {
   REFUSED(set_joint, {}, 0, joint);
   REFUSED(advance, playback, 1, NAN);
   REFUSED(sample, one_.skeleton, one_.clip, 0, {});
+  SampleCache cache;
+  REFUSED(sample_cached, one_.skeleton, one_.clip, 0, {}, cache);
   REFUSED(sample_additive, one_.skeleton, one_.clip, 0, {});
   REFUSED(sample_channels, one_.clip, 0, {});
   REFUSED(blend, one_.skeleton, {}, {});

@@ -42,7 +42,7 @@ TEST(Designated, MembersMayBeLeftOut) {
   const TwoBone reach = {.weight = 1};
   const Aim aim_at = {.twist_rad = 1};
   const Playback playback = {.speed = 2};
-  const SampleOptions sampling = {.prefilled = true};
+  const SampleOptions sampling = {.joints = {}};
   const SkinOutput out = {.positions = numbers};
   const AsPart part = {.mesh = &mesh};
   const SpringJoint spring = {.joint = 1};

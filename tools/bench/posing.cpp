@@ -172,7 +172,8 @@ class Frame : public Workload {
       : skeleton_(a.skeleton), clips_{a.clip, b.clip}, joints_(skeleton_.joint_count), palette_(skeleton_) {
     for (int c = 0; c < 2; ++c) {
       poses_[c].resize(skeleton_.soa_size());
-      check(sample(skeleton_, clips_[c], 0, poses_[c]));
+      frames_[c].resize(sample_cache_bytes(clips_[c]));
+      caches_[c].memory = frames_[c];
     }
     blended_.resize(skeleton_.soa_size());
   }
@@ -185,7 +186,7 @@ class Frame : public Workload {
       for (int c = 0; c < 2; ++c) {
         times_s_[c] += 1.0f / 60;
         if (times_s_[c] >= clips_[c].duration_s) times_s_[c] -= clips_[c].duration_s;
-        check(sample(skeleton_, clips_[c], times_s_[c], poses_[c], {.prefilled = true}));
+        check(sample_cached(skeleton_, clips_[c], times_s_[c], poses_[c], caches_[c]));
       }
       check(blend(skeleton_, {layers, 2}, blended_));
       check(local_to_model(skeleton_, blended_, joints_));
@@ -198,6 +199,8 @@ class Frame : public Workload {
   Clip clips_[2];
   float times_s_[2] = {0, 0};
   std::vector<SoaTransform> poses_[2], blended_;
+  std::vector<std::byte> frames_[2];
+  SampleCache caches_[2];
   std::vector<Affine> joints_;
   FullPalette palette_;
 };

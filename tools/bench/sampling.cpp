@@ -25,22 +25,22 @@ struct Order {
   const char* name;
   std::size_t players;  // in turn, each at its own moment and into its own pose
   float step_s;         // 0: random moments
-  bool prefilled;       // what does not move is in the pose already
+  bool cached;          // by sample_cached()
 };
 constexpr Order kOrders[] = {
-    {"forward", 1, kFrame_s, false}, {"random", 1, 0, false},          {"backward", 1, -kFrame_s, false},
-    {"crowd", 512, kFrame_s, false}, {"prefilled", 1, kFrame_s, true},
+    {"forward", 1, kFrame_s, false}, {"random", 1, 0, false},        {"backward", 1, -kFrame_s, false},
+    {"crowd", 512, kFrame_s, false}, {"playing", 1, kFrame_s, true},
 };
 
 class Sampling : public Workload {
  public:
   Sampling(const ClipOfModel& source, const Order& order)
-      : source_(source), step_s_(order.step_s), players_(order.players), times_s_(kMoments) {
-    options_.prefilled = order.prefilled;
+      : source_(source), step_s_(order.step_s), cached_(order.cached), players_(order.players), times_s_(kMoments) {
     for (std::size_t i = 0; i < players_.size(); ++i) {
       players_[i].time_s = source.clip.duration_s * static_cast<float>(i) / static_cast<float>(players_.size());
       players_[i].pose.resize(source.skeleton.soa_size());
-      check(sample(source.skeleton, source.clip, 0, players_[i].pose));
+      if (order.cached) players_[i].frames.resize(sample_cache_bytes(source.clip));
+      players_[i].cache.memory = players_[i].frames;
     }
     Noise noise;
     for (float& time_s : times_s_) time_s = noise.next() * source.clip.duration_s;
@@ -53,7 +53,8 @@ class Sampling : public Workload {
       last_ = last_ + 1 < players_.size() ? last_ + 1 : 0;
       Player& player = players_[last_];
       advance(player.time_s);
-      check(sample(source_.skeleton, source_.clip, player.time_s, player.pose, options_));
+      check(cached_ ? sample_cached(source_.skeleton, source_.clip, player.time_s, player.pose, player.cache)
+                    : sample(source_.skeleton, source_.clip, player.time_s, player.pose));
     }
   }
 
@@ -61,6 +62,8 @@ class Sampling : public Workload {
   struct Player {
     float time_s;
     std::vector<SoaTransform> pose;
+    std::vector<std::byte> frames;
+    SampleCache cache;
   };
   void advance(float& time_s) {
     if (step_s_ == 0) {
@@ -75,7 +78,7 @@ class Sampling : public Workload {
 
   ClipOfModel source_;
   float step_s_;
-  SampleOptions options_;
+  bool cached_;
   std::vector<Player> players_;
   std::vector<float> times_s_;  // random order
   std::size_t last_ = 0, moment_ = 0;

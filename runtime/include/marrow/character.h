@@ -19,6 +19,7 @@
 #include "marrow/blend.h"
 #include "marrow/file.h"
 #include "marrow/morph.h"
+#include "marrow/sample.h"
 
 namespace marrow {
 
@@ -69,6 +70,9 @@ struct CharacterSkeleton {
   Skeleton skeleton = {};
   Span<SoaTransform> local = {};       // skeleton.soa_size()
   Span<Affine> scene_from_joint = {};  // skeleton.joint_count
+  // sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
+  Span<SoaTransform> sampled = {};
+  Span<SampleCache> caches = {};
 };
 
 // A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
@@ -91,7 +95,6 @@ struct Character {
   std::uint32_t target_count = 0;  // of morph targets, of all meshes
 
   // Scratch, of the largest skeleton.
-  Span<SoaTransform> sampled = {};  // a pose a layer
   Span<BlendLayer> blended = {};
   Span<AdditiveTransform> change = {};
 };

@@ -14,7 +14,7 @@ const Skeleton& skeleton_of(Misuse& m) {
 
 SampleOptions sampled_joints(Misuse& m) {
   const std::vector<std::uint32_t> words(1, 0x000FFFFF);
-  return {.joints = m.truth(true) ? Span<const std::uint32_t>() : m.in(words), .prefilled = m.truth(false)};
+  return {.joints = m.truth(true) ? Span<const std::uint32_t>() : m.in(words)};
 }
 
 std::vector<BlendLayer> blended(Misuse& m) {
@@ -91,6 +91,18 @@ std::vector<MisuseRow> rows_of_poses() {
          const Span<SoaTransform> out = m.out(stage().pose);
          const Clip none;
          m.returned(sample(skeleton_of(m), m.either(stage().clip, none), m.number(0.5f), out, sampled_joints(m)));
+       }},
+      {"sample_cache_bytes", [](Misuse& m) { m.returned(static_cast<float>(sample_cache_bytes(stage().clip))); }},
+      {"sample_cached",
+       [](Misuse& m) {
+         const Span<SoaTransform> out = m.out(stage().pose);
+         const std::vector<SoaTransform> frames(8);
+         const Span<const SoaTransform> memory = m.in(frames);
+         SampleCache cache;
+         cache.memory = {reinterpret_cast<std::byte*>(const_cast<SoaTransform*>(memory.data)),
+                         memory.size * sizeof(SoaTransform)};
+         const Clip none;
+         m.returned(sample_cached(skeleton_of(m), m.either(stage().clip, none), m.number(0.5f), out, cache));
        }},
       {"sample_additive",
        [](Misuse& m) {

@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xee494733;
+pub const ABI: u32 = 0x3c69a7a4;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x54ee3b12;
+pub const GLES3_ABI: u32 = 0xe826fe1b;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -1276,9 +1276,6 @@ pub struct SampleOptions {
     /// costs a few operations only.
     pub joints: *const u32,
     pub joint_count: usize,
-    /// `out` already holds what this function made of the same clip, for any time and at least the same joints: only what
-    /// moves in the clip is written again. The result has the same bits.
-    pub prefilled: bool,
 }
 impl Default for SampleOptions {
     fn default() -> Self {
@@ -1290,7 +1287,37 @@ impl Default for SampleOptions {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<SampleOptions>() == 24);
+const _: () = assert!(std::mem::size_of::<SampleOptions>() == 16);
+
+/// What an instance that plays a clip keeps between two calls of sample_cached(). {} keeps nothing yet. All but `memory`
+/// is sample_cached()'s own.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct SampleCache {
+    /// The caller's, 16-byte aligned: two unpacked frames of the clip, so that times between them are not unpacked again.
+    /// With less than sample_cache_bytes() of a clip, or none, only what does not move is kept of it.
+    pub memory: *mut c_void,
+    pub memory_bytes: usize,
+    /// where the last call wrote
+    pub out: *const SoaTransform,
+    /// which clip
+    pub clip: u64,
+    /// that is unpacked; 0xFFFFFFFF: none
+    pub frame: u32,
+    /// for this clip's frames
+    pub room: bool,
+}
+impl Default for SampleCache {
+    fn default() -> Self {
+        unsafe {
+            let mut new: Self = std::mem::zeroed();
+            sample_cache_init(&mut new);
+            new
+        }
+    }
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(std::mem::size_of::<SampleCache>() == 40);
 
 /// How values run between two keys, and what a key holds. N is Curve::components, u goes 0 … 1 from one key to the next.
 #[repr(transparent)]
@@ -2432,6 +2459,11 @@ pub struct CharacterSkeleton {
     /// skeleton.joint_count
     pub scene_from_joint: *mut Affine,
     pub scene_from_joint_count: usize,
+    /// sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
+    pub sampled: *mut SoaTransform,
+    pub sampled_count: usize,
+    pub caches: *mut SampleCache,
+    pub cache_count: usize,
 }
 impl Default for CharacterSkeleton {
     fn default() -> Self {
@@ -2439,7 +2471,7 @@ impl Default for CharacterSkeleton {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<CharacterSkeleton>() == 96);
+const _: () = assert!(std::mem::size_of::<CharacterSkeleton>() == 128);
 
 /// A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
 #[repr(C)]
@@ -2485,9 +2517,6 @@ pub struct Character {
     /// of morph targets, of all meshes
     pub target_count: u32,
     /// Scratch, of the largest skeleton.
-    /// a pose a layer
-    pub sampled: *mut SoaTransform,
-    pub sampled_count: usize,
     pub blended: *mut BlendLayer,
     pub blended_count: usize,
     pub change: *mut AdditiveTransform,
@@ -2499,7 +2528,7 @@ impl Default for Character {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Character>() == 232);
+const _: () = assert!(std::mem::size_of::<Character>() == 216);
 
 /// An animation at a time, and how much of it.
 #[repr(C)]
@@ -3918,6 +3947,21 @@ extern "C" {
     /// May be null: options.
     #[link_name = "mrw_sample"]
     pub fn sample(skeleton: *const Skeleton, clip: *const Clip, time_s: f32, out: *mut SoaTransform, out_count: usize, options: *const SampleOptions) -> Status;
+    #[link_name = "mrw_sample_cache_init"]
+    pub fn sample_cache_init(out: *mut SampleCache);
+    /// Bytes of SampleCache::memory for this clip: 160 for each four joints that turn, move or change their size, once for
+    /// each of the three.
+    #[link_name = "mrw_sample_cache_bytes"]
+    pub fn sample_cache_bytes(clip: *const Clip) -> usize;
+    /// sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
+    /// this cache did already. Another clip or another `out` than in that call is found by itself.
+    ///
+    /// out: as of sample(), and nobody else writes to it as long as the cache is in use; for a pose that is changed
+    /// afterwards copy it, or let blend() read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out` was written by others.
+    /// Errors: as sample(), and bad_argument if the cache's memory is not on a boundary of 16 bytes; then it forgets nothing.
+    /// Cost: in the worst case that of sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about half.
+    #[link_name = "mrw_sample_cached"]
+    pub fn sample_cached(skeleton: *const Skeleton, clip: *const Clip, time_s: f32, out: *mut SoaTransform, out_count: usize, cache: *mut SampleCache) -> Status;
     /// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
     /// that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
     /// within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest

@@ -1,8 +1,8 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0xee494733;
-export const GLES3_ABI = 0x54ee3b12;
+export const ABI = 0x3c69a7a4;
+export const GLES3_ABI = 0xe826fe1b;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -138,7 +138,8 @@ export const structs = {
   File: { size: 116, align: 4, init: "file_init", fields: {} },
   JointMisfit: { size: 8, align: 4, init: "", fields: {"how": [0, "value", "u8"], "joint": [4, "value", "u32"]} },
   Playback: { size: 24, align: 8, init: "playback_init", fields: {"time_s": [0, "value", "f64"], "speed": [8, "value", "f32"], "mode": [12, "value", "u8"], "returning": [13, "value", "bool"], "turns": [16, "value", "i32"]} },
-  SampleOptions: { size: 12, align: 4, init: "sample_options_init", fields: {"joints": [0, "list", "u32"], "prefilled": [8, "value", "bool"]} },
+  SampleOptions: { size: 8, align: 4, init: "sample_options_init", fields: {"joints": [0, "list", "u32"]} },
+  SampleCache: { size: 32, align: 8, init: "sample_cache_init", fields: {"memory": [0, "list", "byte"], "out": [8, "pointer", "SoaTransform"], "clip": [16, "value", "u64"], "frame": [24, "value", "u32"], "room": [28, "value", "bool"]} },
   Curve: { size: 24, align: 4, init: "curve_init", fields: {"kind": [0, "value", "u8"], "rotation": [1, "value", "bool"], "components": [4, "value", "u32"], "times_s": [8, "list", "f32"], "values": [16, "list", "f32"]} },
   ArcLength: { size: 12, align: 4, init: "arc_length_init", fields: {"steps": [0, "value", "u32"], "lengths": [4, "list", "f32"]} },
   CubicBezierEase: { size: 16, align: 4, init: "cubic_bezier_ease_init", fields: {"x1": [0, "value", "f32"], "y1": [4, "value", "f32"], "x2": [8, "value", "f32"], "y2": [12, "value", "f32"]} },
@@ -178,9 +179,9 @@ export const structs = {
   Animation: { size: 136, align: 4, init: "", fields: {"clips": [0, "struct", "File"], "duration_s": [116, "value", "f32"], "clip_of_skeleton": [120, "list", "u32"], "channels": [128, "list", "u32"]} },
   Animations: { size: 8, align: 4, init: "", fields: {"all": [0, "list", "Animation"]} },
   CharacterOptions: { size: 12, align: 4, init: "character_options_init", fields: {"layers": [0, "value", "u32"], "level": [4, "value", "u32"], "skin": [8, "value", "bool"], "animation_space": [9, "value", "bool"]} },
-  CharacterSkeleton: { size: 52, align: 4, init: "", fields: {"skeleton": [0, "struct", "Skeleton"], "local": [36, "list", "SoaTransform"], "scene_from_joint": [44, "list", "Affine"]} },
+  CharacterSkeleton: { size: 68, align: 4, init: "", fields: {"skeleton": [0, "struct", "Skeleton"], "local": [36, "list", "SoaTransform"], "scene_from_joint": [44, "list", "Affine"], "sampled": [52, "list", "SoaTransform"], "caches": [60, "list", "SampleCache"]} },
   CharacterMesh: { size: 568, align: 4, init: "", fields: {"mesh": [0, "struct", "Mesh"], "weights": [228, "list", "f32"], "palette": [236, "list", "Affine"], "coordinates": [244, "list", "f32"], "morphed": [252, "struct", "MorphedGeometry"], "vertices": [556, "list", "byte"], "first_target": [564, "value", "u32"]} },
-  Character: { size: 172, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [116, "struct", "CharacterOptions"], "skeletons": [128, "list", "CharacterSkeleton"], "meshes": [136, "list", "CharacterMesh"], "target_count": [144, "value", "u32"], "sampled": [148, "list", "SoaTransform"], "blended": [156, "list", "BlendLayer"], "change": [164, "list", "AdditiveTransform"]} },
+  Character: { size: 164, align: 4, init: "", fields: {"file": [0, "struct", "File"], "options": [116, "struct", "CharacterOptions"], "skeletons": [128, "list", "CharacterSkeleton"], "meshes": [136, "list", "CharacterMesh"], "target_count": [144, "value", "u32"], "blended": [148, "list", "BlendLayer"], "change": [156, "list", "AdditiveTransform"]} },
   AnimationLayer: { size: 12, align: 4, init: "animation_layer_init", fields: {"animation": [0, "pointer", "Animation"], "time_s": [4, "value", "f32"], "weight": [8, "value", "f32"]} },
   OutfitSkeleton: { size: 12, align: 4, init: "", fields: {"body_skeleton": [0, "value", "u32"], "body_joints": [4, "list", "u16"]} },
   Outfit: { size: 8, align: 4, init: "", fields: {"skeletons": [0, "list", "OutfitSkeleton"]} },
@@ -290,6 +291,9 @@ export const functions = {
   finished: [["pointer", "number"], "bool"],
   sample_options_init: [['pointer'], 'void'],
   sample: [["pointer", "pointer", "number", "list", "pointer"], "number"],
+  sample_cache_init: [['pointer'], 'void'],
+  sample_cache_bytes: [["pointer"], "number"],
+  sample_cached: [["pointer", "pointer", "number", "list", "pointer"], "number"],
   sample_additive: [["pointer", "pointer", "number", "list"], "number"],
   sample_channels: [["pointer", "number", "list"], "number"],
   curve_init: [['pointer'], 'void'],

@@ -1,0 +1,102 @@
+// sample_cached: the bits of sample(), whatever the cache was used for before; and that it unpacks a frame once.
+#include <cstring>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "marrow/marrow.h"
+#include "support/golden.h"
+
+namespace marrow {
+namespace {
+
+// A coded clip, and a pose and memory for it.
+struct Player {
+  explicit Player(const test::AlignedBlock& block) {
+    File file;
+    EXPECT_EQ(load({block.data(), block.size()}, file), Status::ok);
+    skeleton = file.skeleton(0);
+    clip = file.clip(0);
+    out.resize(skeleton.soa_size());
+    frames.resize((sample_cache_bytes(clip) + sizeof(SoaTransform) - 1) / sizeof(SoaTransform));
+  }
+  Span<std::byte> memory() {
+    return {reinterpret_cast<std::byte*>(frames.data()), frames.size() * sizeof(SoaTransform)};
+  }
+  // Whether the cached call at `time_s` gives what sample() does.
+  bool is_same(float time_s, SampleCache& cache) {
+    std::vector<SoaTransform> whole(out.size());
+    EXPECT_EQ(sample(skeleton, clip, time_s, whole), Status::ok);
+    EXPECT_EQ(sample_cached(skeleton, clip, time_s, out, cache), Status::ok);
+    return std::memcmp(whole.data(), out.data(), out.size() * sizeof(SoaTransform)) == 0;
+  }
+
+  Skeleton skeleton;
+  Clip clip;
+  std::vector<SoaTransform> out, frames;
+};
+
+const float kTimes_s[] = {0, 0.01f, 0.02f, 0.5f, 0.49f, 0.02f, 9, 9, -1, 0.26f, 0.27f, 0.28f, 0.29f, 0.3f, 0.31f};
+
+TEST(SampleCached, HasTheBitsOfSample) {
+  const test::AlignedBlock even = test::golden_coded_copy(), uneven = test::golden_uneven_copy();
+  for (const test::AlignedBlock* const block : {&even, &uneven}) {
+    Player player(*block);
+    ASSERT_GE(player.clip.coded.frame_count, 4u);
+    ASSERT_GT(sample_cache_bytes(player.clip), 0u);
+    SampleCache whole = {player.memory()}, none, little = {player.memory()};
+    little.memory.size = 16;
+    for (SampleCache* cache : {&whole, &none, &little})
+      for (const float time_s : kTimes_s) EXPECT_TRUE(player.is_same(time_s, *cache)) << time_s;
+  }
+}
+
+TEST(SampleCached, UnpacksAFrameOnce) {
+  const test::AlignedBlock block = test::golden_coded_copy();
+  Player player(block);
+  SampleCache cache = {player.memory()};
+  const auto between = [&](std::uint32_t frame, float share) {
+    return player.clip.coded.time_of(frame) + share / player.clip.coded.frames_per_s;
+  };
+  std::vector<SoaTransform> whole(player.out.size());
+  ASSERT_EQ(sample(player.skeleton, player.clip, between(1, 0.75f), whole), Status::ok);
+  EXPECT_TRUE(player.is_same(between(1, 0.25f), cache));
+  // Were it unpacked again, it would be of other numbers.
+  std::byte* const payload = const_cast<std::byte*>(player.clip.coded.payload);
+  for (std::size_t i = 16; i < 64; ++i) payload[i] ^= std::byte{0xFF};
+  ASSERT_EQ(sample_cached(player.skeleton, player.clip, between(1, 0.75f), player.out, cache), Status::ok);
+  EXPECT_EQ(std::memcmp(whole.data(), player.out.data(), whole.size() * sizeof(SoaTransform)), 0);
+  EXPECT_TRUE(player.is_same(between(2, 0.25f), cache));  // the next frame is
+}
+
+// Each time the pose holds another's bits, which the cache may not take for its own.
+TEST(SampleCached, NoticesWhatIsAnother) {
+  test::AlignedBlock block = test::golden_coded_copy();
+  const test::AlignedBlock uneven = test::golden_uneven_copy();
+  Player player(block);
+  SampleCache cache = {player.memory()};
+  EXPECT_TRUE(player.is_same(0.3f, cache));
+
+  player.out = std::vector<SoaTransform>(player.out.size() + 1);  // another pose
+  player.out.pop_back();
+  EXPECT_TRUE(player.is_same(0.3f, cache));
+
+  cache.memory = {};  // the memory is gone, and then there is another
+  EXPECT_TRUE(player.is_same(0.3f, cache));
+  std::vector<SoaTransform> frames(player.frames.size());
+  cache.memory = {reinterpret_cast<std::byte*>(frames.data()), frames.size() * sizeof(SoaTransform)};
+  EXPECT_TRUE(player.is_same(0.31f, cache));
+
+  // Another clip in the same place, as after a pack was taken out of memory and another one read there.
+  ASSERT_GE(block.size(), uneven.size());
+  std::memcpy(block.data(), uneven.data(), uneven.size());
+  File file;
+  ASSERT_EQ(load({block.data(), uneven.size()}, file), Status::ok);
+  player.skeleton = file.skeleton(0);
+  player.clip = file.clip(0);
+  player.out.resize(player.skeleton.soa_size());
+  EXPECT_TRUE(player.is_same(0.31f, cache));
+}
+
+}  // namespace
+}  // namespace marrow
