@@ -1,6 +1,6 @@
 // Meshes as lists a vertex, as engines take them, from blocks of four as the file has them.
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 #include "cooked.h"
 
@@ -32,10 +32,13 @@ class Influences {
 
   // The `most` largest, their weights made to sum to 1.
   void keep(std::size_t most) {
-    std::stable_sort(all_, all_ + count_, [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
-    count_ = std::min(count_, most);
     float sum = 0;
-    for (std::size_t i = 0; i < count_; ++i) sum += all_[i].weight;
+    for (std::size_t i = 0; i < count_ && i < most; ++i) {
+      for (std::size_t other = i + 1; other < count_; ++other)
+        if (all_[other].weight > all_[i].weight) std::swap(all_[i], all_[other]);
+      sum += all_[i].weight;
+    }
+    count_ = std::min(count_, most);
     for (std::size_t i = 0; i < count_; ++i) all_[i].weight = sum > 0 ? all_[i].weight / sum : float(i == 0);
   }
 

@@ -56,11 +56,11 @@ func duration() -> float:
 
 
 # From its start; the clip before fades out within fade_s seconds.
-func play(name: String, fade_s := 0.0) -> bool:
+func play(clip_name: String, fade_s := 0.0) -> bool:
 	if _native == null:
 		push_error("MarrowPlayer: nothing is open: set `file`, or call open()")
 		return false
-	var found: int = _native.find_clip(name)
+	var found: int = _native.find_clip(clip_name)
 	if found < 0:
 		push_error(_native.get_error())
 		return false
@@ -68,7 +68,7 @@ func play(name: String, fade_s := 0.0) -> bool:
 	_other_time = time
 	_fade = fade_s
 	_fade_left = fade_s
-	clip = name
+	clip = clip_name
 	_clip = found
 	time = 0.0
 	return apply()
