@@ -1,5 +1,6 @@
 // Loads Marrow's library for Godot 4 as Godot would, calls all that it registers in both of Godot's ways, and unloads it.
-// usage: mock_host LIBRARY FILE.mrw POSES.bin [BAD.mrw ...]    POSES.bin: what the skeleton was told, to be compared
+// usage: mock_host LIBRARY FILE.mrw POSES.bin LISTS.json [BAD.mrw ...]
+// POSES.bin: what the skeleton was told, to be compared. LISTS.json: what the methods returned, for recorded.gd.
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -143,7 +144,46 @@ void refuse(Script native, Object& skeleton) {
   native.refuses(gdextension::kInvalidArgument, 0, "open", Variant("bytes"), Variant("name"), first);
 }
 
-Object* run(const char* file, const char* poses, int bad_count, char** bad) {
+template <typename Number>
+std::string to_json(const std::vector<Number>& numbers) {
+  std::string out = "[";
+  char text[32];
+  for (const Number& each : numbers) {
+    std::snprintf(text, sizeof text, "%.9g", double(each));
+    (out += out.size() == 1 ? "" : ",") += text;
+  }
+  return out + "]";
+}
+
+std::string to_json(const std::vector<std::string>& texts) {
+  std::string out = "[";
+  for (const std::string& each : texts) (((out += out.size() == 1 ? "" : ",") += '"') += each) += '"';
+  return out + "]";
+}
+
+void record(Script native, const char* name) {
+  std::ofstream out(name);
+  out << "{\"clips\":" << to_json(native.call("clips").texts()) << ",\n\"bones\":" << to_json(native.call("bones").texts())
+      << ",\n\"parents\":" << to_json(native.call("parents").ints())
+      << ",\n\"rests\":" << to_json(native.call("rests").reals())
+      << ",\n\"above\":" << to_json(native.call("above").reals());
+  std::vector<double> durations;
+  for (int clip = 0; clip < 4; ++clip) durations.push_back(native.call("duration", Variant(clip)).real());
+  out << ",\n\"durations\":" << to_json(durations);
+  for (int mesh = 0; mesh < 6; ++mesh) {
+    const Variant which(mesh), most(4);
+    out << ",\n\"mesh_name " << mesh << "\":\"" << native.call("mesh_name", which).text() << '"';
+    for (const char* what : {"positions", "normals", "tangents", "uvs", "colours", "weights", "binds", "colour"})
+      out << ",\n\"" << what << ' ' << mesh
+          << "\":" << to_json(native.call("mesh_reals", which, Variant(what), most).reals());
+    for (const char* what : {"indices", "bones", "bind_bones", "influences", "double_sided"})
+      out << ",\n\"" << what << ' ' << mesh
+          << "\":" << to_json(native.call("mesh_ints", which, Variant(what), most).ints());
+  }
+  out << "}\n";
+}
+
+Object* run(const char* file, const char* poses, const char* lists, int bad_count, char** bad) {
   Object* const object = engine().make("MarrowNative");
   Object skeleton{"Skeleton3D", nullptr, std::vector<float>(440)};
   Script native{object};
@@ -166,6 +206,7 @@ Object* run(const char* file, const char* poses, int bad_count, char** bad) {
   native.says("");
   look_at_lists(native);
   play(native, skeleton, poses);
+  record(native, lists);
   refuse(native, skeleton);
   return object;
 }
@@ -187,7 +228,7 @@ void run_on_others(Initialize* initialize) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return 2;
+  if (argc < 5) return 2;
   void* const library = dlopen(argv[1], RTLD_NOW | RTLD_LOCAL);
   auto* const initialize =
       reinterpret_cast<Initialize*>(library == nullptr ? nullptr : dlsym(library, "marrow_godot_init"));
@@ -200,7 +241,7 @@ int main(int argc, char** argv) {
   for (int level = 0; level < 4; ++level) levels.initialize(levels.userdata, level);
   must(engine().classes.size() == 1 && engine().classes.at("MarrowNative").parent == "RefCounted", "a class is there");
   std::printf("MarrowNative: %d methods\n", int(engine().classes.at("MarrowNative").methods.size()));
-  engine().free(run(argv[2], argv[3], argc - 4, argv + 4));
+  engine().free(run(argv[2], argv[3], argv[4], argc - 5, argv + 5));
   must(engine().errors.empty(), "nothing is told as an error");
   for (int level = 3; level >= 0; --level) levels.deinitialize(levels.userdata, level);
   must(engine().classes.empty(), "no class stays");

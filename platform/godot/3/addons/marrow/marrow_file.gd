@@ -80,6 +80,12 @@ static func _make_mesh(from: Reference, mesh: int) -> ArrayMesh:
 		for i in range(0, uvs.size(), 2):
 			pairs.append(Vector2(uvs[i], uvs[i + 1]))
 		arrays[Mesh.ARRAY_TEX_UV] = pairs
+	var colours: PoolRealArray = from.mesh_reals(mesh, "colours", 4)
+	if colours.size() > 0:
+		var all := PoolColorArray()
+		for i in range(0, colours.size(), 4):
+			all.append(Color(colours[i], colours[i + 1], colours[i + 2], colours[i + 3]))
+		arrays[Mesh.ARRAY_COLOR] = all
 	arrays[Mesh.ARRAY_BONES] = from.mesh_ints(mesh, "bones", 4)
 	arrays[Mesh.ARRAY_WEIGHTS] = from.mesh_reals(mesh, "weights", 4)
 	arrays[Mesh.ARRAY_INDEX] = from.mesh_ints(mesh, "indices", 4)
@@ -88,6 +94,7 @@ static func _make_mesh(from: Reference, mesh: int) -> ArrayMesh:
 	var material := SpatialMaterial.new()
 	var colour: PoolRealArray = from.mesh_reals(mesh, "colour", 4)
 	material.albedo_color = Color(_srgb(colour[0]), _srgb(colour[1]), _srgb(colour[2]), colour[3])
+	material.vertex_color_use_as_albedo = colours.size() > 0
 	if from.mesh_ints(mesh, "double_sided", 4)[0] == 1:
 		material.params_cull_mode = SpatialMaterial.CULL_DISABLED
 	out.surface_set_material(0, material)

@@ -43,7 +43,12 @@ func open(cooked: Resource) -> bool:
 	add_child(skeleton)
 	if show_meshes:
 		cooked.add_meshes(skeleton, skeleton_index)
-	return clip == "" or play(clip)
+	if clip == "":
+		return true
+	var goes_on := playing
+	var good := play(clip)
+	playing = goes_on
+	return good
 
 
 func clips() -> PoolStringArray:
@@ -71,6 +76,7 @@ func play(clip_name: String, fade_s := 0.0) -> bool:
 	clip = clip_name
 	_clip = found
 	time = 0.0
+	playing = true
 	return apply()
 
 
