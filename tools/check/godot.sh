@@ -51,11 +51,15 @@ quietly cmake --build "$build" --target marrow_godot_lacking marrow_godot_saniti
 
 # The newt, and files that are none.
 files=$work/files
-mkdir -p "$files/bad" "$files/expected"
-cook() { "$marrow" cook "$MARROW/tools/sample/newt.glb" "$@" >/dev/null 2>&1; }
-cook -o "$files/newt.mrw"
-cook --mesh-codec meshopt -o "$files/bad/meshopt.mrw"
-cook --clips-only --skeleton "$files/newt.mrw" -o "$files/bad/pack.mrw"
+newt=$MARROW/tools/sample/newt.glb
+mkdir -p "$files/bad" "$files/expected" "$files/turned"
+cook() { quietly "$marrow" cook "$@"; }
+cook "$newt" -o "$files/newt.mrw"
+cook "$newt" --mesh-codec meshopt -o "$files/bad/meshopt.mrw"
+cook "$newt" --clips-only --skeleton "$files/newt.mrw" -o "$files/bad/pack.mrw"
+for how in turned parted; do python3 "$tests/variant.py" "$newt" "$work/$how.glb" $how; done
+cook "$work/turned.glb" -o "$files/turned.mrw"
+cook "$work/parted.glb" -o "$files/bad/parted.mrw"
 change() {  # FILE OFFSET BYTE
   cp "$files/newt.mrw" "$files/bad/$1.mrw"
   printf '%b' "$3" | dd of="$files/bad/$1.mrw" bs=1 seek="$2" conv=notrunc status=none
@@ -66,8 +70,9 @@ change version 4 '\x77'
 head -c 50000 "$files/newt.mrw" >"$files/bad/short.mrw"
 cp "$MARROW/LICENSE" "$files/bad/text.mrw"
 quietly "$build/reference" "$files/newt.mrw" "$files/expected"
-same() {  # WHO POSES.bin
-  cmp "$2" "$files/expected/poses.bin" || fail "$1: other poses than the C program's"
+quietly "$build/reference" "$files/turned.mrw" "$files/turned"
+same() {  # WHO POSES.bin EXPECTED
+  cmp "$2" "$files/$3/poses.bin" || fail "$1: other poses than the C program's"
   echo "$1: poses $(sha256sum "$2" | head -c 16), the same as the C program's"
 }
 refused() {  # WHO LOG: a message a bad file, with its name and what to do
@@ -81,6 +86,7 @@ damaged damaged.*copy it again
 empty truncated.*copy it again
 meshopt meshes are compressed with meshoptimizer.*build the library with that codec
 pack has no skeleton.*open a character
+parted root joints stand below different nodes.*one parent joint
 short truncated.*copy it again
 text not a cooked file.*marrow cook
 version version.*cook it again
@@ -91,7 +97,7 @@ mock() {  # WHICH [BAD.mrw ...]
   "$build/mock_host" "$build/libmarrow_godot_$1.so" "$files/newt.mrw" "$work/mock.bin" "$work/lists.json" "${@:2}"
 }
 mock sanitized "$files"/bad/*.mrw >"$work/mock.txt" 2>&1 || { cat "$work/mock.txt" >&2; fail "the mock of Godot 4 fails"; }
-same "Godot 4, a mock" "$work/mock.bin"
+same "Godot 4, a mock" "$work/mock.bin" expected
 refused "Godot 4, a mock" "$work/mock.txt"
 cp "$work/lists.json" "$files/lists.json"
 mock other >"$work/other.txt" 2>&1 && fail "a library of another release plays"
@@ -112,7 +118,8 @@ if has godot3-server; then
   HOME=$work/home LC_ALL=C.UTF-8 timeout 60 godot3-server --path "$game" -s check.gd >"$work/godot3.txt" 2>&1 ||
     { cat "$work/godot3.txt" >&2; fail "Godot 3 fails"; }
   grep -E ' bones within |us a call' "$work/godot3.txt" | sed 's/^/Godot 3: /'
-  same "Godot 3" "$game/poses.bin"
+  same "Godot 3" "$game/expected/godot.bin" expected
+  same "Godot 3, turned" "$game/turned/godot.bin" turned
   refused "Godot 3" "$work/godot3.txt"
 else
   skip "Godot 3: there is no godot3-server"

@@ -14,8 +14,8 @@ namespace {
 
 using namespace gdnative;
 using marrow_godot::Cooked;
-using marrow_godot::kReals;
 using marrow_godot::Kind;
+using marrow_godot::kReals;
 using marrow_godot::Value;
 
 const Core* core = nullptr;
@@ -67,12 +67,18 @@ struct Bytes {
 // Whether Godot turns a value of this type into the kind without a loss.
 bool fits(int type, Kind kind) {
   switch (kind) {
-    case Kind::real: return type == kReal || type == kInt;
-    case Kind::whole: return type == kInt || type == kReal;
-    case Kind::text: return type == kString;
-    case Kind::bytes: return type == kPoolBytes;
-    case Kind::object: return type == kObject || type == kNil;
-    default: return false;
+    case Kind::real:
+      return type == kReal || type == kInt;
+    case Kind::whole:
+      return type == kInt || type == kReal;
+    case Kind::text:
+      return type == kString;
+    case Kind::bytes:
+      return type == kPoolBytes;
+    case Kind::object:
+      return type == kObject || type == kNil;
+    default:
+      return false;
   }
 }
 
@@ -90,9 +96,9 @@ bool read(const Variant* from, Kind kind, Value& out, Bytes& bytes) {
 struct PoolPlaces {
   Place make, resize, write, pointer, end, to_variant, destroy;
 };
-constexpr PoolPlaces kInts{kPoolIntsNew,         kPoolIntsResize, kPoolIntsWrite, kPoolIntsWritePointer,
+constexpr PoolPlaces kInts{kPoolIntsNew,          kPoolIntsResize, kPoolIntsWrite,  kPoolIntsWritePointer,
                            kPoolIntsWriteDestroy, kVariantNewInts, kPoolIntsDestroy};
-constexpr PoolPlaces kReals32{kPoolRealsNew,         kPoolRealsResize, kPoolRealsWrite, kPoolRealsWritePointer,
+constexpr PoolPlaces kReals32{kPoolRealsNew,          kPoolRealsResize, kPoolRealsWrite,  kPoolRealsWritePointer,
                               kPoolRealsWriteDestroy, kVariantNewReals, kPoolRealsDestroy};
 
 template <typename Number>
@@ -123,19 +129,32 @@ void write_texts(const std::vector<std::string>& from, Variant& out) {
 Variant write(const Value& from, Kind kind) {
   Variant out;
   switch (kind) {
-    case Kind::truth: call<void>(kVariantNewBool, &out, from.whole != 0); break;
-    case Kind::whole: call<void>(kVariantNewInt, &out, from.whole); break;
-    case Kind::real: call<void>(kVariantNewReal, &out, from.real); break;
-    case Kind::ints: write_pool(from.ints, kInts, out); break;
-    case Kind::reals: write_pool(from.reals, kReals32, out); break;
-    case Kind::texts: write_texts(from.texts, out); break;
+    case Kind::truth:
+      call<void>(kVariantNewBool, &out, from.whole != 0);
+      break;
+    case Kind::whole:
+      call<void>(kVariantNewInt, &out, from.whole);
+      break;
+    case Kind::real:
+      call<void>(kVariantNewReal, &out, from.real);
+      break;
+    case Kind::ints:
+      write_pool(from.ints, kInts, out);
+      break;
+    case Kind::reals:
+      write_pool(from.reals, kReals32, out);
+      break;
+    case Kind::texts:
+      write_texts(from.texts, out);
+      break;
     case Kind::text: {
       Text text = call<Text>(kTextFromUtf8, from.text.c_str());
       call<void>(kVariantNewText, &out, static_cast<const Text*>(&text));
       call<void>(kTextDestroy, &text);
       break;
     }
-    default: call<void>(kVariantNewNil, &out);
+    default:
+      call<void>(kVariantNewNil, &out);
   }
   return out;
 }
@@ -194,8 +213,12 @@ constexpr marrow_godot::Engine kEngine{set_bones};
 
 // ---- The class.
 
-void* create(Object*, void*) { return new (std::nothrow) Cooked; }
-void destroy(Object*, void*, void* instance) { delete static_cast<Cooked*>(instance); }
+void* create(Object*, void*) {
+  return new (std::nothrow) Cooked;
+}
+void destroy(Object*, void*, void* instance) {
+  delete static_cast<Cooked*>(instance);
+}
 
 Variant call_from_script(Object*, void* data, void* instance, int count, Variant** from) {
   const auto& method = *static_cast<const marrow_godot::Method*>(data);
@@ -216,7 +239,9 @@ Variant call_from_script(Object*, void* data, void* instance, int count, Variant
   return write(result, method.result);
 }
 
-Bind* bind(const char* type, const char* name) { return call<Bind*>(kMethodBind, type, name); }
+Bind* bind(const char* type, const char* name) {
+  return call<Bind*>(kMethodBind, type, name);
+}
 
 }  // namespace
 

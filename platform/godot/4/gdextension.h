@@ -30,7 +30,7 @@ struct Initialization {
   void (*deinitialize)(void* userdata, int level);
 };
 
-struct Property {
+struct Property {  // NOLINT(clang-analyzer-optin.performance.Padding): the order is Godot's
   Type type;
   void* name;        // StringName
   void* class_name;  // StringName

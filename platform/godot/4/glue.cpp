@@ -16,8 +16,8 @@ namespace {
 
 using namespace gdextension;
 using marrow_godot::Cooked;
-using marrow_godot::kReals;
 using marrow_godot::Kind;
+using marrow_godot::kReals;
 using marrow_godot::Value;
 
 Api api;
@@ -34,16 +34,26 @@ void* skeleton_tag = nullptr;
 
 Type type_of(Kind kind) {
   switch (kind) {
-    case Kind::truth: return kBool;
-    case Kind::whole: return kInt;
-    case Kind::real: return kFloat;
-    case Kind::text: return kString;
-    case Kind::bytes: return kPackedBytes;
-    case Kind::ints: return kPackedInts;
-    case Kind::reals: return kPackedFloats;
-    case Kind::texts: return kPackedStrings;
-    case Kind::object: return kObject;
-    case Kind::nothing: break;
+    case Kind::truth:
+      return kBool;
+    case Kind::whole:
+      return kInt;
+    case Kind::real:
+      return kFloat;
+    case Kind::text:
+      return kString;
+    case Kind::bytes:
+      return kPackedBytes;
+    case Kind::ints:
+      return kPackedInts;
+    case Kind::reals:
+      return kPackedFloats;
+    case Kind::texts:
+      return kPackedStrings;
+    case Kind::object:
+      return kObject;
+    case Kind::nothing:
+      break;
   }
   return kNil;
 }
@@ -82,9 +92,15 @@ void call_built_in(Type type, const char* method, std::int64_t hash, void* self,
 
 void read(const void* from, Kind kind, Value& out) {
   switch (kind) {
-    case Kind::whole: out.whole = *static_cast<const std::int64_t*>(from); break;
-    case Kind::real: out.real = *static_cast<const double*>(from); break;
-    case Kind::object: out.object = *static_cast<void* const*>(from); break;
+    case Kind::whole:
+      out.whole = *static_cast<const std::int64_t*>(from);
+      break;
+    case Kind::real:
+      out.real = *static_cast<const double*>(from);
+      break;
+    case Kind::object:
+      out.object = *static_cast<void* const*>(from);
+      break;
     case Kind::text:
       out.text.resize(std::size_t(api.string_to_utf8_chars(from, nullptr, 0)));
       api.string_to_utf8_chars(from, out.text.data(), std::int64_t(out.text.size()));
@@ -96,7 +112,8 @@ void read(const void* from, Kind kind, Value& out) {
       out.bytes = size == 0 ? nullptr : api.packed_byte_array_operator_index_const(from, 0);
       break;
     }
-    default: break;
+    default:
+      break;
   }
 }
 
@@ -157,7 +174,9 @@ void* create(void*) {
   return object;
 }
 
-void destroy(void*, void* instance) { delete static_cast<Cooked*>(instance); }
+void destroy(void*, void* instance) {
+  delete static_cast<Cooked*>(instance);
+}
 
 void call_by_pointers(void* userdata, void* instance, const void* const* from, void* out) {
   const auto& method = *static_cast<const marrow_godot::Method*>(userdata);
@@ -214,8 +233,12 @@ void register_method(const Name& type, const marrow_godot::Method& method) {
   const Name name(method.name), none("");
   const Stored hint("");
   const auto property = [&](Kind kind, const Name& its_name) {
-    return Property{type_of(kind), const_cast<std::uint8_t*>(its_name.inside), const_cast<std::uint8_t*>(none.inside),
-                    0, const_cast<std::uint8_t*>(hint.inside), 6};
+    return Property{type_of(kind),
+                    const_cast<std::uint8_t*>(its_name.inside),
+                    const_cast<std::uint8_t*>(none.inside),
+                    0,
+                    const_cast<std::uint8_t*>(hint.inside),
+                    6};
   };
   Property result = property(method.result, none), arguments[marrow_godot::kMostArguments];
   std::vector<std::unique_ptr<Name>> names;
@@ -242,7 +265,8 @@ const void* bind(const Name& type, const char* method, std::int64_t hash) {
   const void* const found = api.classdb_get_method_bind(type.inside, Name(method).inside, hash);
   if (found == nullptr)
     api.print_error((std::string("marrow: this Godot has another Skeleton3D.") + method +
-                     ": characters will not move; take a release of Marrow for it").c_str(),
+                     ": characters will not move; take a release of Marrow for it")
+                        .c_str(),
                     "bind", __FILE__, __LINE__, 1);
   return found;
 }
@@ -263,12 +287,8 @@ void initialize(void*, int level) {
   for (int i = 0; i < methods.count; ++i) register_method(type, methods.all[i]);
   const Name none("");
   const Stored hint("");
-  const Property property{kString,
-                          const_cast<std::uint8_t*>(error.inside),
-                          const_cast<std::uint8_t*>(none.inside),
-                          0,
-                          const_cast<std::uint8_t*>(hint.inside),
-                          4};
+  const Property property{kString, const_cast<std::uint8_t*>(error.inside), const_cast<std::uint8_t*>(none.inside),
+                          0,       const_cast<std::uint8_t*>(hint.inside),  4};
   api.classdb_register_extension_class_property(library, type.inside, &property, none.inside, getter.inside);
 }
 

@@ -12,12 +12,17 @@ constexpr std::size_t kMostBytes = std::size_t(1) << 30;
 
 const char* advice(mrw_status status) {
   switch (status) {
-    case MRW_BAD_MAGIC: return "make one with `marrow cook hero.glb -o hero.mrw`";
-    case MRW_BAD_VERSION: return "cook it again with the `marrow` of this library's release";
-    case MRW_UNSUPPORTED: return "build the library with that codec (-DMARROW_DRACO=ON, -DMARROW_MESHOPT=ON), or cook "
-                                 "with --mesh-codec none --clip-codec raw";
-    case MRW_OUT_OF_MEMORY: return "free some memory";
-    default: return "copy it again from where it was cooked, or cook it again";
+    case MRW_BAD_MAGIC:
+      return "make one with `marrow cook hero.glb -o hero.mrw`";
+    case MRW_BAD_VERSION:
+      return "cook it again with the `marrow` of this library's release";
+    case MRW_UNSUPPORTED:
+      return "build the library with that codec (-DMARROW_DRACO=ON, -DMARROW_MESHOPT=ON), or cook "
+             "with --mesh-codec none --clip-codec raw";
+    case MRW_OUT_OF_MEMORY:
+      return "free some memory";
+    default:
+      return "copy it again from where it was cooked, or cook it again";
   }
 }
 
@@ -115,8 +120,8 @@ bool Cooked::choose(std::int64_t skeleton) {
   if (!animations_block_.make(mrw_animations_bytes(&file_, &file_)) ||
       !character_block_.make(mrw_character_bytes(&file_, &options)))
     return fail("there is no memory to pose it");
-  mrw_status status = mrw_make_animations(&file_, &file_, animations_block_.data(), animations_block_.size(),
-                                          &animations_);
+  mrw_status status =
+      mrw_make_animations(&file_, &file_, animations_block_.data(), animations_block_.size(), &animations_);
   if (status == MRW_OK)
     status = mrw_make_character(&file_, &options, character_block_.data(), character_block_.size(), &character_);
   if (status != MRW_OK) return fail(mrw_status_text(status));
@@ -127,11 +132,12 @@ bool Cooked::choose(std::int64_t skeleton) {
     read_joint(skeleton_.rest, j, rest);
     for (int i = 7; i < kReals; ++i) rest[i] = rest[i] == 0 ? 1 : rest[i];
   }
-  for (std::uint32_t i = 1; i < skeleton_.root_count; ++i)
-    if (std::memcmp(&skeleton_.scene_from_root[0], &skeleton_.scene_from_root[i], sizeof(mrw_affine)) != 0)
-      return fail("its root joints stand below different nodes, for which Godot's skeleton has no place: give them one "
-                  "parent joint in the source");
   const float* const rows = &skeleton_.scene_from_root[0].rows[0][0];
+  for (std::uint32_t i = 1; i < skeleton_.root_count; ++i)
+    if (!std::equal(rows, rows + 12, &skeleton_.scene_from_root[i].rows[0][0]))
+      return fail(
+          "its root joints stand below different nodes, for which Godot's skeleton has no place: give them one "
+          "parent joint in the source");
   above_.assign(rows, rows + 12);
   for (std::uint32_t i = 0; i < mrw_file_clip_count(&file_); ++i) {
     mrw_clip clip;
@@ -158,8 +164,9 @@ std::int64_t Cooked::find_clip(const std::string& name) {
 }
 
 double Cooked::duration(std::int64_t clip) const {
-  return clip < 0 || clip >= std::int64_t(clips_.size()) ? 0.0
-                                                         : double(animations_.all[clips_[std::size_t(clip)]].duration_s);
+  return clip < 0 || clip >= std::int64_t(clips_.size())
+             ? 0.0
+             : double(animations_.all[clips_[std::size_t(clip)]].duration_s);
 }
 
 // Godot refuses bones without a name, with ':' or '/' in it, and a second one of the same name.

@@ -44,7 +44,7 @@ class Cooked {
   std::int64_t find_clip(const std::string& name);  // -1: none, and error() lists those that there are
   double duration(std::int64_t clip) const;
 
-  std::vector<std::string> bones() const;  // names that Godot takes: mixamorig:Hips is mixamorig_Hips
+  std::vector<std::string> bones() const;     // names that Godot takes: mixamorig:Hips is mixamorig_Hips
   std::vector<std::int32_t> parents() const;  // -1: none
   // kReals a bone. A scale of 0 counts as 1, for Godot inverts rests.
   const std::vector<float>& rests() const { return rests_; }

@@ -60,7 +60,7 @@ void each_vertex(const mrw_mesh& mesh, Visit visit) {
   for (std::size_t r = 0; r < geometry.run_count; ++r) {
     const std::uint32_t k = geometry.runs[r].influences;
     const std::uint32_t blocks = (geometry.runs[r].vertex_count + 3) / 4;
-    for (std::uint32_t b = 0; b < blocks; ++b, block += 4 * (2 + k)) {
+    for (std::uint32_t b = 0; b < blocks; ++b, block += std::size_t(4) * (2 + k)) {
       for (std::uint32_t lane = 0; lane < 4; ++lane, ++slot) {
         Influences influences;
         float rest = 1;

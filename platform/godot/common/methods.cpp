@@ -9,17 +9,37 @@ void open(Cooked& cooked, const Engine&, Arguments in, Value& out) {
   out.whole = cooked.open(in[0].bytes, in[0].byte_count, in[1].text, in[2].whole);
 }
 
-void get_error(Cooked& cooked, const Engine&, Arguments, Value& out) { out.text = cooked.error(); }
-void clips(Cooked& cooked, const Engine&, Arguments, Value& out) { out.texts = cooked.clips(); }
-void bones(Cooked& cooked, const Engine&, Arguments, Value& out) { out.texts = cooked.bones(); }
-void parents(Cooked& cooked, const Engine&, Arguments, Value& out) { out.ints = cooked.parents(); }
-void rests(Cooked& cooked, const Engine&, Arguments, Value& out) { out.reals = cooked.rests(); }
-void above(Cooked& cooked, const Engine&, Arguments, Value& out) { out.reals = cooked.above(); }
-void mesh_count(Cooked& cooked, const Engine&, Arguments, Value& out) { out.whole = cooked.mesh_count(); }
+void get_error(Cooked& cooked, const Engine&, Arguments, Value& out) {
+  out.text = cooked.error();
+}
+void clips(Cooked& cooked, const Engine&, Arguments, Value& out) {
+  out.texts = cooked.clips();
+}
+void bones(Cooked& cooked, const Engine&, Arguments, Value& out) {
+  out.texts = cooked.bones();
+}
+void parents(Cooked& cooked, const Engine&, Arguments, Value& out) {
+  out.ints = cooked.parents();
+}
+void rests(Cooked& cooked, const Engine&, Arguments, Value& out) {
+  out.reals = cooked.rests();
+}
+void above(Cooked& cooked, const Engine&, Arguments, Value& out) {
+  out.reals = cooked.above();
+}
+void mesh_count(Cooked& cooked, const Engine&, Arguments, Value& out) {
+  out.whole = cooked.mesh_count();
+}
 
-void find_clip(Cooked& cooked, const Engine&, Arguments in, Value& out) { out.whole = cooked.find_clip(in[0].text); }
-void duration(Cooked& cooked, const Engine&, Arguments in, Value& out) { out.real = cooked.duration(in[0].whole); }
-void mesh_name(Cooked& cooked, const Engine&, Arguments in, Value& out) { out.text = cooked.mesh_name(in[0].whole); }
+void find_clip(Cooked& cooked, const Engine&, Arguments in, Value& out) {
+  out.whole = cooked.find_clip(in[0].text);
+}
+void duration(Cooked& cooked, const Engine&, Arguments in, Value& out) {
+  out.real = cooked.duration(in[0].whole);
+}
+void mesh_name(Cooked& cooked, const Engine&, Arguments in, Value& out) {
+  out.text = cooked.mesh_name(in[0].whole);
+}
 
 void mesh_reals(Cooked& cooked, const Engine&, Arguments in, Value& out) {
   out.reals = cooked.mesh_reals(in[0].whole, in[1].text, in[2].whole);
@@ -66,6 +86,8 @@ constexpr Method kMethods[] = {
 
 }  // namespace
 
-Methods methods() { return {kMethods, int(sizeof kMethods / sizeof kMethods[0])}; }
+Methods methods() {
+  return {kMethods, int(sizeof kMethods / sizeof kMethods[0])};
+}
 
 }  // namespace marrow_godot

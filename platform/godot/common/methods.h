@@ -1,4 +1,5 @@
-// What scripts may call, as one table of plain values: each Godot's glue registers it, and turns its own values to these.
+// What scripts may call, as one table of plain values: each Godot's glue registers it, and turns its own values to
+// these.
 #pragma once
 #include "cooked.h"
 

@@ -17,7 +17,9 @@ void stop(const std::string& what) {
 
 // ---- Values: a String or StringName is a pointer, null if empty; a packed array is a pointer behind another.
 
-std::string*& string_in(void* value) { return *static_cast<std::string**>(value); }
+std::string*& string_in(void* value) {
+  return *static_cast<std::string**>(value);
+}
 std::string text_in(const void* value) {
   const std::string* const text = *static_cast<std::string* const*>(value);
   return text == nullptr ? "" : *text;
@@ -28,7 +30,9 @@ struct Packed {
   void* unused;
   Array* array;
 };
-Packed& packed(void* value) { return *static_cast<Packed*>(value); }
+Packed& packed(void* value) {
+  return *static_cast<Packed*>(value);
+}
 const Array& array_in(const void* value) {
   static const Array kNone;
   const Array* const array = static_cast<const Packed*>(value)->array;
@@ -40,8 +44,12 @@ std::size_t width(int type) {
   return type == kPackedStrings ? sizeof(void*) : 4;
 }
 
-bool is_text(int type) { return type == kString || type == kStringName; }
-bool is_packed(int type) { return type >= kPackedBytes; }
+bool is_text(int type) {
+  return type == kString || type == kStringName;
+}
+bool is_packed(int type) {
+  return type >= kPackedBytes;
+}
 
 void make_text(void* to, const std::string& text) {
   string_in(to) = text.empty() ? nullptr : new std::string(text);
@@ -66,13 +74,21 @@ void destroy(void* value) {
 
 Destructor destructor(int type) {
   switch (type) {
-    case kString: return destroy<kString>;
-    case kStringName: return destroy<kStringName>;
-    case kPackedBytes: return destroy<kPackedBytes>;
-    case kPackedInts: return destroy<kPackedInts>;
-    case kPackedFloats: return destroy<kPackedFloats>;
-    case kPackedStrings: return destroy<kPackedStrings>;
-    default: stop("there is no destructor of type " + std::to_string(type)); return nullptr;
+    case kString:
+      return destroy<kString>;
+    case kStringName:
+      return destroy<kStringName>;
+    case kPackedBytes:
+      return destroy<kPackedBytes>;
+    case kPackedInts:
+      return destroy<kPackedInts>;
+    case kPackedFloats:
+      return destroy<kPackedFloats>;
+    case kPackedStrings:
+      return destroy<kPackedStrings>;
+    default:
+      stop("there is no destructor of type " + std::to_string(type));
+      return nullptr;
   }
 }
 
@@ -105,25 +121,41 @@ void from_variant(void* value, void* variant) {
 
 FromValue variant_maker(int type) {
   switch (type) {
-    case kBool: return to_variant<kBool>;
-    case kInt: return to_variant<kInt>;
-    case kFloat: return to_variant<kFloat>;
-    case kString: return to_variant<kString>;
-    case kPackedInts: return to_variant<kPackedInts>;
-    case kPackedFloats: return to_variant<kPackedFloats>;
-    case kPackedStrings: return to_variant<kPackedStrings>;
-    default: stop("no variant is made of type " + std::to_string(type)); return nullptr;
+    case kBool:
+      return to_variant<kBool>;
+    case kInt:
+      return to_variant<kInt>;
+    case kFloat:
+      return to_variant<kFloat>;
+    case kString:
+      return to_variant<kString>;
+    case kPackedInts:
+      return to_variant<kPackedInts>;
+    case kPackedFloats:
+      return to_variant<kPackedFloats>;
+    case kPackedStrings:
+      return to_variant<kPackedStrings>;
+    default:
+      stop("no variant is made of type " + std::to_string(type));
+      return nullptr;
   }
 }
 
 ToValue variant_reader(int type) {
   switch (type) {
-    case kInt: return from_variant<kInt>;
-    case kFloat: return from_variant<kFloat>;
-    case kString: return from_variant<kString>;
-    case kObject: return from_variant<kObject>;
-    case kPackedBytes: return from_variant<kPackedBytes>;
-    default: stop("no variant is read as type " + std::to_string(type)); return nullptr;
+    case kInt:
+      return from_variant<kInt>;
+    case kFloat:
+      return from_variant<kFloat>;
+    case kString:
+      return from_variant<kString>;
+    case kObject:
+      return from_variant<kObject>;
+    case kPackedBytes:
+      return from_variant<kPackedBytes>;
+    default:
+      stop("no variant is read as type " + std::to_string(type));
+      return nullptr;
   }
 }
 
@@ -225,9 +257,13 @@ void register_property(void*, const void* type, const gdextension::Property* inf
   engine().classes.at(text_in(type)).properties[text_in(info->name)] = {info->type, text_in(setter), text_in(getter)};
 }
 
-void unregister_class(void*, const void* name) { engine().classes.erase(text_in(name)); }
+void unregister_class(void*, const void* name) {
+  engine().classes.erase(text_in(name));
+}
 
-void* construct(const void* name) { return engine().make(text_in(name)); }
+void* construct(const void* name) {
+  return engine().make(text_in(name));
+}
 
 void set_instance(void* object, const void* type, void* instance) {
   static_cast<Object*>(object)->type = text_in(type);
@@ -331,11 +367,21 @@ Variant Engine::call_typed(Object& object, const std::string& method, const std:
   return result;
 }
 
-Variant::Variant(bool value) : type(kBool) { inside[0] = value; }
-Variant::Variant(std::int64_t value) : type(kInt) { std::memcpy(inside, &value, sizeof value); }
-Variant::Variant(double value) : type(kFloat) { std::memcpy(inside, &value, sizeof value); }
-Variant::Variant(const char* value) : type(kString) { make_text(inside, value); }
-Variant::Variant(Object* value) : type(kObject) { std::memcpy(inside, &value, sizeof value); }
+Variant::Variant(bool value) : type(kBool) {
+  inside[0] = value;
+}
+Variant::Variant(std::int64_t value) : type(kInt) {
+  std::memcpy(inside, &value, sizeof value);
+}
+Variant::Variant(double value) : type(kFloat) {
+  std::memcpy(inside, &value, sizeof value);
+}
+Variant::Variant(const char* value) : type(kString) {
+  make_text(inside, value);
+}
+Variant::Variant(Object* value) : type(kObject) {
+  std::memcpy(inside, &value, sizeof value);
+}
 Variant::Variant(const std::vector<std::uint8_t>& value) : type(kPackedBytes) {
   Packed from{nullptr, const_cast<Array*>(&value)};
   copy(kPackedBytes, inside, &from);
@@ -363,7 +409,9 @@ double Variant::real() const {
   std::memcpy(&out, inside, sizeof out);
   return out;
 }
-std::string Variant::text() const { return text_in(inside); }
+std::string Variant::text() const {
+  return text_in(inside);
+}
 std::vector<std::string> Variant::texts() const {
   std::vector<std::string> out;
   const Array& array = array_in(inside);

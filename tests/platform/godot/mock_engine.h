@@ -1,5 +1,6 @@
 // The engine's side of Godot 4's C interface, as far as a library asks for it: values, a registry of classes, objects,
-// and a Skeleton3D that keeps what it is told. Written from the interface's description, to run a library without Godot.
+// and a Skeleton3D that keeps what it is told. Written from the interface's description, to run a library without
+// Godot.
 #pragma once
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
-// Loads Marrow's library for Godot 4 as Godot would, calls all that it registers in both of Godot's ways, and unloads it.
-// usage: mock_host LIBRARY FILE.mrw POSES.bin LISTS.json [BAD.mrw ...]
-// POSES.bin: what the skeleton was told, to be compared. LISTS.json: what the methods returned, for recorded.gd.
+// Loads Marrow's library for Godot 4 as Godot would, calls all that it registers in both of Godot's ways, and unloads
+// it. usage: mock_host LIBRARY FILE.mrw POSES.bin LISTS.json [BAD.mrw ...] POSES.bin: what the skeleton was told, to be
+// compared. LISTS.json: what the methods returned, for recorded.gd.
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -29,7 +29,9 @@ std::vector<std::uint8_t> read_file(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+std::string file_name(const std::string& path) {
+  return path.substr(path.rfind('/') + 1);
+}
 
 using Initialize = std::uint8_t(gdextension::GetFunction, void*, gdextension::Initialization*);
 
@@ -163,7 +165,8 @@ std::string to_json(const std::vector<std::string>& texts) {
 
 void record(Script native, const char* name) {
   std::ofstream out(name);
-  out << "{\"clips\":" << to_json(native.call("clips").texts()) << ",\n\"bones\":" << to_json(native.call("bones").texts())
+  out << "{\"clips\":" << to_json(native.call("clips").texts())
+      << ",\n\"bones\":" << to_json(native.call("bones").texts())
       << ",\n\"parents\":" << to_json(native.call("parents").ints())
       << ",\n\"rests\":" << to_json(native.call("rests").reals())
       << ",\n\"above\":" << to_json(native.call("above").reals());
@@ -187,7 +190,8 @@ Object* run(const char* file, const char* poses, const char* lists, int bad_coun
   Object* const object = engine().make("MarrowNative");
   Object skeleton{"Skeleton3D", nullptr, std::vector<float>(440)};
   Script native{object};
-  must(!native.call("pose", Variant(&skeleton), Variant(0), Variant(0.0), Variant(-1), Variant(0.0), Variant(1.0)).truth(),
+  must(!native.call("pose", Variant(&skeleton), Variant(0), Variant(0.0), Variant(-1), Variant(0.0), Variant(1.0))
+            .truth(),
        "nothing is posed");
   native.says("nothing is open");
   for (int i = 0; i < bad_count; ++i) {

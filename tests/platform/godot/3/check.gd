@@ -17,7 +17,8 @@ func _initialize() -> void:
 	var cooked = load("res://newt.mrw")
 	must(cooked is MarrowFile, "newt.mrw loads as a MarrowFile")
 	if cooked is MarrowFile:
-		compare(cooked)
+		compare(cooked, "expected")
+		compare(load("res://turned.mrw"), "turned")
 		play_on(cooked)
 		refuse(cooked)
 	bad_files()
@@ -28,17 +29,17 @@ func _initialize() -> void:
 	quit(1 if failures > 0 else 0)
 
 
-func compare(cooked: MarrowFile) -> void:
+func compare(cooked: MarrowFile, expected: String) -> void:
 	var native = cooked.native()
 	var skeleton: Skeleton = cooked.make_skeleton()
 	get_root().add_child(skeleton)
 	cooked.add_meshes(skeleton)
 	var poses := File.new()
-	must(poses.open("res://poses.bin", File.WRITE) == OK, "poses.bin can be written")
+	must(poses.open("res://%s/godot.bin" % expected, File.WRITE) == OK, "godot.bin can be written")
 	var scene := File.new()
-	must(scene.open("res://expected/scene.bin", File.READ) == OK, "scene.bin can be read")
+	must(scene.open("res://%s/scene.bin" % expected, File.READ) == OK, "scene.bin can be read")
 	var skinned := File.new()
-	must(skinned.open("res://expected/skinned.bin", File.READ) == OK, "skinned.bin can be read")
+	must(skinned.open("res://%s/skinned.bin" % expected, File.READ) == OK, "skinned.bin can be read")
 	var farthest := 0.0
 	var farthest_vertex := 0.0
 	for clip in native.clips().size():
@@ -54,9 +55,13 @@ func compare(cooked: MarrowFile) -> void:
 	must(skinned.get_position() == skinned.get_len(), "all vertices were compared")
 	must(farthest < 2e-6, "bones are off by %s" % farthest)
 	must(farthest_vertex < 1e-4, "vertices are off by %s m" % farthest_vertex)  # Godot keeps weights in 16 bits
-	print("%d clips, %d bones within %.7f of Marrow's, vertices within %.6f m" % [
+	print("%s: %d clips, %d bones within %.7f of Marrow's, vertices within %.6f m" % [expected,
 		native.clips().size(), skeleton.get_bone_count(), farthest, farthest_vertex])
-	time_it(native, skeleton)
+	if expected == "turned":
+		must(skeleton.find_bone("rig_pelvis") == 0 and skeleton.find_bone("rig_head") > 0 and
+				skeleton.get_bone_count() == 44, "bones have names that Godot takes")
+	else:
+		time_it(native, skeleton)
 	skeleton.free()
 
 
@@ -155,7 +160,7 @@ func expect(refused: bool, native, message: String) -> void:
 
 
 func bad_files() -> void:
-	for name in ["empty", "text", "short", "damaged", "version", "meshopt", "pack", "missing"]:
+	for name in ["empty", "text", "short", "damaged", "version", "meshopt", "pack", "parted", "missing"]:
 		must(load("res://bad/%s.mrw" % name) == null, name + ".mrw is refused")
 	var several = preload("res://addons/marrow/marrow_native.gdns").new()
 	must(several.clips().size() == 0 and several.sample(0, 0.0, -1, 0.0, 1.0).size() == 0, "nothing is open")

@@ -3,9 +3,9 @@
 
 #include "../../../../platform/godot/3/gdnative.h"
 
-#define PLACE(ours, name)                                                                                   \
-  static_assert(offsetof(gdnative::Core, functions) + gdnative::ours * sizeof(gdnative::Function) ==        \
-                    offsetof(godot_gdnative_core_api_struct, godot_##name),                                 \
+#define PLACE(ours, name)                                                                            \
+  static_assert(offsetof(gdnative::Core, functions) + gdnative::ours * sizeof(gdnative::Function) == \
+                    offsetof(godot_gdnative_core_api_struct, godot_##name),                          \
                 #name)
 PLACE(kPoolBytesRead, pool_byte_array_read);
 PLACE(kPoolBytesSize, pool_byte_array_size);

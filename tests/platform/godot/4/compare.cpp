@@ -10,7 +10,8 @@ using gdextension::Api;
 template <typename A, typename B>
 constexpr bool is_alike() {
   return std::is_void_v<A> == std::is_void_v<B> && std::is_pointer_v<A> == std::is_pointer_v<B> &&
-         sizeof(std::conditional_t<std::is_void_v<A>, char, A>) == sizeof(std::conditional_t<std::is_void_v<B>, char, B>);
+         sizeof(std::conditional_t<std::is_void_v<A>, char, A>) ==
+             sizeof(std::conditional_t<std::is_void_v<B>, char, B>);
 }
 
 // Whether two functions are called in the same way.
@@ -58,9 +59,10 @@ SAME(decltype(gdextension::Class::free), GDExtensionClassFreeInstance);
 SAME(decltype(gdextension::ClassMethod::call), GDExtensionClassMethodCall);
 SAME(decltype(gdextension::ClassMethod::pointer_call), GDExtensionClassMethodPtrCall);
 
-#define FIELD(ours, field, theirs, its) \
-  static_assert(offsetof(gdextension::ours, field) == offsetof(theirs, its) && \
-                    sizeof(gdextension::ours) == sizeof(theirs), #ours "::" #field)
+#define FIELD(ours, field, theirs, its)                                                                           \
+  static_assert(                                                                                                  \
+      offsetof(gdextension::ours, field) == offsetof(theirs, its) && sizeof(gdextension::ours) == sizeof(theirs), \
+      #ours "::" #field)
 FIELD(Initialization, minimum_level, GDExtensionInitialization, minimum_initialization_level);
 FIELD(Initialization, userdata, GDExtensionInitialization, userdata);
 FIELD(Initialization, initialize, GDExtensionInitialization, initialize);

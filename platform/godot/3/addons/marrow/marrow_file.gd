@@ -15,7 +15,8 @@ func native(skeleton := 0) -> Reference:
 		var script: Script = load("res://addons/marrow/marrow_native.gdns")
 		var opened: Reference = script.new() if script != null and script.can_instance() else null
 		if opened == null:
-			push_error("%s: addons/marrow/bin has no library for this system: build it, see docs/platforms/godot.md" % resource_path)
+			push_error("%s: addons/marrow/bin has no library for this system: build it, see docs/platforms/godot.md"
+					% resource_path)
 			return null
 		if not opened.open(bytes, resource_path, skeleton):
 			push_error(opened.get_error())

@@ -13,7 +13,8 @@ var _meshes := {}
 func native(skeleton: int = 0) -> Object:
 	if not _natives.has(skeleton):
 		if not ClassDB.class_exists(&"MarrowNative"):
-			push_error("%s: addons/marrow/bin has no library for this system: build it, see docs/platforms/godot.md" % resource_path)
+			push_error("%s: addons/marrow/bin has no library for this system: build it, see docs/platforms/godot.md"
+					% resource_path)
 			return null
 		var opened: Object = ClassDB.instantiate(&"MarrowNative")
 		if not opened.open(bytes, resource_path, skeleton):
