@@ -115,12 +115,19 @@ if has godot3-server; then
   library=$(echo "$game"/addons/marrow/bin/*)
   cp "$build/libmarrow_godot_lacking.so" "$library"  # so that a codec is missing
   block gdscript | sed 's/extends Node3D/extends Spatial/; s/:=/=/' >"$game/docs.gd"
-  HOME=$work/home LC_ALL=C.UTF-8 timeout 60 godot3-server --path "$game" -s check.gd >"$work/godot3.txt" 2>&1 ||
-    { cat "$work/godot3.txt" >&2; fail "Godot 3 fails"; }
+  run_godot3() {  # LOG
+    HOME=$work/home LC_ALL=C.UTF-8 timeout 60 godot3-server --path "$game" -s check.gd >"$1" 2>&1 ||
+      { cat "$1" >&2; fail "Godot 3 fails"; }
+  }
+  run_godot3 "$work/godot3.txt"
   grep -E ' bones within |us a call' "$work/godot3.txt" | sed 's/^/Godot 3: /'
   same "Godot 3" "$game/expected/godot.bin" expected
   same "Godot 3, turned" "$game/turned/godot.bin" turned
   refused "Godot 3" "$work/godot3.txt"
+  rm "$game"/addons/marrow/bin/*
+  MARROW_LIBRARY=none run_godot3 "$work/none3.txt"
+  grep -q 'newt.mrw: addons/marrow/bin has no library' "$work/none3.txt" ||
+    { cat "$work/none3.txt" >&2; fail "Godot 3: a library that is not there is not told"; }
 else
   skip "Godot 3: there is no godot3-server"
 fi
@@ -140,12 +147,14 @@ if has chromium node npm && fetch_godot4; then
   mkdir -p "$game/.godot"
   mv "$game/global_script_class_cache.cfg" "$game/.godot"
   rm -r "$game/addons/marrow/bin" "$game/addons/marrow/marrow.gdextension"
+  grep -v ^class_name "$game/addons/marrow/marrow_file.gd" >"$game/original.gd"
   sed -i 's/ClassDB.class_exists(&"MarrowNative")/true/
     s/ClassDB.instantiate(&"MarrowNative")/preload("res:\/\/recorded.gd").new()/' "$game/addons/marrow/marrow_file.gd"
   block gdscript >"$game/docs.gd"
   python3 "$tests/4/pack.py" "$game" "$work/game4.pck"
   node "$tests/4/run.mjs" "$work/npm" "$work/game4.pck" "$work/picture.png" >"$work/godot4.txt" 2>&1 ||
     { cat "$work/godot4.txt" >&2; fail "Godot 4 fails"; }
+  grep -q 'addons/marrow/bin has no library' "$work/godot4.txt" || fail "Godot 4: a library that is not there is not told"
   grep -E '^Godot Engine| bones within |^drawn in ' "$work/godot4.txt" | sed 's/^/Godot 4: /'
 else
   skip "Godot 4: there is no chromium, node or npm, or $godot4 cannot be had"

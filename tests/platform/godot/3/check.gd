@@ -14,6 +14,10 @@ func must(good: bool, what: String) -> void:
 
 
 func _initialize() -> void:
+	if OS.get_environment("MARROW_LIBRARY") == "none":
+		must(load("res://newt.mrw") == null, "without the library nothing opens")
+		quit(failures)
+		return
 	var cooked = load("res://newt.mrw")
 	must(cooked is MarrowFile, "newt.mrw loads as a MarrowFile")
 	if cooked is MarrowFile:

@@ -85,7 +85,7 @@ static func _make_mesh(from: Reference, mesh: int) -> ArrayMesh:
 	if colours.size() > 0:
 		var all := PoolColorArray()
 		for i in range(0, colours.size(), 4):
-			all.append(Color(colours[i], colours[i + 1], colours[i + 2], colours[i + 3]))
+			all.append(Color(_srgb(colours[i]), _srgb(colours[i + 1]), _srgb(colours[i + 2]), colours[i + 3]))
 		arrays[Mesh.ARRAY_COLOR] = all
 	arrays[Mesh.ARRAY_BONES] = from.mesh_ints(mesh, "bones", 4)
 	arrays[Mesh.ARRAY_WEIGHTS] = from.mesh_reals(mesh, "weights", 4)
@@ -96,6 +96,7 @@ static func _make_mesh(from: Reference, mesh: int) -> ArrayMesh:
 	var colour: PoolRealArray = from.mesh_reals(mesh, "colour", 4)
 	material.albedo_color = Color(_srgb(colour[0]), _srgb(colour[1]), _srgb(colour[2]), colour[3])
 	material.vertex_color_use_as_albedo = colours.size() > 0
+	material.vertex_color_is_srgb = true  # the one way that looks alike in both of Godot's renderers
 	if from.mesh_ints(mesh, "double_sided", 4)[0] == 1:
 		material.params_cull_mode = SpatialMaterial.CULL_DISABLED
 	out.surface_set_material(0, material)

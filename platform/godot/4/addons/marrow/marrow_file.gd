@@ -87,7 +87,7 @@ static func _make_mesh(from: Object, mesh: int) -> ArrayMesh:
 	if not colours.is_empty():
 		var all := PackedColorArray()
 		for i in range(0, colours.size(), 4):
-			all.append(Color(colours[i], colours[i + 1], colours[i + 2], colours[i + 3]))
+			all.append(Color(colours[i], colours[i + 1], colours[i + 2], colours[i + 3]).linear_to_srgb())
 		arrays[Mesh.ARRAY_COLOR] = all
 	arrays[Mesh.ARRAY_BONES] = from.mesh_ints(mesh, "bones", influences)
 	arrays[Mesh.ARRAY_WEIGHTS] = from.mesh_reals(mesh, "weights", influences)
@@ -99,6 +99,7 @@ static func _make_mesh(from: Object, mesh: int) -> ArrayMesh:
 	var colour: PackedFloat32Array = from.mesh_reals(mesh, "colour", influences)
 	material.albedo_color = Color(colour[0], colour[1], colour[2], colour[3]).linear_to_srgb()
 	material.vertex_color_use_as_albedo = not colours.is_empty()
+	material.vertex_color_is_srgb = true  # the one way that looks alike in all of Godot's renderers
 	if from.mesh_ints(mesh, "double_sided", influences)[0] == 1:
 		material.cull_mode = BaseMaterial3D.CULL_DISABLED
 	out.surface_set_material(0, material)

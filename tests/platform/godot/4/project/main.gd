@@ -21,6 +21,7 @@ func _ready() -> void:
 		compare(cooked)
 		play_on(cooked)
 		await take_picture(cooked)
+	must(load("res://original.gd").new().native() == null, "without the library nothing opens")
 	var example: Node = load("res://docs.gd").new()  # as docs/platforms/godot.md has it
 	add_child(example)
 	must(example.get_child_count() == 1 and example.get_child(0).skeleton != null, "the page's example plays")
