@@ -5,6 +5,8 @@ extends Resource
 
 export var bytes := PoolByteArray()
 
+var source := ""  # the file's name in messages
+
 var _natives := {}
 var _meshes := {}
 
@@ -16,9 +18,9 @@ func native(skeleton := 0) -> Reference:
 		var opened: Reference = script.new() if script != null and script.can_instance() else null
 		if opened == null:
 			push_error("%s: addons/marrow/bin has no library for this system: build it, see docs/platforms/godot.md"
-					% resource_path)
+					% source)
 			return null
-		if not opened.open(bytes, resource_path, skeleton):
+		if not opened.open(bytes, source, skeleton):
 			push_error(opened.get_error())
 			return null
 		_natives[skeleton] = opened

@@ -24,5 +24,5 @@ func load(path: String, original_path: String):
 		return null
 	var out = preload("marrow_file.gd").new()
 	out.bytes = stream.get_buffer(stream.get_len())
-	out.resource_path = original_path
+	out.source = original_path
 	return out if out.native() != null else null

@@ -5,6 +5,8 @@ extends Resource
 
 @export var bytes: PackedByteArray
 
+var source := ""  ## the file's name in messages
+
 var _natives := {}
 var _meshes := {}
 
@@ -14,10 +16,10 @@ func native(skeleton: int = 0) -> Object:
 	if not _natives.has(skeleton):
 		if not ClassDB.class_exists(&"MarrowNative"):
 			push_error("%s: addons/marrow/bin has no library for this system: build it, see docs/platforms/godot.md"
-					% resource_path)
+					% source)
 			return null
 		var opened: Object = ClassDB.instantiate(&"MarrowNative")
-		if not opened.open(bytes, resource_path, skeleton):
+		if not opened.open(bytes, source, skeleton):
 			push_error(opened.get_error())
 			return null
 		_natives[skeleton] = opened

@@ -22,5 +22,5 @@ func _load(path: String, original_path: String, _use_sub_threads: bool, _cache_m
 		return ERR_FILE_CANT_OPEN
 	var out: Resource = preload("marrow_file.gd").new()
 	out.bytes = FileAccess.get_file_as_bytes(path)
-	out.resource_path = original_path
+	out.source = original_path
 	return out if out.native() != null else ERR_FILE_CORRUPT
