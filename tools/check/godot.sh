@@ -85,7 +85,7 @@ cat >"$work/messages.txt" <<'END'
 damaged damaged.*copy it again
 empty truncated.*copy it again
 meshopt meshes are compressed with meshoptimizer.*build the library with that codec
-pack has no skeleton.*open a character
+pack has no skeleton.*add_clips
 parted root joints stand below different nodes.*one parent joint
 short truncated.*copy it again
 text not a cooked file.*marrow cook

@@ -62,10 +62,9 @@ bool Cooked::fail(const std::string& what) {
   return false;
 }
 
-bool Cooked::refuse(mrw_status status, const mrw_data_error& error) {
-  const std::string rule = error.rule == nullptr ? "" : std::string(", ") + error.rule;
-  return fail(std::string(mrw_status_text(status)) + ", byte " + std::to_string(error.offset) + rule + ": " +
-              advice(status));
+bool Cooked::fail_of(const Part& part, const std::string& what) {
+  error_ = part.name + ": " + what;
+  return false;
 }
 
 bool Cooked::open(const void* bytes, std::size_t size, const std::string& name, std::int64_t skeleton) {
@@ -73,8 +72,7 @@ bool Cooked::open(const void* bytes, std::size_t size, const std::string& name, 
   name_ = name;
   if (mrw_abi() != MRW_ABI)
     return fail("libmarrow_c is of another release than this library's headers: build both from one checkout");
-  const bool is_open = (mrw_is_packed(bytes, size) ? unpack(bytes, size) : load(bytes, size)) && choose(skeleton);
-  if (is_open) return true;
+  if (read(bytes, size, name, file_) && choose(skeleton)) return true;
   std::string error = std::move(error_);
   *this = Cooked();
   name_ = name;
@@ -82,33 +80,35 @@ bool Cooked::open(const void* bytes, std::size_t size, const std::string& name, 
   return false;
 }
 
-bool Cooked::unpack(const void* bytes, std::size_t size) {
+bool Cooked::read(const void* bytes, std::size_t size, const std::string& name, Part& out) {
+  out.name = name;
+  const bool is_packed = mrw_is_packed(bytes, size);
   mrw_data_error error;
   mrw_data_error_init(&error);
-  mrw_unpack_sizes sizes{};
-  mrw_status status = mrw_find_unpack_sizes(bytes, size, &sizes, &error);
-  if (status != MRW_OK) return refuse(status, error);
-  if (sizes.memory_bytes > kMostBytes || !file_block_.make(sizes.memory_bytes))
-    return fail("would unpack to " + std::to_string(sizes.memory_bytes) + " bytes: cook it with fewer meshes");
-  mrw_mesh_decoder known[2] = {};
   mrw_bytes file{};
-  status = mrw_unpack(bytes, size, known, decoders(known), file_block_.data(), file_block_.size(), &file, &error);
-  if (status == MRW_OK) status = mrw_load(file.data, file.size, &file_, &error);
-  return status == MRW_OK || refuse(status, error);
-}
-
-bool Cooked::load(const void* bytes, std::size_t size) {
-  if (!file_block_.make(size)) return fail("there is no memory for " + std::to_string(size) + " bytes");
-  if (size > 0) std::memcpy(file_block_.data(), bytes, size);
-  mrw_data_error error;
-  mrw_data_error_init(&error);
-  const mrw_status status = mrw_load(file_block_.data(), size, &file_, &error);
-  return status == MRW_OK || refuse(status, error);
+  mrw_unpack_sizes sizes{};
+  mrw_status status = MRW_OK;
+  if (is_packed) status = mrw_find_unpack_sizes(bytes, size, &sizes, &error);
+  const std::size_t wanted = is_packed ? sizes.memory_bytes : size;
+  if (status == MRW_OK && (wanted > kMostBytes || !out.block.make(wanted)))
+    return fail_of(out, "wants " + std::to_string(wanted) + " bytes of memory: cook it with fewer meshes");
+  if (status == MRW_OK && is_packed) {
+    mrw_mesh_decoder known[2] = {};
+    status = mrw_unpack(bytes, size, known, decoders(known), out.block.data(), wanted, &file, &error);
+  } else if (status == MRW_OK) {
+    if (size > 0) std::memcpy(out.block.data(), bytes, size);
+    file = {out.block.data(), size};
+  }
+  if (status == MRW_OK) status = mrw_load(file.data, file.size, &out.file, &error);
+  if (status == MRW_OK) return true;
+  const std::string rule = error.rule == nullptr ? "" : std::string(", ") + error.rule;
+  return fail_of(out, std::string(mrw_status_text(status)) + ", byte " + std::to_string(error.offset) + rule + ": " +
+                          advice(status));
 }
 
 bool Cooked::choose(std::int64_t skeleton) {
-  const std::int64_t there = mrw_file_skeleton_count(&file_);
-  if (there == 0) return fail("has no skeleton, as clip packs have none: open a character");
+  const std::int64_t there = mrw_file_skeleton_count(&file_.file);
+  if (there == 0) return fail("has no skeleton, as clip packs have none: open a character, and add_clips() to it");
   if (skeleton < 0 || skeleton >= there)
     return fail("has no skeleton " + std::to_string(skeleton) + ": choose one of 0 … " + std::to_string(there - 1));
   chosen_ = std::uint32_t(skeleton);
@@ -117,21 +117,22 @@ bool Cooked::choose(std::int64_t skeleton) {
   options.layers = 2;
   options.skin = false;
   options.animation_space = false;
-  if (!animations_block_.make(mrw_animations_bytes(&file_, &file_)) ||
-      !character_block_.make(mrw_character_bytes(&file_, &options)))
-    return fail("there is no memory to pose it");
-  mrw_status status =
-      mrw_make_animations(&file_, &file_, animations_block_.data(), animations_block_.size(), &animations_);
-  if (status == MRW_OK)
-    status = mrw_make_character(&file_, &options, character_block_.data(), character_block_.size(), &character_);
+  if (!character_block_.make(mrw_character_bytes(&file_.file, &options))) return fail("there is no memory to pose it");
+  const mrw_status status =
+      mrw_make_character(&file_.file, &options, character_block_.data(), character_block_.size(), &character_);
   if (status != MRW_OK) return fail(mrw_status_text(status));
   skeleton_ = character_.skeletons[chosen_].skeleton;
-  rests_.resize(kReals * std::size_t(skeleton_.joint_count));
-  for (std::size_t j = 0; j < bone_count(); ++j) {
-    float* const rest = &rests_[kReals * j];
-    read_joint(skeleton_.rest, j, rest);
-    for (int i = 7; i < kReals; ++i) rest[i] = rest[i] == 0 ? 1 : rest[i];
+  if (!place() || !take_clips(file_)) return false;
+  for (std::uint32_t i = 0; i < mrw_file_mesh_count(&file_.file); ++i) {
+    mrw_mesh mesh;
+    if (mrw_file_mesh(&file_.file, i, 0, &mesh) == MRW_OK && mesh.skeleton == chosen_) meshes_.push_back(mesh);
   }
+  return true;
+}
+
+// Where bones rest.
+bool Cooked::place() {
+  if (skeleton_.root_count == 0) return fail("its skeleton has no joints: cook it again");
   const float* const rows = &skeleton_.scene_from_root[0].rows[0][0];
   for (std::uint32_t i = 1; i < skeleton_.root_count; ++i)
     if (!std::equal(rows, rows + 12, &skeleton_.scene_from_root[i].rows[0][0]))
@@ -139,17 +140,43 @@ bool Cooked::choose(std::int64_t skeleton) {
           "its root joints stand below different nodes, for which Godot's skeleton has no place: give them one "
           "parent joint in the source");
   above_.assign(rows, rows + 12);
-  for (std::uint32_t i = 0; i < mrw_file_clip_count(&file_); ++i) {
-    mrw_clip clip;
-    if (mrw_file_clip(&file_, i, &clip) != MRW_OK || clip.skeleton != chosen_) continue;
-    clips_.push_back(i);
-    clip_names_.emplace_back(clip.name);
-  }
-  for (std::uint32_t i = 0; i < mrw_file_mesh_count(&file_); ++i) {
-    mrw_mesh mesh;
-    if (mrw_file_mesh(&file_, i, 0, &mesh) == MRW_OK && mesh.skeleton == chosen_) meshes_.push_back(mesh);
+  rests_.resize(kReals * std::size_t(skeleton_.joint_count));
+  for (std::size_t j = 0; j < bone_count(); ++j) {
+    float* const rest = &rests_[kReals * j];
+    read_joint(skeleton_.rest, j, rest);
+    for (int i = 7; i < kReals; ++i) rest[i] = rest[i] == 0 ? 1 : rest[i];
   }
   pose_.resize(rests_.size());
+  return true;
+}
+
+// Those clips of a part that move the skeleton.
+bool Cooked::take_clips(Part& from) {
+  mrw_animations animations{};
+  if (!from.animations.make(mrw_animations_bytes(&file_.file, &from.file)))
+    return fail_of(from, "there is no memory to play it");
+  const mrw_status status =
+      mrw_make_animations(&file_.file, &from.file, from.animations.data(), from.animations.size(), &animations);
+  if (status == MRW_MISMATCH)
+    return fail_of(from, "has no clips for " + name_ + ": cook it with --clips-only --skeleton " +
+                             name_.substr(name_.rfind('/') + 1));
+  if (status != MRW_OK) return fail_of(from, mrw_status_text(status));
+  for (std::size_t i = 0; i < animations.all_count; ++i) {
+    const mrw_animation& animation = animations.all[i];
+    if (animation.clip_of_skeleton[chosen_] != i) continue;
+    mrw_clip clip;
+    if (mrw_file_clip(&from.file, std::uint32_t(i), &clip) != MRW_OK) continue;
+    clips_.push_back(&animation);
+    clip_names_.emplace_back(clip.name);
+  }
+  return true;
+}
+
+bool Cooked::add_clips(const void* bytes, std::size_t size, const std::string& name) {
+  if (character_.skeletons == nullptr) return fail("nothing is open: call open() first");
+  auto part = std::make_unique<Part>();
+  if (!read(bytes, size, name, *part) || !take_clips(*part)) return false;
+  packs_.push_back(std::move(part));
   return true;
 }
 
@@ -164,16 +191,15 @@ std::int64_t Cooked::find_clip(const std::string& name) {
 }
 
 double Cooked::duration(std::int64_t clip) const {
-  return clip < 0 || clip >= std::int64_t(clips_.size())
-             ? 0.0
-             : double(animations_.all[clips_[std::size_t(clip)]].duration_s);
+  const bool is_there = clip >= 0 && clip < std::int64_t(clips_.size());
+  return is_there ? double(clips_[std::size_t(clip)]->duration_s) : 0;
 }
 
 // Godot refuses bones without a name, with ':' or '/' in it, and a second one of the same name.
 std::vector<std::string> Cooked::bones() const {
   std::vector<std::string> out;
   for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j) {
-    std::string name = mrw_file_text(&file_, skeleton_.names[j]);
+    std::string name = mrw_file_text(&file_.file, skeleton_.names[j]);
     for (char& each : name)
       if (each == ':' || each == '/') each = '_';
     if (name.empty()) name = "bone";
@@ -197,7 +223,7 @@ bool Cooked::layer(std::int64_t clip, double time_s, double weight, mrw_animatio
   if (!std::isfinite(time_s)) return fail("the time of a clip is not a number");
   if (!(weight >= 0 && weight <= 1)) return fail("the share of a clip is not within 0 … 1");
   mrw_animation_layer_init(&out);
-  out.animation = &animations_.all[clips_[std::size_t(clip)]];
+  out.animation = clips_[std::size_t(clip)];
   out.time_s = float(time_s);
   out.weight = float(weight);
   return true;

@@ -35,6 +35,9 @@ class Cooked {
   // name: what messages call it. skeleton: which of the file's, from 0.
   bool open(const void* bytes, std::size_t size, const std::string& name, std::int64_t skeleton);
 
+  // Adds the clips of a clip pack that was cooked for this file: their indices go on. False: nothing is added.
+  bool add_clips(const void* bytes, std::size_t size, const std::string& name);
+
   // The last thing that went wrong, with the file's name and what to do.
   const std::string& error() const { return error_; }
   bool fail(const std::string& what);
@@ -63,20 +66,28 @@ class Cooked {
   std::vector<std::int32_t> mesh_ints(std::int64_t mesh, const std::string& what, std::int64_t influences);
 
  private:
-  bool unpack(const void* bytes, std::size_t size);
-  bool load(const void* bytes, std::size_t size);
+  // A file, what it lies in, and what plays its clips.
+  struct Part {
+    std::string name;
+    Block block, animations;
+    mrw_file file{};
+  };
+
+  bool read(const void* bytes, std::size_t size, const std::string& name, Part& out);
   bool choose(std::int64_t skeleton);
-  bool refuse(mrw_status status, const mrw_data_error& error);
+  bool place();
+  bool take_clips(Part& from);
+  bool fail_of(const Part& part, const std::string& what);
   bool layer(std::int64_t clip, double time_s, double weight, mrw_animation_layer& out);
 
   std::string name_, error_;
-  Block file_block_, animations_block_, character_block_;
-  mrw_file file_{};
-  mrw_animations animations_{};
+  Part file_;
+  std::vector<std::unique_ptr<Part>> packs_;
+  Block character_block_;
   mrw_character character_{};
   mrw_skeleton skeleton_{};
   std::uint32_t chosen_ = 0;
-  std::vector<std::uint32_t> clips_;
+  std::vector<const mrw_animation*> clips_;
   std::vector<std::string> clip_names_;
   std::vector<float> rests_, above_, pose_;
   std::vector<mrw_mesh> meshes_;

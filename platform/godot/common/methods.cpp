@@ -9,6 +9,10 @@ void open(Cooked& cooked, const Engine&, Arguments in, Value& out) {
   out.whole = cooked.open(in[0].bytes, in[0].byte_count, in[1].text, in[2].whole);
 }
 
+void add_clips(Cooked& cooked, const Engine&, Arguments in, Value& out) {
+  out.whole = cooked.add_clips(in[0].bytes, in[0].byte_count, in[1].text);
+}
+
 void get_error(Cooked& cooked, const Engine&, Arguments, Value& out) {
   out.text = cooked.error();
 }
@@ -68,6 +72,7 @@ constexpr Argument kClip{"clip", Kind::whole}, kTime{"time_s", Kind::real}, kOth
 
 constexpr Method kMethods[] = {
     {"open", Kind::truth, 3, {{"bytes", Kind::bytes}, {"name", Kind::text}, {"skeleton", Kind::whole}}, open},
+    {"add_clips", Kind::truth, 2, {{"bytes", Kind::bytes}, {"name", Kind::text}}, add_clips},
     {"get_error", Kind::text, 0, {}, get_error},
     {"clips", Kind::texts, 0, {}, clips},
     {"find_clip", Kind::whole, 1, {{"name", Kind::text}}, find_clip},

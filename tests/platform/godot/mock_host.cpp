@@ -128,15 +128,15 @@ void look_at_lists(Script native) {
 void refuse(Script native, Object& skeleton) {
   const Variant none(-1), zero(0.0), all(1.0), first(0), on(&skeleton);
   native.call("find_clip", Variant("wolk"));
-  native.says("newt.mrw: there is no clip \"wolk\": it has idle, walk, twist, reach");
+  native.says("newt.mrw: there is no clip \"wolk\": it has idle, walk, twist, reach, idle");
   Object other{"Node3D", nullptr, {}}, small{"Skeleton3D", nullptr, std::vector<float>(30)};
   for (Object* wrong : {&other, &small, static_cast<Object*>(nullptr)}) {
     must(!native.call("pose", Variant(wrong), first, zero, none, zero, all).truth(), "another object is posed");
     native.says("is no skeleton of 44 bones");
   }
   must(!native.call("pose", Variant(), first, zero, none, zero, all).truth(), "null is posed");
-  must(!native.call("pose", on, Variant(4), zero, none, zero, all).truth(), "a fifth clip is played");
-  native.says("there is no clip 4");
+  must(!native.call("pose", on, Variant(8), zero, none, zero, all).truth(), "a ninth clip is played");
+  native.says("there is no clip 8");
   must(!native.call("pose", on, first, zero, first, zero, Variant(1.5)).truth(), "more than all is played");
   native.says("share");
   native.refuses(gdextension::kTooFew, 6, "pose", on);
@@ -198,6 +198,7 @@ Object* run(const char* file, const char* poses, const char* lists, int bad_coun
     const Variant bytes(read_file(bad[i])), name(file_name(bad[i]).c_str());
     must(!native.call("open", bytes, name, Variant(0)).truth(), file_name(bad[i]) + " opens");
     std::printf("%s\n", native.call("get_error").text().c_str());
+    must(!native.call("add_clips", bytes, name).truth(), "clips are added to nothing");
   }
   const Variant bytes(read_file(file));
   must(!native.call("open", bytes, Variant("newt.mrw"), Variant(3)).truth(), "a fourth skeleton opens");
@@ -211,6 +212,13 @@ Object* run(const char* file, const char* poses, const char* lists, int bad_coun
   look_at_lists(native);
   play(native, skeleton, poses);
   record(native, lists);
+  for (int i = 0; i < bad_count; ++i) {  // of which clip packs are good for this
+    const bool good = native.call("add_clips", Variant(read_file(bad[i])), Variant("other.mrw")).truth();
+    must(good == (file_name(bad[i]) == "pack.mrw"), file_name(bad[i]) + " is taken for what it is not");
+    if (!good) native.says("other.mrw: ");
+  }
+  must(bad_count == 0 || native.call("clips").texts().size() == 8, "a pack's clips are there");
+  must(native.call("duration", Variant(7)).real() == native.call("duration", Variant(3)).real(), "and play as long");
   refuse(native, skeleton);
   return object;
 }

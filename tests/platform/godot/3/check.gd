@@ -24,6 +24,7 @@ func _initialize() -> void:
 		compare(cooked, "expected")
 		compare(load("res://turned.mrw"), "turned")
 		play_on(cooked)
+		add_clips(cooked)
 		refuse(cooked)
 	bad_files()
 	var example: Node = load("res://docs.gd").new()  # as docs/platforms/godot.md has it
@@ -138,9 +139,21 @@ func play_on(cooked: MarrowFile) -> void:
 	player.free()
 
 
+# The pack has the newt's own clips, each of which then plays as the one that it is.
+func add_clips(cooked: MarrowFile) -> void:
+	must(not cooked.add_clips("res://turned.mrw"), "a character is no pack")
+	must(not cooked.add_clips("res://bad/short.mrw") and not cooked.add_clips("res://bad/missing.mrw"), "nor bad files")
+	must(cooked.add_clips("res://bad/pack.mrw"), "clips are added")
+	var native = cooked.native()
+	must(Array(native.clips()) == ["idle", "walk", "twist", "reach", "idle", "walk", "twist", "reach"], "twice as many")
+	for clip in 4:
+		var poses := [native.sample(clip, 0.7, -1, 0.0, 1.0), native.sample(clip + 4, 0.7, -1, 0.0, 1.0)]
+		must(poses[0].size() == 440 and Array(poses[0]) == Array(poses[1]), "clip %d plays from a pack" % clip)
+
+
 func refuse(cooked: MarrowFile) -> void:
 	var native = cooked.native()
-	expect(native.find_clip("wolk") < 0, native, "newt.mrw: there is no clip \"wolk\": it has idle, walk, twist, reach")
+	expect(native.find_clip("wolk") < 0, native, "newt.mrw: there is no clip \"wolk\": it has idle, walk, twist, reach, idle, walk, twist, reach")
 	expect(not native.pose(null, 0, 0.0, -1, 0.0, 1.0), native, "is no skeleton of 44 bones")
 	var other := Spatial.new()
 	expect(not native.pose(other, 0, 0.0, -1, 0.0, 1.0), native, "is no skeleton of 44 bones")
@@ -149,7 +162,7 @@ func refuse(cooked: MarrowFile) -> void:
 	few.add_bone("one")
 	expect(not native.pose(few, 0, 0.0, -1, 0.0, 1.0), native, "is no skeleton of 44 bones")
 	few.free()
-	expect(native.sample(9, 0.0, -1, 0.0, 1.0).size() == 0, native, "there is no clip 9")
+	expect(native.sample(8, 0.0, -1, 0.0, 1.0).size() == 0, native, "there is no clip 8")
 	expect(native.sample(0, NAN, -1, 0.0, 1.0).size() == 0, native, "not a number")
 	expect(native.sample(0, 0.0, 1, 0.0, 2.0).size() == 0, native, "share")
 	expect(native.mesh_reals(77, "positions", 4).size() == 0, native, "no mesh 77")

@@ -9,6 +9,7 @@ var source := ""  # the file's name in messages
 
 var _natives := {}
 var _meshes := {}
+var _packs := {}
 
 
 # What poses one skeleton of the file, or null, and the reason as an error.
@@ -23,8 +24,26 @@ func native(skeleton := 0) -> Reference:
 		if not opened.open(bytes, source, skeleton):
 			push_error(opened.get_error())
 			return null
+		for path in _packs:
+			if not opened.add_clips(_packs[path], path):
+				push_error(opened.get_error())
 		_natives[skeleton] = opened
 	return _natives[skeleton]
+
+
+# Adds the clips of a pack, cooked with --clips-only --skeleton: for all skeletons that they fit.
+func add_clips(path: String) -> bool:
+	var stream := File.new()
+	if stream.open(path, File.READ) != OK:
+		push_error("%s: cannot be read: is it there?" % path)
+		return false
+	_packs[path] = stream.get_buffer(stream.get_len())
+	for skeleton in _natives:
+		if not _natives[skeleton].add_clips(_packs[path], path):
+			push_error(_natives[skeleton].get_error())
+			_packs.erase(path)
+			return false
+	return true
 
 
 func make_skeleton(skeleton := 0) -> Skeleton:

@@ -9,6 +9,7 @@ var source := ""  ## the file's name in messages
 
 var _natives := {}
 var _meshes := {}
+var _packs := {}
 
 
 ## What poses one skeleton of the file, or null, and the reason as an error.
@@ -22,8 +23,25 @@ func native(skeleton: int = 0) -> Object:
 		if not opened.open(bytes, source, skeleton):
 			push_error(opened.get_error())
 			return null
+		for path: String in _packs:
+			if not opened.add_clips(_packs[path], path):
+				push_error(opened.get_error())
 		_natives[skeleton] = opened
 	return _natives[skeleton]
+
+
+## Adds the clips of a pack, cooked with --clips-only --skeleton: for all skeletons that they fit.
+func add_clips(path: String) -> bool:
+	if not FileAccess.file_exists(path):
+		push_error("%s: cannot be read: is it there?" % path)
+		return false
+	_packs[path] = FileAccess.get_file_as_bytes(path)
+	for skeleton: int in _natives:
+		if not _natives[skeleton].add_clips(_packs[path], path):
+			push_error(_natives[skeleton].get_error())
+			_packs.erase(path)
+			return false
+	return true
 
 
 func make_skeleton(skeleton: int = 0) -> Skeleton3D:

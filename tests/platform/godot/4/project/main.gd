@@ -20,6 +20,8 @@ func _ready() -> void:
 	if cooked is MarrowFile:
 		compare(cooked)
 		play_on(cooked)
+		must(cooked.add_clips("res://bad/pack.mrw") and not cooked.add_clips("res://bad/short.mrw") and
+				not cooked.add_clips("res://bad/missing.mrw"), "clips are added")
 		await take_picture(cooked)
 	must(load("res://original.gd").new().native() == null, "without the library nothing opens")
 	var example: Node = load("res://docs.gd").new()  # as docs/platforms/godot.md has it

@@ -17,6 +17,11 @@ func open(bytes: PackedByteArray, name: String, skeleton: int) -> bool:
 	return true
 
 
+func add_clips(_bytes: PackedByteArray, name: String) -> bool:
+	_error = name + ": is refused"
+	return name.ends_with("pack.mrw")
+
+
 func get_error() -> String:
 	return _error
 
