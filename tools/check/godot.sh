@@ -23,7 +23,7 @@ has() { for name in "$@"; do command -v "$name" >/dev/null || return 1; done; }
 quietly() {  # COMMAND ...: what it says is shown if it fails
   "$@" >"$work/log.txt" 2>&1 || { cat "$work/log.txt" >&2; exit 1; }
 }
-has godot3-server chromium node npm || "$MARROW/tools/install.sh" "$MARROW/tools/packages/godot.txt" || true
+has godot3-server chromium node || "$MARROW/tools/install.sh" "$MARROW/tools/packages/godot.txt" || true
 
 # The first block of code of a language in the page.
 block() {  # LANGUAGE
