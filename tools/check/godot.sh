@@ -33,11 +33,13 @@ block() {  # LANGUAGE
 
 # The page's commands, for both Godots, and what the tests need, all in one build.
 build=$work/build
+newt=$MARROW/tools/sample/newt.glb
+cp "$newt" "$work/hero.glb"
 for version in 3 4; do
   rm -rf "$work/game$version"
   mkdir -p "$work/game$version"
   block sh | sed "s/GODOT=4/GODOT=$version/" >"$work/commands.sh"
-  (cd "$work" && GAME=$work/game$version quietly bash -euo pipefail commands.sh)
+  (cd "$work" && PATH=$(dirname "$marrow"):$PATH GAME=$work/game$version quietly bash -euo pipefail commands.sh)
   echo "the library for Godot $version: $(stat -c %s "$work/game$version"/addons/marrow/bin/*) bytes"
 done
 quietly cmake -S "$MARROW/platform/godot" -B "$build" "-DCMAKE_PROJECT_marrow_godot_INCLUDE=$tests/project.cmake"
@@ -51,7 +53,6 @@ quietly cmake --build "$build" --target marrow_godot_lacking marrow_godot_saniti
 
 # The newt, and files that are none.
 files=$work/files
-newt=$MARROW/tools/sample/newt.glb
 mkdir -p "$files/bad" "$files/expected" "$files/turned"
 cook() { quietly "$marrow" cook "$@"; }
 cook "$newt" -o "$files/newt.mrw"
@@ -105,10 +106,7 @@ grep -q 'newt.mrw: libmarrow_c is of another release.*build both' "$work/other.t
   { cat "$work/other.txt" >&2; fail "a library of another release is not told"; }
 
 # What games get beside the addon.
-fill() {  # GAME [FILE ...]
-  cp -r "$files"/* "${@:2}" "$1"
-  cp "$files/newt.mrw" "$1/hero.mrw"
-}
+fill() { cp -r "$files"/* "${@:2}" "$1"; }  # GAME [FILE ...]
 if has godot3-server; then
   game=$work/game3
   fill "$game" "$tests"/3/{project.godot,check.gd}
