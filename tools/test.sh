@@ -101,6 +101,11 @@ case "${1:-}" in
     where_possible "the kit for phones" tools/check/phone.sh
     timed "SPIR-V, Vulkan and Metal" tools/check/spirv.sh
     timed "installed, in a game" tools/check/install.sh
+    where_possible "Android: libraries and an app" tools/check/android.sh $marrow
+    where_possible "iOS: a package" tools/check/apple.sh $marrow
+    where_possible "Godot 3 and 4" tools/check/godot.sh $marrow
+    where_possible "SDL 2: a game" tools/check/sdl.sh $marrow
+    where_possible "Unity and Unreal" tools/check/unity.sh $marrow
     where_possible "libFuzzer, 30 s a target" tools/fuzz.sh 30
     ;;
   *)
