@@ -18,7 +18,7 @@ inline marrow::Span<std::byte> block_of(std::size_t bytes) {
 
 inline constexpr Sint64 kMostBytes = 1 << 28;
 inline const char* const kCookSample =
-    ". Cook it: marrow sample -o newt.glb; marrow cook newt.glb --lod 0.2 -o newt.mrw";
+    ". Cook it: marrow sample -o newt.glb; marrow cook newt.glb --lod 0.12 -o newt.mrw";
 
 inline marrow::File open_file(const std::string& path) {
   SDL_RWops* const stream = SDL_RWFromFile(path.c_str(), "rb");  // of an Android package, too

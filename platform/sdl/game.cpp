@@ -67,10 +67,9 @@ struct Hero {
       float ball[3];
       must(foot_sole(legs[i], frame.world_from_scene, s.scene_from_joint, ball), "a foot");
       const float x = ball[0], z = ball[2], d = 0.02f;
-      ground[i] = {true,
-                   {x, hill(x, z), z},
-                   {hill(x - d, z) - hill(x + d, z), 2 * d, hill(x, z - d) - hill(x, z + d)},
-                   ball[1] < kBall_m + 0.002f};  // as low as that it stands, and stays where it is
+      const bool stands = ball[1] < kBall_m + 0.002f;  // as animated; then it stays where it is
+      ground[i] = {
+          true, {x, hill(x, z), z}, {hill(x - d, z) - hill(x + d, z), 2 * d, hill(x, z - d) - hill(x, z + d)}, stands};
     }
     must(place_feet(s.skeleton, feet, frame, {ground, 2}, {motion, 2}, s.local, s.scene_from_joint), "feet");
     for (int i = 0; i < 2; ++i)
@@ -175,8 +174,8 @@ struct Game {
     clock.frames.print("a frame");
     until_swap.print("until it is swapped");
     marrow.print("pose, feet, update");
-    std::printf("%.2f s played; standing feet at most %.1f mm off the ground; GL error %u\n", time_s,
-                double(1000 * hero.off_ground_m), stage.gl.GetError());
+    std::printf("%.2f s played; standing feet at most %.1f mm off the ground; %ld GL errors\n", time_s,
+                double(1000 * hero.off_ground_m), stage.gl_errors + (stage.gl.GetError() != 0));
   }
 };
 

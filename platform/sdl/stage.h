@@ -24,6 +24,7 @@ struct Options {
   long lose = -1;                       // in this frame the context is lost
   double step_s = 0;                    // the time from frame to frame; 0: what it takes
   int width = 960, height = 540;        // of the window
+  bool watch = false;                   // tells of every GL error, and which call it was
 };
 inline Options options;
 
@@ -39,16 +40,24 @@ inline void must(marrow::Status status, const char* doing, const char* log = "")
 }
 
 inline void read_options(int argc, char** argv) {
-  const char* const usage =
-      "usage: game [FILE.mrw] [--frames N] [--shot OUT.bmp] [--lose FRAME] [--step SECONDS, or 1/60] "
-      "[--size WIDTHxHEIGHT]";
+  const auto refuse = [](const std::string& what) {  // whoever types options reads what is wrong where they were typed
+    std::fprintf(stderr,
+                 "game: %s; usage: game [FILE.mrw] [--frames N] [--shot OUT.bmp] [--lose FRAME] "
+                 "[--step SECONDS, or 1/60] [--size WIDTHxHEIGHT] [--watch]\n",
+                 what.c_str());
+    std::exit(1);
+  };
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
     if (name.compare(0, 2, "--") != 0) {
       options.file = name;
       continue;
     }
-    if (++i == argc) fail(name + ": a value is missing; " + usage);
+    if (name == "--watch") {
+      options.watch = true;
+      continue;
+    }
+    if (++i == argc) refuse(name + ": a value is missing");
     char* end = argv[i] + std::strlen(argv[i]);
     if (name == "--frames")
       options.frames = std::strtol(argv[i], &end, 10);
@@ -63,9 +72,8 @@ inline void read_options(int argc, char** argv) {
     } else if (name == "--shot")
       options.shot = argv[i];
     else
-      fail(name + ": no such option; " + usage);
-    if (*end != 0 || !(options.step_s >= 0 && options.step_s < 10))
-      fail(name + " " + argv[i] + ": no number; " + usage);
+      refuse(name + ": no such option");
+    if (*end != 0 || !(options.step_s >= 0 && options.step_s < 10)) refuse(name + " " + argv[i] + ": no number");
   }
 }
 
@@ -81,10 +89,10 @@ inline void read_options(int argc, char** argv) {
 #define STAGE_QUOTE(...) #__VA_ARGS__
 #define STAGE_TEXT(...) STAGE_QUOTE(__VA_ARGS__)
 using std::floor, std::sin;
-inline STAGE_HILL
+inline STAGE_HILL;
 
-    // Texts of shaders. What all share is the light: a warm sun with shadows, a cool sky, haze far away; sRGB goes out.
-    inline const std::string kLight = R"(
+// Texts of shaders. What all share is the light: a warm sun with shadows, a cool sky, haze far away; sRGB goes out.
+inline const std::string kLight = R"(
 precision highp float;
 uniform highp sampler2DShadow shadows;
 uniform mat4 sun_from_scene;
@@ -98,7 +106,10 @@ void put(vec3 c) {
 void show(vec3 colour, vec3 at, vec3 normal, float gloss) {
   vec3 spot = 0.5 + 0.5 * (sun_from_scene * vec4(at + 0.015 * normal, 1.0)).xyz;
   float lit = 0.0;
-  for (int i = 0; i < 4; ++i) lit += 0.25 * texture(shadows, spot + vec3(ivec3(i & 1, i >> 1, 0) * 2 - ivec3(1, 1, 0)) / 3000.0);
+  for (int i = 0; i < 4; ++i) {
+    vec3 beside = vec3(i % 2 == 0 ? 1.0 : -1.0, i / 2 == 0 ? 1.0 : -1.0, 0.0) / 3000.0;
+    lit += 0.25 * texture(shadows, spot + beside);
+  }
   vec3 to_eye = normalize(eye - at);
   float sky = 0.5 + 0.5 * normal.y, rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 4.0) * sky;
   float shine = lit * pow(max(dot(normal, normalize(to_sun + to_eye)), 0.0), mix(18.0, 220.0, gloss));
@@ -128,7 +139,7 @@ uniform vec3 base_colour;
 uniform float gloss;
 in vec3 at, normal, colour, hue;
 void main() {
-  vec3 c = gloss > 0.5 ? colour : mix(mix(colour, colour.brg, hue.r), colour.gbr, hue.g);  // of some teal is none
+  vec3 c = gloss > 0.5 ? colour : mix(mix(colour, colour.brg, hue.r), colour.gbr, hue.g);  // not of each is the body teal
   show(c * base_colour, at, normalize(normal), gloss);
 }
 )";
@@ -226,10 +237,12 @@ struct Stage {
   SDL_GLContext context = nullptr;
   gles3::Api gl;
   gles3::Caps caps;
+  gles3::ErrorWatch watch;
+  long gl_errors = 0;
   void (*clear)(unsigned) = nullptr;  // Marrow needs none, so its Api has it not
   int width = 0, height = 0;          // pixels
   unsigned sky = 0, ground = 0, shadow_map = 0, shadow_target = 0;
-  Vector eye = {{1.25f, 1.25f, 3.4f}}, to_sun = unit({{-0.62f, 0.75f, 0.42f}});
+  Vector eye = {{1.2f, 1.55f, 3.3f}}, to_sun = unit({{-0.62f, 0.75f, 0.42f}});
   Matrix clip_from_scene = {}, sun_from_scene = {};
 
   void open();
@@ -261,13 +274,23 @@ inline void Stage::open() {
 
 // The window's context, new and current, with all that is the stage's own in it.
 inline void Stage::open_context() {
-  if (context == nullptr && window != nullptr) context = SDL_GL_CreateContext(window);
+  // One that tells of resets, see gles3::context_was_reset(), or else any.
+  for (const int reset : {SDL_GL_CONTEXT_RESET_LOSE_CONTEXT, SDL_GL_CONTEXT_RESET_NO_NOTIFICATION}) {
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, reset);
+    if (context == nullptr && window != nullptr) context = SDL_GL_CreateContext(window);
+  }
   if (context == nullptr)
     fail(std::string("no window with OpenGL ES 3.0: ") + SDL_GetError() +
          ". Update the graphics driver, or install Mesa's");
   const char* missing = "";
   if (load_api(gl, SDL_GL_GetProcAddress, &missing) != marrow::Status::ok)
     fail(std::string("the driver has no ") + missing + ", so no OpenGL ES 3.0. Update the graphics driver");
+  watch = {[](void* count, const char* call, unsigned error) {
+             std::fprintf(stderr, "game: %s: GL error 0x%04X\n", call, error);
+             ++*static_cast<long*>(count);
+           },
+           &gl_errors};
+  if (options.watch) watch_errors(gl, &watch);
   must(query_caps(gl, caps), "asking what the driver can do");
   clear = reinterpret_cast<void (*)(unsigned)>(SDL_GL_GetProcAddress("glClear"));
   SDL_GL_SetSwapInterval(1);
@@ -328,7 +351,7 @@ inline void Stage::begin_shadows() {
 inline void Stage::begin_picture(float walked) {
   SDL_GL_GetDrawableSize(window, &width, &height);  // of a screen with small pixels, more than the window's size
   const float tall = 0.36f, wide = tall * float(width) / float(std::max(height, 1));
-  clip_from_scene = look(eye, {{0.27f, 0.10f, 1}}, wide, tall, 0.2f, 80, true);
+  clip_from_scene = look(eye, {{0.27f, 0.2f, 1}}, wide, tall, 0.2f, 80, true);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.Viewport(0, 0, width, height);
   clear(GL_DEPTH_BUFFER_BIT);

@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <link.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +17,7 @@ namespace {
 std::uintptr_t begin_ = 0, end_ = 0;  // of the program
 std::atomic<long> taken_ = 0;
 long frame_ = 0, taken_before_ = 0;
-Uint32 paused_ms_ = 0;
+Uint32 then_ms_ = 0, longest_ms_ = 0;
 
 int find_program(dl_phdr_info* info, std::size_t, void*) {  // the first is the program
   begin_ = info->dlpi_addr;
@@ -55,7 +56,7 @@ void happen(const char* what) {
   if (std::strcmp(what, "quit") == 0) event.type = SDL_QUIT;
   if (std::strcmp(what, "pause") == 0) event.type = SDL_APP_WILLENTERBACKGROUND;
   if (std::strcmp(what, "reset") == 0) event.type = SDL_RENDER_DEVICE_RESET;
-  if (event.type == SDL_APP_WILLENTERBACKGROUND) SDL_AddTimer(paused_ms_ = 1500, resume, nullptr);
+  if (event.type == SDL_APP_WILLENTERBACKGROUND) SDL_AddTimer(1500, resume, nullptr);
   if (event.type == SDL_RENDER_DEVICE_RESET) reset();
   if (std::strcmp(what, "resize") == 0) SDL_SetWindowSize(SDL_GL_GetCurrentWindow(), 200, 300);
   if (event.type != 0) SDL_PushEvent(&event);
@@ -76,6 +77,9 @@ void SDL_GL_SwapWindow(SDL_Window* window) {
   real(window);
   if (begin_ == 0) dl_iterate_phdr(find_program, nullptr);
   if (++frame_ == 2) taken_before_ = taken_;
+  const Uint32 now_ms = SDL_GetTicks();
+  if (frame_ > 2) longest_ms_ = std::max(longest_ms_, now_ms - then_ms_);
+  then_ms_ = now_ms;
   char events[256] = "";
   if (const char* const named = std::getenv("MARROW_EVENTS")) std::snprintf(events, sizeof events, "%s", named);
   for (char* event = std::strtok(events, ","); event != nullptr; event = std::strtok(nullptr, ","))
@@ -86,7 +90,8 @@ void SDL_GL_SwapWindow(SDL_Window* window) {
 }
 
 void SDL_Quit() {
-  std::printf("%ld frames, %ld allocations of the game's own from the third on\n", frame_, taken_ - taken_before_);
+  std::printf("%ld frames, the longest took %u ms, %ld allocations of the game's own from the third on\n", frame_,
+              longest_ms_, taken_ - taken_before_);
   next<void (*)()>("SDL_Quit")();
 }
 
