@@ -17,6 +17,7 @@ namespace {
 std::uintptr_t begin_ = 0, end_ = 0;  // of the program
 std::atomic<long> taken_ = 0;
 long frame_ = 0, taken_before_ = 0;
+SDL_GLContext gone_ = nullptr;
 Uint32 then_ms_ = 0, longest_ms_ = 0;
 
 int find_program(dl_phdr_info* info, std::size_t, void*) {  // the first is the program
@@ -39,9 +40,10 @@ Function next(const char* name) {
 
 // What Android's SDL does for a context that did not come back: it makes another, and then says so.
 void reset() {
-  const SDL_GLContext gone = SDL_GL_GetCurrentContext();
+  const SDL_GLContext before = SDL_GL_GetCurrentContext();
   SDL_GL_CreateContext(SDL_GL_GetCurrentWindow());
-  SDL_GL_DeleteContext(gone);
+  SDL_GL_DeleteContext(before);
+  gone_ = before;
 }
 
 Uint32 resume(Uint32, void*) {
@@ -87,6 +89,14 @@ void SDL_GL_SwapWindow(SDL_Window* window) {
       *at = 0;
       happen(event);
     }
+}
+
+void SDL_GL_DeleteContext(SDL_GLContext context) {
+  if (context != nullptr && context == gone_) {
+    std::fprintf(stderr, "shim: the game deletes a context that SDL has deleted\n");
+    std::exit(3);
+  }
+  next<void (*)(SDL_GLContext)>("SDL_GL_DeleteContext")(context);
 }
 
 void SDL_Quit() {
