@@ -209,11 +209,12 @@ inline Vector unit(const Vector& a) {
 }
 
 // Looks along -back from `eye`. wide, tall: what half of the picture is as a tangent, or in metres without perspective.
-inline Matrix look(const Vector& eye, const Vector& back, float wide, float tall, float near, float far,
+inline Matrix look(const Vector& eye, const Vector& back, float wide, float tall, float nearest, float farthest,
                    bool perspective) {
   const Vector z = unit(back), x = unit(cross({{0, 1, 0}}, z)), y = cross(z, x);
-  const float a = perspective ? -(far + near) / (far - near) : -2 / (far - near);
-  const float b = perspective ? -2 * far * near / (far - near) : -(far + near) / (far - near);
+  const float a = perspective ? -(farthest + nearest) / (farthest - nearest) : -2 / (farthest - nearest);
+  const float b =
+      perspective ? -2 * farthest * nearest / (farthest - nearest) : -(farthest + nearest) / (farthest - nearest);
   Matrix out = {};
   for (int i = 0; i < 3; ++i) {
     out.m[4 * i] = x.v[i] / wide;
@@ -241,6 +242,7 @@ struct Stage {
   long gl_errors = 0;
   void (*clear)(unsigned) = nullptr;  // Marrow needs none, so its Api has it not
   int width = 0, height = 0;          // pixels
+  int screen = 0;                     // its framebuffer, which on iOS is not 0
   unsigned sky = 0, ground = 0, shadow_map = 0, shadow_target = 0;
   Vector eye = {{1.2f, 1.55f, 3.3f}}, to_sun = unit({{-0.62f, 0.75f, 0.42f}});
   Matrix clip_from_scene = {}, sun_from_scene = {};
@@ -293,6 +295,8 @@ inline void Stage::open_context() {
   if (options.watch) watch_errors(gl, &watch);
   must(query_caps(gl, caps), "asking what the driver can do");
   clear = reinterpret_cast<void (*)(unsigned)>(SDL_GL_GetProcAddress("glClear"));
+  constexpr unsigned kFramebufferBinding = 0x8CA6;
+  gl.GetIntegerv(kFramebufferBinding, &screen);
   SDL_GL_SetSwapInterval(1);
   sky = compile(kSkyVertex, kSkyFragment.c_str());
   ground = compile(kGroundVertex, kGroundFragment.c_str());
@@ -352,7 +356,7 @@ inline void Stage::begin_picture(float walked) {
   SDL_GL_GetDrawableSize(window, &width, &height);  // of a screen with small pixels, more than the window's size
   const float tall = 0.36f, wide = tall * float(width) / float(std::max(height, 1));
   clip_from_scene = look(eye, {{0.27f, 0.2f, 1}}, wide, tall, 0.2f, 80, true);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, unsigned(screen));
   gl.Viewport(0, 0, width, height);
   clear(GL_DEPTH_BUFFER_BIT);
   gl.Disable(GL_CULL_FACE);

@@ -76,23 +76,25 @@ same whole newt "another picture after the context was lost"
 same brief reset "another picture after SDL had made another context"
 if cmp -s whole.bmp brief.bmp; then fail "nothing moves"; fi
 for name in whole brief; do python3 "$tests/picture.py" $name.bmp 480x270 1.5 5 1.5; done
-for name in lost reset; do grep -q '; 0 GL errors$' $name.txt || { cat $name.txt >&2; fail "$name: errors of GL"; }; done
+in_report() { grep -q "$2" "$1.txt" || { cat "$1.txt" >&2; fail "$1: $3"; }; }  # NAME PATTERN WHAT IF NOT
+for name in lost reset; do in_report $name '; 0 GL errors$' "errors of GL"; done
 cat whole.txt
 
 # As somebody plays it: frames of any length, a pause, another size.
 LD_PRELOAD=./shim.so MARROW_EVENTS=pause:10,quit:20 play paused --watch
-LD_PRELOAD=./shim.so MARROW_EVENTS=resize:3 play resized --frames 6 --shot resized.bmp
+LD_PRELOAD=./shim.so MARROW_EVENTS=resize:3,space:3 play resized --frames 6 --shot resized.bmp
 python3 "$tests/picture.py" resized.bmp 200x300 0 0 0
-number_in() { sed -n "s/$1.*/\1/p" "$2"; }
-within() { awk -v least="$1" -v value="${2:-none}" -v most="$3" 'BEGIN { exit !(value != "none" && least <= value && value <= most) }'; }
-within 1400 "$(number_in '.*the longest took \([0-9]*\) ms' paused.txt)" 9999 || { cat paused.txt >&2; fail "there is no pause"; }
-within 0.01 "$(number_in '^\([0-9.]*\) s played' paused.txt)" 2.01 || { cat paused.txt >&2; fail "the pause is played"; }
-for name in paused reset; do
-  within 0 "$(number_in '.*at most \([0-9.]*\) mm' $name.txt)" 10 || { cat $name.txt >&2; fail "$name: feet float"; }
-done
-for name in paused resized; do
-  grep -q ' 0 allocations' $name.txt || { cat $name.txt >&2; fail "$name: a frame allocates"; }
-done
+within() {  # LEAST MOST NAME PATTERN WHAT: a number in what a run prints
+  local value
+  value=$(sed -n "s/$4.*/\1/p" "$3.txt")
+  awk -v least="$1" -v most="$2" -v value="${value:--1}" 'BEGIN { exit !(least <= value && value + 0 <= most) }' ||
+    { cat "$3.txt" >&2; fail "$3: $5"; }
+}
+within 1400 9999 paused '.*the longest took \([0-9]*\) ms' "there is no pause"
+within 0.01 2.01 paused '^\([0-9.]*\) s played' "the pause is played"
+within 0.001 0.31 resized '^\([0-9.]*\) s played' "the space bar does not pause"
+for name in paused reset; do within 0 10 $name '.*at most \([0-9.]*\) mm' "feet float"; done
+for name in paused resized; do in_report $name ' 0 allocations' "a frame allocates"; done
 tail -1 paused.txt
 
 # What is wrong, and what is said of it.

@@ -58,6 +58,10 @@ void happen(const char* what) {
   if (std::strcmp(what, "quit") == 0) event.type = SDL_QUIT;
   if (std::strcmp(what, "pause") == 0) event.type = SDL_APP_WILLENTERBACKGROUND;
   if (std::strcmp(what, "reset") == 0) event.type = SDL_RENDER_DEVICE_RESET;
+  if (std::strcmp(what, "space") == 0) {
+    event.type = SDL_KEYDOWN;
+    event.key.keysym.sym = SDLK_SPACE;
+  }
   if (event.type == SDL_APP_WILLENTERBACKGROUND) SDL_AddTimer(1500, resume, nullptr);
   if (event.type == SDL_RENDER_DEVICE_RESET) reset();
   if (std::strcmp(what, "resize") == 0) SDL_SetWindowSize(SDL_GL_GetCurrentWindow(), 200, 300);
