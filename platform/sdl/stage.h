@@ -139,7 +139,8 @@ uniform vec3 base_colour;
 uniform float gloss;
 in vec3 at, normal, colour, hue;
 void main() {
-  vec3 c = gloss > 0.5 ? colour : mix(mix(colour, colour.brg, hue.r), colour.gbr, hue.g);  // not of each is the body teal
+  // Not of each is the body teal.
+  vec3 c = gloss > 0.5 ? colour : mix(mix(colour, colour.brg, hue.r), colour.gbr, hue.g);
   show(c * base_colour, at, normalize(normal), gloss);
 }
 )";
@@ -155,7 +156,8 @@ uniform float walked;
 out vec3 at;
 void main() {
   int cell = gl_VertexID / 6, corner = gl_VertexID % 6;
-  ivec2 place = ivec2(cell % 120, cell / 120) + ivec2(corner == 1 || corner > 2 && corner < 5, corner > 1 && corner != 3);
+  bool right = corner == 1 || corner == 3 || corner == 4, back = corner == 2 || corner == 4 || corner == 5;
+  ivec2 place = ivec2(cell % 120, cell / 120) + ivec2(right, back);
   at.xz = 0.25 * vec2(place) - vec2(15.0, 31.0 + mod(walked, 0.25));
   at.y = hill(at.x, at.z + walked);
   gl_Position = clip_from_scene * vec4(at, 1.0);

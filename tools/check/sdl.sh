@@ -36,7 +36,8 @@ echo "built: $(stat -c %s game/game) B, newt.mrw $(stat -c %s newt.mrw) B"
 
 # Elsewhere, with Marrow installed.
 install() {
-  cmake -S "$MARROW" -B marrow -DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_DRACO=ON
+  cmake -S "$MARROW" -B marrow -DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_DRACO=ON \
+    -DMARROW_WERROR=OFF
   cmake --build marrow --target marrow_runtime marrow_unpack marrow_draco marrow_gles3
   for name in runtime unpack draco gles3; do cmake --install marrow --prefix "$PREFIX" --component marrow_$name; done
 }
