@@ -32,7 +32,7 @@ Status read_header(Span<const std::byte> packed, Header& h, DataError* error) {
   if (h.memory_bytes < h.file_bytes || h.file_bytes < sizeof(format::Header) || h.memory_bytes % 16 != 0)
     return fail(error, Status::bad_data, 12, "file_bytes or memory_bytes out of range");
   if (format::checksum(packed.data + sizeof h, packed.size - sizeof h) != h.checksum)
-    return fail(error, Status::bad_checksum, 24, "damaged");
+    return fail(error, Status::bad_checksum, 24, "checksum of everything behind the header");
   return Status::ok;
 }
 

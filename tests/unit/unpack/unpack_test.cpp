@@ -258,6 +258,17 @@ TEST(Unpack, RefusesSizesThatDoNotFit) {
   }
 }
 
+TEST(Unpack, SaysWhatIsDamaged) {
+  std::vector<std::byte> packed = packed_fan();
+  packed.back() ^= std::byte{1};
+  Unpacked memory;
+  File file;
+  DataError error;
+  EXPECT_EQ(run(packed, memory, file, error), Status::bad_checksum);
+  EXPECT_EQ(error.offset, 24u) << "where the checksum stands";
+  EXPECT_STREQ(error.rule, "checksum of everything behind the header") << "as load() has it";
+}
+
 // Header fields are outside the checksum: what they claim is measured by the records, before any memory is.
 TEST(Unpack, TellsNoMoreMemoryThanRecordsNeed) {
   const auto sizes_of = [](const std::vector<std::byte>& packed, UnpackSizes& sizes, DataError& error) {
