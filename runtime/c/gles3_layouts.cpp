@@ -262,6 +262,7 @@ static_assert(MRW_GLES3_GPU_FAMILY_OTHER == static_cast<int>(gles3::GpuFamily::o
 static_assert(MRW_GLES3_GPU_FAMILY_MALI_G == static_cast<int>(gles3::GpuFamily::mali_g));
 static_assert(MRW_GLES3_GPU_FAMILY_MALI_T == static_cast<int>(gles3::GpuFamily::mali_t));
 static_assert(MRW_GLES3_GPU_FAMILY_ADRENO == static_cast<int>(gles3::GpuFamily::adreno));
+static_assert(MRW_GLES3_GPU_FAMILY_NVIDIA == static_cast<int>(gles3::GpuFamily::nvidia));
 static_assert(MRW_GLES3_GPU_FAMILY_COUNT == gles3::kGpuFamilyCount);
 static_assert(MRW_GLES3_MOST_POSITION_ERROR == gles3::kMostPositionError);
 static_assert(MRW_GLES3_MOST_NORMAL_ERROR == gles3::kMostNormalError);

@@ -31,10 +31,10 @@ constexpr bool in_crowds(Deformer deformer) {
   return skins(deformer) && deformer != Deformer::psd;
 }
 
-// What vertex shaders of animation space read as words, two vectors an attribute: as MARROW_WORDS. Mali-G pays for
-// attributes but not for unpacking. With more than four influences and surface normals vectors would be too many: then
-// y and z are the whole word. With five or six Adreno and Mali-T, which pay for unpacking, have room for coordinates as
-// vectors; so would VideoCore, but it spills.
+// What vertex shaders of animation space read as words, two vectors an attribute: as MARROW_WORDS. Mali-G and NVIDIA
+// pay for attributes but not for unpacking in the shader. With more than four influences and surface normals vectors
+// would be too many: then y and z are the whole word. With five or six Adreno and Mali-T, which pay for unpacking, have
+// room for coordinates as vectors; so would VideoCore, but it spills.
 enum class Words : std::uint32_t { none, all, all_whole, tangents_whole };
 Words words_read(const Api& api, std::uint32_t influences, bool surface_normals);
 

@@ -131,7 +131,7 @@ Words words_read(const Api& api, std::uint32_t influences, bool surface_normals)
     const bool unpacking_costs = family == GpuFamily::adreno || family == GpuFamily::mali_t;
     return unpacking_costs && influences <= 6 ? Words::tangents_whole : Words::all_whole;
   }
-  return family == GpuFamily::mali_g ? Words::all : Words::none;
+  return family == GpuFamily::mali_g || family == GpuFamily::nvidia ? Words::all : Words::none;
 }
 
 bool reads_joint_pairs(const Api& api, std::uint32_t influences) {

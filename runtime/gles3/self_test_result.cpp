@@ -119,6 +119,7 @@ GpuFamily family_of(const unsigned char* renderer) {
     if (begins(i, "Mali-G") || begins(i, "Immortalis-G")) return GpuFamily::mali_g;
     if (begins(i, "Mali-T")) return GpuFamily::mali_t;
     if (begins(i, "Adreno")) return GpuFamily::adreno;
+    if (begins(i, "NVIDIA") || begins(i, "GeForce") || begins(i, "Tegra")) return GpuFamily::nvidia;
   }
   return GpuFamily::other;
 }

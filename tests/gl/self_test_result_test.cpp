@@ -168,6 +168,10 @@ TEST(SelfTestResult, KnowsChipsByTheirNames) {
                         {"ANGLE (Qualcomm, Adreno (TM) 650, OpenGL ES 3.2)", gles3::GpuFamily::adreno},
                         {"FD660", gles3::GpuFamily::adreno},
                         {"AMD FD", gles3::GpuFamily::other},
+                        {"NVIDIA GeForce RTX 3060/PCIe/SSE2", gles3::GpuFamily::nvidia},
+                        {"GeForce GTX 1080/PCIe/SSE2", gles3::GpuFamily::nvidia},
+                        {"NVIDIA Tegra", gles3::GpuFamily::nvidia},
+                        {"ANGLE (NVIDIA, Vulkan 1.3.0 (NVIDIA GeForce MX450), NVIDIA)", gles3::GpuFamily::nvidia},
                         {"V3D 4.2", gles3::GpuFamily::other},
                         {"", gles3::GpuFamily::other},
                         {nullptr, gles3::GpuFamily::other}};

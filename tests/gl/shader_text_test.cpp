@@ -92,7 +92,7 @@ TEST(ShaderText, PassesTheReferenceCompiler) {
   }
   std::map<std::string, const char*> texts;
   noted = &texts;
-  for (const char* const name : {"", "Mali-G57", "Mali-T860", "Adreno (TM) 660"}) {
+  for (const char* const name : {"", "Mali-G57", "Mali-T860", "Adreno (TM) 660", "NVIDIA Tegra"}) {
     renderer = name;
     note_all();
   }

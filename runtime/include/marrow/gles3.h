@@ -93,10 +93,10 @@ inline constexpr std::uint32_t kColourLocation = 13;
 inline constexpr std::uint32_t kMorphRowLocation = 14;
 inline constexpr std::uint32_t kExampleRowLocation = 15;
 inline constexpr std::uint32_t kSurfaceLocations[8] = {4, 5, 6, 7, 9, 10, 11, 15};  // four vectors of each tangent
-// Animation space as words, uvec4, two vectors in each: coordinates and tangents on Mali-G, and with kSurfaceNormals
-// and more than four influences; but of five and six on Adreno and Mali-T tangents alone, from the seventh location on.
-// With kSurfaceNormals and more than four influences a vector in words is x, y, w, z, and y and z are read with the
-// sixteen bits below them behind their point, which saves the parting of words.
+// Animation space as words, uvec4, two vectors in each: coordinates and tangents on Mali-G and NVIDIA, and with
+// kSurfaceNormals and more than four influences; but of five and six on Adreno and Mali-T tangents alone, from the
+// seventh location on. With kSurfaceNormals and more than four influences a vector in words is x, y, w, z, and y and z
+// are read with the sixteen bits below them behind their point, which saves the parting of words.
 inline constexpr std::uint32_t kWordLocations[12] = {0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15};
 
 // Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.

@@ -49,8 +49,9 @@ enum class GpuFamily : std::uint8_t {
   mali_g,  // Mali-G… and Immortalis: rows of a uniform block cost three times those of a texture, attributes are dear
   mali_t,  // Mali-T…: four numbers at a time; the paths as others
   adreno,  // registers enough without branches; the paths as others
+  nvidia,  // unpacking attributes is dear: a quarter to a third less for animation space as words; the paths as others
 };
-inline constexpr std::uint32_t kGpuFamilyCount = 4;
+inline constexpr std::uint32_t kGpuFamilyCount = 5;
 
 struct SelfTest {
   PathResult paths[kPathCount] = {};    // by SkinningPath

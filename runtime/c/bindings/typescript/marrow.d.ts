@@ -545,6 +545,10 @@ export const Gles3GpuFamily: {
    * registers enough without branches; the paths as others
    */
   readonly ADRENO: number;
+  /**
+   * unpacking attributes is dear: a quarter to a third less for animation space as words; the paths as others
+   */
+  readonly NVIDIA: number;
 };
 export type Gles3GpuFamily = number;
 

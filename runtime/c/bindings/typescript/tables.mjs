@@ -2,7 +2,7 @@
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
 export const ABI = 0x3c69a7a4;
-export const GLES3_ABI = 0xe826fe1b;
+export const GLES3_ABI = 0x73d5ca99;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -57,7 +57,7 @@ export const GLES3_MAX_CROWD_FRAMES = 1048576;
 export const GLES3_NO_CROWD_CLIP = 4294967295;
 export const GLES3_CROWD_INSTANCE_BYTES = 128;
 export const GLES3_VERDICT_COUNT = 8;
-export const GLES3_GPU_FAMILY_COUNT = 4;
+export const GLES3_GPU_FAMILY_COUNT = 5;
 export const GLES3_MOST_POSITION_ERROR = 0.001;
 export const GLES3_MOST_NORMAL_ERROR = 0.005;
 export const GLES3_ALL_PATHS = 31;
@@ -91,7 +91,7 @@ export const Gles3Palettes = Object.freeze({ UNIFORM_BLOCK: 0, TEXTURE: 1, CROWD
 export const Gles3Preskin = Object.freeze({ FEEDBACK: 0, COMPUTE: 1 });
 export const Gles3SkinningPath = Object.freeze({ UBO: 0, TEXTURE: 1, FEEDBACK: 2, COMPUTE: 3, CPU: 4 });
 export const Gles3Verdict = Object.freeze({ USABLE: 0, NOT_TRIED: 1, CRASHED: 2, UNSUPPORTED: 3, REFUSED: 4, GL_ERROR: 5, WRONG: 6, SLOW: 7 });
-export const Gles3GpuFamily = Object.freeze({ OTHER: 0, MALI_G: 1, MALI_T: 2, ADRENO: 3 });
+export const Gles3GpuFamily = Object.freeze({ OTHER: 0, MALI_G: 1, MALI_T: 2, ADRENO: 3, NVIDIA: 4 });
 
 // Size, boundary, whether there is an init, and of each field its place and what it is.
 export const structs = {
