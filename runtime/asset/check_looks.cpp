@@ -72,8 +72,8 @@ bool Checker::node(const File::Section& s) {
   const auto* h = header<format::NodeHeader>(s);
   if (h == nullptr) return false;
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  const auto* skeleton = skeleton_of(h->skeleton);
+  if (skeleton == nullptr) return false;
   if (h->joint != kNoJoint && h->joint >= skeleton->joint_count) return fail(&h->joint, "a joint outside the skeleton");
   if (!name(h->name) || !bounded(&h->joint_from_node, sizeof h->joint_from_node)) return false;
   for (const Property& p : Span<const Property>{at<Property>(s, layout(*h).properties), h->property_count})

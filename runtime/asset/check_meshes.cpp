@@ -88,12 +88,8 @@ bool Checker::morph_blocks(const Index* blocks, const MorphTarget& t, std::uint3
 
 // The header, if the section is as long as its counts say; else null.
 const format::GeometryHeader* Checker::geometry_header(const File::Section& s) {
-  if (s.codec != format::kCodecRaw) {
-    error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
-    return nullptr;
-  }
   const auto* h = at<format::GeometryHeader>(s, 0);
-  if (s.bytes < sizeof *h) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
+  if (!has_header(s, sizeof *h, format::kCodecRaw)) return nullptr;
   // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
   if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences"), nullptr;
   return geometry_size(s, *h) ? h : nullptr;
@@ -117,7 +113,7 @@ bool Checker::geometry_size(const File::Section& s, const format::GeometryHeader
       return fail(space, "1 to 32 example poses");
     bytes = layout(*space, h, bytes).bytes;
   }
-  return bytes == s.bytes || fail(&h, kRule);
+  return has_bytes(s, bytes);
 }
 
 bool Checker::geometry(const File::Section& s) {
@@ -193,10 +189,10 @@ bool Checker::mesh(const File::Section& s) {
   if (h == nullptr) return false;
   if (h->material_section > counts_[format::kMaterials]) return fail(&h->material_section, "no such material");
   if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
+  const auto* skeleton = skeleton_of(h->skeleton);
+  if (skeleton == nullptr) return false;
   if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
   if (!next_part(s, *h)) return false;
-  const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
   if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->helper_count !=
                                  at<format::GeometryHeader>(nth(format::kGeometries, h->geometry), 0)->joint_count)
     return fail(&h->joint_count, "as many palette entries as the geometry");

@@ -43,10 +43,9 @@ bool Checker::spring_chain(const format::SpringHeader& h, const format::SpringRe
 bool Checker::springs(const File::Section& s) {
   const auto* h = header<format::SpringHeader>(s);
   if (h == nullptr) return false;
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  if (&s != &nth(format::kSprings, 0) && at<format::SpringHeader>(*(&s - 1), 0)->skeleton >= h->skeleton)
-    return fail(&h->skeleton, "one section of springs a skeleton, in their order");
-  const std::uint32_t joint_count = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0)->joint_count;
+  const auto* skeleton = only_of_skeleton(s, "one section of springs a skeleton, in their order");
+  if (skeleton == nullptr) return false;
+  const std::uint32_t joint_count = skeleton->joint_count;
   if (h->chain_count == 0) return fail(&h->chain_count, "a section of springs without a chain");
   if (h->joint_count > joint_count) return fail(&h->joint_count, "more joints than the skeleton has");
   if (h->collider_count > kMaxSpringColliders) return fail(&h->collider_count, "at most 64 colliders");

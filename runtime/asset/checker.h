@@ -25,22 +25,20 @@ class Checker {
   static constexpr const char* kNotFinite = "a number that is not finite";
   static constexpr const char* kTooFar = "a number that is not finite, or beyond 1e12";
 
+  [[gnu::cold]] void note(const void* where, const char* broken_rule);
   bool fail(const void* where, const char* rule) {
-    const auto offset = static_cast<const std::byte*>(where) - block_.data;
-    error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
+    note(where, rule);
     return false;
   }
+  // Whether the section is long enough for a header, and its codec one of those up to `last_codec`.
+  bool has_header(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec);
+  bool has_bytes(const File::Section& s, std::uint64_t bytes);
   template <class Header>
   const Header* header(const File::Section& s) {
-    if (s.codec != format::kCodecRaw) {
-      error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
-      return nullptr;
-    }
-    if (s.bytes < sizeof(Header)) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
-    const auto* h = reinterpret_cast<const Header*>(block_.data + s.offset);
+    if (!has_header(s, sizeof(Header), format::kCodecRaw)) return nullptr;
+    const auto* h = at<Header>(s, 0);
     using format::layout;  // and those of other headers than format.h
-    if (layout(*h).bytes != s.bytes) return fail(h, "section size differs from its counts"), nullptr;
-    return h;
+    return has_bytes(s, layout(*h).bytes) ? h : nullptr;
   }
   template <class T>
   const T* at(const File::Section& s, std::uint64_t offset) const {
@@ -72,8 +70,9 @@ class Checker {
   bool clip(const File::Section& s);
   bool clip_header(const File::Section& s);
   bool tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count);
-  template <class Keyed>
-  bool keys(const format::ClipHeader& h, const Keyed& t, std::uint32_t floats_per_key);
+  struct KeyList;
+  class TimeLists;
+  bool keys(const File::Section& s, const KeyList& k, TimeLists& lists);
   bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
   bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
   bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
@@ -111,6 +110,8 @@ class Checker {
   bool springs(const File::Section& s);
   bool spring_chain(const format::SpringHeader& h, const format::SpringRecord& chain, const SpringJoint* joints);
 
+  const format::SkeletonHeader* skeleton_of(const std::uint32_t& number);
+  const format::SkeletonHeader* only_of_skeleton(const File::Section& s, const char* rule);
   const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
 
   Span<const std::byte> block_;

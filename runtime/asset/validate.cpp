@@ -10,6 +10,38 @@ namespace marrow {
 
 using format::layout;
 
+void Checker::note(const void* where, const char* broken_rule) {
+  const auto offset = static_cast<const std::byte*>(where) - block_.data;
+  error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), broken_rule};
+}
+
+bool Checker::has_header(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec) {
+  if (s.codec > last_codec) {
+    error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
+    return false;
+  }
+  return s.bytes >= header_bytes || fail(at<std::byte>(s, 0), "section too short for its header");
+}
+
+bool Checker::has_bytes(const File::Section& s, std::uint64_t bytes) {
+  return s.bytes == bytes || fail(at<std::byte>(s, 0), "section size differs from its counts");
+}
+
+const format::SkeletonHeader* Checker::skeleton_of(const std::uint32_t& number) {
+  if (number >= counts_[format::kSkeletons]) return fail(&number, "no such skeleton"), nullptr;
+  return at<format::SkeletonHeader>(nth(format::kSkeletons, number), 0);
+}
+
+// Of a section that begins with the number of a skeleton, which has one section of this type.
+const format::SkeletonHeader* Checker::only_of_skeleton(const File::Section& s, const char* rule) {
+  const auto& number = *at<std::uint32_t>(s, 0);
+  const auto* const skeleton = skeleton_of(number);
+  if (skeleton == nullptr) return nullptr;
+  const File::Section& before = *(&s - 1);  // of a skeleton, if of no other
+  if (before.type == s.type && *at<std::uint32_t>(before, 0) >= number) return fail(&number, rule), nullptr;
+  return skeleton;
+}
+
 // Whether all floats are, without their signs, less than the one with these bits; in one pass without a branch a float.
 // What is not finite has the largest bits.
 bool Checker::below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule) {
@@ -87,21 +119,21 @@ bool Checker::reference(const File::Section& s) {
 // Kinds stand in one order, so a section may lean on those before it; names are checked first.
 bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
-  for (const File::Section& s : sections_) {
-    const bool good = s.type == format::kTypes[format::kSkeletons]    ? skeleton(s)
-                      : s.type == format::kTypes[format::kReferences] ? reference(s)
-                      : s.type == format::kTypes[format::kClips]      ? clip(s)
-                      : s.type == format::kTypes[format::kGeometries] ? geometry(s)
-                      : s.type == format::kTypes[format::kMeshes]     ? mesh(s)
-                      : s.type == format::kTypes[format::kMaterials]  ? material(s)
-                      : s.type == format::kTypes[format::kImages]     ? image(s)
-                      : s.type == format::kTypes[format::kNodes]      ? node(s)
-                      : s.type == format::kTypes[format::kLimits]     ? limits(s)
-                      : s.type == format::kTypes[format::kBounds]     ? bounds(s)
-                      : s.type == format::kTypes[format::kSprings]    ? springs(s)
-                                                                      : true;
-    if (!good) return false;
-  }
+  struct Rules {
+    format::Kind kind;
+    bool (Checker::*check)(const File::Section& s);
+  };
+  static constexpr Rules kRules[] = {
+      {format::kSkeletons, &Checker::skeleton}, {format::kReferences, &Checker::reference},
+      {format::kClips, &Checker::clip},         {format::kGeometries, &Checker::geometry},
+      {format::kMeshes, &Checker::mesh},        {format::kMaterials, &Checker::material},
+      {format::kImages, &Checker::image},       {format::kNodes, &Checker::node},
+      {format::kLimits, &Checker::limits},      {format::kBounds, &Checker::bounds},
+      {format::kSprings, &Checker::springs},
+  };
+  for (const File::Section& s : sections_)
+    for (const Rules& rules : kRules)
+      if (s.type == format::kTypes[rules.kind] && !(this->*rules.check)(s)) return false;
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include "marrow/blend.h"
 
 #include <cstring>
+#include <initializer_list>
 
 #include "core/check.h"
 #include "core/fixed.h"
