@@ -30,6 +30,8 @@ std::uint32_t Checker::joint_count_of(const format::ClipHeader& h) const {
 // Lists of times follow one another, each shared by neighbouring tracks and channels: so one pass sees every list once.
 class Checker::TimeLists {
  public:
+  explicit TimeLists(const float* times_s) : times_s_(times_s) {}
+  const float* times_s() const { return times_s_; }
   // Whether the list may stand here; `is_new` if it has not been seen.
   bool next(std::uint32_t first, std::uint32_t count, bool& is_new) {
     is_new = empty_ || first != first_ || first + count != end_;
@@ -42,6 +44,7 @@ class Checker::TimeLists {
   std::uint32_t end() const { return end_; }
 
  private:
+  const float* times_s_;
   bool empty_ = true;
   std::uint32_t first_ = 0, end_ = 0;
 };
@@ -54,8 +57,7 @@ struct Checker::KeyList {
   std::uint64_t value_count() const { return std::uint64_t{key_count} * floats_per_key; }
 };
 
-bool Checker::keys(const File::Section& s, const KeyList& k, TimeLists& lists) {
-  const auto& h = *at<format::ClipHeader>(s, 0);
+bool Checker::keys(const format::ClipHeader& h, const KeyList& k, TimeLists& lists) {
   if (k.interpolation > Interpolation::cubic_spline) return fail(k.of, "unknown interpolation");
   if (k.key_count == 0 || std::uint64_t{k.first_time} + k.key_count > h.time_count)
     return fail(k.of, "keys outside the times");
@@ -63,7 +65,7 @@ bool Checker::keys(const File::Section& s, const KeyList& k, TimeLists& lists) {
   bool is_new = false;
   if (!lists.next(k.first_time, k.key_count, is_new))
     return fail(k.of, "a list of times is the last track's or follows it");
-  const float* const time = at<float>(s, layout(h).times) + k.first_time;
+  const float* const time = lists.times_s() + k.first_time;
   for (std::uint32_t i = 1; is_new && i < k.key_count; ++i)
     if (!(time[i - 1] < time[i])) return fail(time + i, "times must increase");
   if (!(time[0] >= 0) || time[k.key_count - 1] > h.duration_s) return fail(time, "times from 0 to the duration");
@@ -164,7 +166,7 @@ bool Checker::clip_header(const File::Section& s) {
 
 bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count) {
   const format::ClipLayout l = layout(h);
-  TimeLists lists;
+  TimeLists lists(at<float>(s, l.times));
   std::uint64_t first_value = h.value_count, values_end = 0;  // of what tracks use, and what is between
   std::uint64_t turning = 0;                                  // values of rotations, each time that a track uses them
   for (const Track& t : Span<const Track>{at<Track>(s, l.tracks), h.track_count}) {
@@ -172,7 +174,7 @@ bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::u
     if (t.path > TrackPath::scale) return fail(&t, "unknown path");
     const KeyList list = {&t,          t.interpolation, t.first_time,
                           t.key_count, t.first_value,   format::floats_per_key(t.path, t.interpolation)};
-    if (!keys(s, list, lists)) return false;
+    if (!keys(h, list, lists)) return false;
     const std::uint64_t end = t.first_value + list.value_count();
     if (t.path == TrackPath::rotation && t.interpolation != Interpolation::cubic_spline) {
       turning += end - t.first_value;
@@ -189,7 +191,7 @@ bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::u
     if ((c.reserved[0] | c.reserved[1] | c.reserved[2]) != 0) return fail(c.reserved, "reserved must be 0");
     if (!name(c.name) || !finite(&c.rest, 4)) return false;
     const std::uint32_t floats = format::floats_per_key(c.interpolation);
-    if (!keys(s, {&c, c.interpolation, c.first_time, c.key_count, c.first_value, floats}, lists)) return false;
+    if (!keys(h, {&c, c.interpolation, c.first_time, c.key_count, c.first_value, floats}, lists)) return false;
   }
   return lists.end() == h.time_count || fail(&h.time_count, "times that no track uses");
 }

@@ -72,7 +72,7 @@ class Checker {
   bool tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count);
   struct KeyList;
   class TimeLists;
-  bool keys(const File::Section& s, const KeyList& k, TimeLists& lists);
+  bool keys(const format::ClipHeader& h, const KeyList& k, TimeLists& lists);
   bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
   bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
   bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
