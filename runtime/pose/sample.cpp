@@ -18,19 +18,17 @@ namespace {
 
 constexpr std::uint32_t kNoFrame = 0xFFFFFFFF;
 
-// The values of one key, or of two keys blended; n = 3 or 4.
-void mix(const float* a, const float* b, float wa, float wb, int n, float* out) {
-  for (int i = 0; i < n; ++i) out[i] = wa * a[i] + wb * b[i];
-}
-
+// n: 3 or 4 values a key.
 void linear(const Track& track, const Moment& m, const float* keys, int n, float* out) {
   const float* const a = keys + m.key * static_cast<std::size_t>(n);
   const float* const b = track.key_count > 1 ? a + n : a;
-  if (track.path != TrackPath::rotation) return mix(a, b, 1.0f - m.u, m.u, n, out);
-  float chord_squared = 0.0f;
-  for (int i = 0; i < 4; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
-  const SlerpWeights<float> w = slerp_weights(chord_squared, m.u);
-  mix(a, b, w.a, w.b, 4, out);
+  SlerpWeights<float> w = {1.0f - m.u, m.u};
+  if (track.path == TrackPath::rotation) {
+    float chord_squared = 0.0f;
+    for (int i = 0; i < 4; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
+    w = slerp_weights(chord_squared, m.u);
+  }
+  for (int i = 0; i < n; ++i) out[i] = w.a * a[i] + w.b * b[i];
 }
 
 // A key holds in-tangent, value, out-tangent; tangents are per second.
