@@ -21,7 +21,7 @@ bool Checker::bounds(const File::Section& s) {
     return fail(&h->clip_count, "1 to as many as clips");
   if (h->mesh_count == 0 || h->mesh_count > counts_[format::kMeshes])
     return fail(&h->mesh_count, "1 to as many as meshes");
-  const auto* codes = at<format::BoundsCodes>(s, format::layout(*h).codes);
+  const auto* codes = at<format::BoundsCodes>(h, format::layout(*h).codes);
   for (std::uint64_t i = 0; i < std::uint64_t{h->clip_count} * h->mesh_count; ++i)
     if (!is_box(codes[i])) return fail(codes + i, "no box");
   return true;

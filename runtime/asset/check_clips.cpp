@@ -159,17 +159,17 @@ bool Checker::clip_header(const File::Section& s) {
   const bool has_reference = h->reference_groups != 0;
   if (has_reference && (h->additive == 0 || h->reference_groups != soa_count(joint_count_of(*h))))
     return fail(&h->reference_groups, "a reference is an additive clip's and has all joints");
-  if (!transforms(at<SoaTransform>(s, sizeof *h), h->reference_groups)) return false;
+  if (!transforms(at<SoaTransform>(h, sizeof *h), h->reference_groups)) return false;
   if (!name(h->name) || !bounded(&h->duration_s, 4)) return false;
   return h->duration_s >= 0 || fail(&h->duration_s, "a duration is not negative");
 }
 
-bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count) {
+bool Checker::tracks(const format::ClipHeader& h, std::uint32_t joint_count) {
   const format::ClipLayout l = layout(h);
-  TimeLists lists(at<float>(s, l.times));
+  TimeLists lists(at<float>(&h, l.times));
   std::uint64_t first_value = h.value_count, values_end = 0;  // of what tracks use, and what is between
   std::uint64_t turning = 0;                                  // values of rotations, each time that a track uses them
-  for (const Track& t : Span<const Track>{at<Track>(s, l.tracks), h.track_count}) {
+  for (const Track& t : Span<const Track>{at<Track>(&h, l.tracks), h.track_count}) {
     if (t.joint >= joint_count) return fail(&t, "track's joint outside the skeleton");
     if (t.path > TrackPath::scale) return fail(&t, "unknown path");
     const KeyList list = {&t,          t.interpolation, t.first_time,
@@ -180,14 +180,14 @@ bool Checker::tracks(const File::Section& s, const format::ClipHeader& h, std::u
       turning += end - t.first_value;
       // Any number of tracks may share values, which would be looked at for each.
       if (turning > 2 * std::uint64_t{h.value_count}) return fail(&t, "rotations share values more than twice over");
-      if (!units(at<float>(s, l.values) + t.first_value, 4 * (end - t.first_value))) return false;
+      if (!units(at<float>(&h, l.values) + t.first_value, 4 * (end - t.first_value))) return false;
     }
     first_value = t.first_value < first_value ? t.first_value : first_value;
     values_end = end > values_end ? end : values_end;
   }
-  if (values_end > 0 && !bounded(at<float>(s, l.values + 4 * first_value), 4 * (values_end - first_value)))
+  if (values_end > 0 && !bounded(at<float>(&h, l.values + 4 * first_value), 4 * (values_end - first_value)))
     return false;
-  for (const Channel& c : Span<const Channel>{at<Channel>(s, l.channels), h.channel_count}) {
+  for (const Channel& c : Span<const Channel>{at<Channel>(&h, l.channels), h.channel_count}) {
     if ((c.reserved[0] | c.reserved[1] | c.reserved[2]) != 0) return fail(c.reserved, "reserved must be 0");
     if (!name(c.name) || !finite(&c.rest, 4)) return false;
     const std::uint32_t floats = format::floats_per_key(c.interpolation);
@@ -201,7 +201,7 @@ bool Checker::clip(const File::Section& s) {
   const auto* h = at<format::ClipHeader>(s, 0);
   const format::ClipLayout l = layout(*h);
   const std::uint32_t joint_count = joint_count_of(*h);
-  return finite(at<float>(s, l.times), l.bytes - l.times) && tracks(s, *h, joint_count) &&
+  return finite(at<float>(h, l.times), l.bytes - l.times) && tracks(*h, joint_count) &&
          (s.codec == format::kCodecRaw || coded(s, l.bytes, joint_count));
 }
 

@@ -46,7 +46,7 @@ bool Checker::limits(const File::Section& s) {
   const auto* skeleton = only_of_skeleton(s, "one section of limits a skeleton, in their order");
   if (skeleton == nullptr) return false;
   if (h->limit_count == 0) return fail(&h->limit_count, "a section of limits without one");
-  const auto* limits = at<JointLimit>(s, layout(*h).limits);
+  const auto* limits = at<JointLimit>(h, layout(*h).limits);
   for (std::uint32_t i = 0; i < h->limit_count; ++i) {
     if (limits[i].joint >= skeleton->joint_count) return fail(&limits[i], "a joint outside the skeleton");
     if (i > 0 && limits[i].joint <= limits[i - 1].joint) return fail(&limits[i], "limits ascend by joint");

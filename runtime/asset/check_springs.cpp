@@ -50,8 +50,8 @@ bool Checker::springs(const File::Section& s) {
   if (h->joint_count > joint_count) return fail(&h->joint_count, "more joints than the skeleton has");
   if (h->collider_count > kMaxSpringColliders) return fail(&h->collider_count, "at most 64 colliders");
   const format::SpringLayout l = layout(*h);
-  const auto* chains = at<format::SpringRecord>(s, l.chains);
-  const auto* joints = at<SpringJoint>(s, l.joints);
+  const auto* chains = at<format::SpringRecord>(h, l.chains);
+  const auto* joints = at<SpringJoint>(h, l.joints);
   std::uint32_t next = 0;
   for (std::uint32_t c = 0; c < h->chain_count; ++c) {
     if (chains[c].first_joint != next || chains[c].joint_count == 0 || chains[c].joint_count > h->joint_count - next)
@@ -60,7 +60,7 @@ bool Checker::springs(const File::Section& s) {
     next += chains[c].joint_count;
   }
   if (next != h->joint_count) return fail(&h->joint_count, "joints of no chain");
-  const auto* colliders = at<SpringCollider>(s, l.colliders);
+  const auto* colliders = at<SpringCollider>(h, l.colliders);
   for (std::uint32_t i = 0; i < h->collider_count; ++i) {
     if (colliders[i].joint >= joint_count) return fail(colliders + i, "a joint outside the skeleton");
     if (colliders[i].reserved != 0) return fail(colliders + i, "reserved must be 0");

@@ -55,12 +55,29 @@ bool Checker::below_bits(const void* first, std::uint64_t bytes, std::uint32_t l
   return fail(words + i, rule);
 }
 
+bool Checker::finite(const void* first, std::uint64_t bytes) {
+  return below_bits(first, bytes, 0x7F800000, "a number that is not finite");
+}
+
+bool Checker::bounded(const void* first, std::uint64_t bytes) {
+  return below_bits(first, bytes, bit_cast<std::uint32_t>(format::kFarthest) + 1,
+                    "a number that is not finite, or beyond 1e12");
+}
+
+bool Checker::units(const void* first, std::uint64_t bytes) {
+  return below_bits(first, bytes, bit_cast<std::uint32_t>(1.01f), "a rotation that is no unit quaternion");
+}
+
 // Of a pose.
 bool Checker::transforms(const SoaTransform* first, std::uint64_t count) {
   if (!bounded(first, count * sizeof *first)) return false;
   for (std::uint64_t i = 0; i < count; ++i)
     if (!units(first[i].rotation, sizeof first[i].rotation)) return false;
   return true;
+}
+
+bool Checker::text(const std::uint32_t& n) {
+  return n < sections_[sections_.size - 1].bytes || fail(&n, "name outside the name section");
 }
 
 bool Checker::name(const std::uint32_t& n) {
@@ -85,11 +102,11 @@ bool Checker::skeleton(const File::Section& s) {
   if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
   if (h->root_count == 0 || h->root_count > h->joint_count) return fail(&h->root_count, "1 root to as many as joints");
   const format::SkeletonLayout l = layout(*h);
-  const auto* parents = at<std::uint16_t>(s, l.parents);
-  const auto* joint_names = at<std::uint32_t>(s, l.names);
+  const auto* parents = at<std::uint16_t>(h, l.parents);
+  const auto* joint_names = at<std::uint32_t>(h, l.names);
   return joints(parents, joint_names, h->joint_count, h->root_count) && name(h->name) &&
-         bounded(at<float>(s, l.roots), l.rest - l.roots) &&
-         transforms(at<SoaTransform>(s, l.rest), (l.names - l.rest) / sizeof(SoaTransform));
+         bounded(at<float>(h, l.roots), l.rest - l.roots) &&
+         transforms(at<SoaTransform>(h, l.rest), (l.names - l.rest) / sizeof(SoaTransform));
 }
 
 bool Checker::joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
@@ -109,11 +126,11 @@ bool Checker::reference(const File::Section& s) {
   if (counts_[format::kSkeletons] != 0) return fail(h, "skeletons or references, not both");
   if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
   const format::ReferenceLayout l = layout(*h);
-  const auto* parents = at<std::uint16_t>(s, l.parents);
+  const auto* parents = at<std::uint16_t>(h, l.parents);
   std::uint32_t roots = 0;
   while (roots < h->joint_count && parents[roots] == kNoParent) ++roots;
   if (roots == 0) return fail(parents, "the first joint has no parent");
-  return joints(parents, at<std::uint32_t>(s, l.names), h->joint_count, roots) && name(h->name);
+  return joints(parents, at<std::uint32_t>(h, l.names), h->joint_count, roots) && name(h->name);
 }
 
 // Kinds stand in one order, so a section may lean on those before it; names are checked first.
