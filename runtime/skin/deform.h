@@ -96,23 +96,19 @@ inline bool aligned(const float* p) {
   return reinterpret_cast<std::uintptr_t>(p) % 16 == 0;
 }
 
+// What all deformers ask of their arguments.
+BadCall check_deform(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
+Directions directions_of(const SkinOutput& out);
+
 template <class Deformer>
 BadCall deform(const Mesh& mesh, const float* stream, Span<const Affine> palette, const SkinOutput& out,
                const Deformer& deformer = {}) {
-  const Geometry& g = mesh.geometry;
-  const std::size_t slots = g.slot_count;
-  const bool normals = !out.normals.empty(), tangents = !out.tangents.empty();
-  const bool exact = out.normal_transform == NormalTransform::inverse_transpose;
-  MARROW_CHECK(holds(palette, mesh.palette_size()));
-  MARROW_CHECK(aligned(g.skin) && aligned(g.normals) && aligned(g.tangents));
-  MARROW_CHECK(holds(out.positions, slots * 3));
-  MARROW_CHECK(!normals || (g.normals != nullptr && holds(out.normals, slots * 3)));
-  MARROW_CHECK(!tangents || (normals && g.tangents != nullptr && holds(out.tangents, slots * 4)));
-  const auto run = [&](auto directions) { deform_runs(directions, deformer, g, stream, palette.data, out); };
+  if (const BadCall bad = check_deform(mesh, palette, out)) return bad;
+  const auto run = [&](auto directions) {
+    deform_runs(directions, deformer, mesh.geometry, stream, palette.data, out);
+  };
   using enum Directions;
-  const Directions directions = !normals   ? none
-                                : tangents ? (exact ? exact_tangents : blended_tangents)
-                                           : (exact ? exact_normals : blended_normals);
+  const Directions directions = directions_of(out);
   if constexpr (kSmall) {
     run(directions);
   } else {
