@@ -98,15 +98,15 @@ bool Checker::constants(const GroupMasks* masks, const format::Constant* next, s
 }
 
 // Segments follow one another without a gap, so one pass sees every byte once.
-bool Checker::segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l) {
-  const auto* offsets = at<std::uint32_t>(s, l.offsets);
+bool Checker::segments(const std::byte* section, const format::CodedHeader& h, const format::CodedLayout& l) {
+  const auto* offsets = at<std::uint32_t>(section, l.offsets);
   const std::uint64_t limit = h.payload_bytes - format::kPayloadPadding;
   std::uint64_t end = 0;
   for (std::uint32_t i = 0; i < format::segment_count(h); ++i) {
     if (offsets[i] != end) return fail(offsets + i, "segments stand back to back");
     end += 4 + std::uint64_t{h.track_count} * sizeof(format::TrackHeader);
     if (end > limit) return fail(offsets + i, "a segment outside the payload");
-    const auto* segment = at<std::byte>(s, l.payload + offsets[i]);
+    const auto* segment = at<std::byte>(section, l.payload + offsets[i]);
     std::uint32_t frame_bytes;
     std::memcpy(&frame_bytes, segment, 4);
     std::uint64_t bits = 0;
@@ -127,8 +127,9 @@ bool Checker::segments(const File::Section& s, const format::CodedHeader& h, con
 }
 
 bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count) {
-  const auto* h = at<format::CodedHeader>(s, start);
-  if (s.bytes - start < sizeof *h) return fail(block_.data + s.offset, "section too short for its header");
+  const auto* const section = at<std::byte>(s, 0);
+  const auto* h = at<format::CodedHeader>(section, start);
+  if (s.bytes - start < sizeof *h) return fail(section, "section too short for its header");
   if (h->time_count != 0 && h->time_count != h->frame_count) return fail(&h->time_count, "a time a frame or none");
   if (h->frame_count < 2 || h->frame_count > format::kMaxFrames) return fail(h, "2 to 16777216 frames");
   if (h->segment_intervals == 0) return fail(&h->segment_intervals, "a segment has intervals");
@@ -137,14 +138,14 @@ bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t j
   if (h->payload_bytes < format::kPayloadPadding) return fail(&h->payload_bytes, "payload without padding");
   const format::CodedLayout l = layout(*h, start, joint_count);
   if (l.bytes != s.bytes) return fail(h, "section size differs from its counts");
-  const auto* times = at<float>(s, l.times);
+  const auto* times = at<float>(section, l.times);
   if (!finite(times, l.offsets - l.times)) return false;
   if (h->time_count > 0 && times[0] != h->start_s) return fail(times, "frame 0 at start_s");
   for (std::uint32_t i = 1; i < h->time_count; ++i)
     if (!(times[i - 1] < times[i])) return fail(times + i, "times must increase");
-  const auto* groups = at<GroupMasks>(s, l.masks);
-  return masks(*h, groups, joint_count) && constants(groups, at<format::Constant>(s, l.constants), joint_count) &&
-         segments(s, *h, l);
+  const auto* groups = at<GroupMasks>(section, l.masks);
+  return masks(*h, groups, joint_count) && constants(groups, at<format::Constant>(section, l.constants), joint_count) &&
+         segments(section, *h, l);
 }
 
 bool Checker::clip_header(const File::Section& s) {

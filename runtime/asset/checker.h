@@ -72,7 +72,7 @@ class Checker {
   bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
   bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
   bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
-  bool segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l);
+  bool segments(const std::byte* section, const format::CodedHeader& h, const format::CodedLayout& l);
   bool geometry(const File::Section& s);
   const format::GeometryHeader* geometry_header(const File::Section& s);
   bool morphs(const format::GeometryHeader& h);
