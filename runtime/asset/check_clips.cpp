@@ -150,7 +150,6 @@ bool Checker::coded(const File::Section& s, std::uint64_t start, std::uint32_t j
 
 bool Checker::clip_header(const File::Section& s) {
   const auto* h = at<format::ClipHeader>(s, 0);
-  if (!has_header(s, sizeof *h, format::kCodecSegments)) return false;
   const std::uint64_t raw_bytes = layout(*h).bytes;
   if (!has_bytes(s, s.codec == format::kCodecRaw || raw_bytes > s.bytes ? raw_bytes : s.bytes)) return false;
   // One of the two is 0.

@@ -95,7 +95,6 @@ bool Checker::pose_space(const format::GeometryHeader& g) {
 // The header, if the section is as long as its counts say; else null.
 const format::GeometryHeader* Checker::geometry_header(const File::Section& s) {
   const auto* h = at<format::GeometryHeader>(s, 0);
-  if (!has_header(s, sizeof *h, format::kCodecRaw)) return nullptr;
   // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
   if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences"), nullptr;
   return geometry_size(s, *h) ? h : nullptr;

@@ -138,19 +138,27 @@ bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
   struct Rules {
     format::Kind kind;
+    std::uint32_t header_bytes, last_codec;
     bool (Checker::*check)(const File::Section& s);
   };
   static constexpr Rules kRules[] = {
-      {format::kSkeletons, &Checker::skeleton}, {format::kReferences, &Checker::reference},
-      {format::kClips, &Checker::clip},         {format::kGeometries, &Checker::geometry},
-      {format::kMeshes, &Checker::mesh},        {format::kMaterials, &Checker::material},
-      {format::kImages, &Checker::image},       {format::kNodes, &Checker::node},
-      {format::kLimits, &Checker::limits},      {format::kBounds, &Checker::bounds},
-      {format::kSprings, &Checker::springs},
+      {format::kSkeletons, sizeof(format::SkeletonHeader), format::kCodecRaw, &Checker::skeleton},
+      {format::kReferences, sizeof(format::ReferenceHeader), format::kCodecRaw, &Checker::reference},
+      {format::kClips, sizeof(format::ClipHeader), format::kCodecSegments, &Checker::clip},
+      {format::kGeometries, sizeof(format::GeometryHeader), format::kCodecRaw, &Checker::geometry},
+      {format::kMeshes, sizeof(format::MeshHeader), format::kCodecRaw, &Checker::mesh},
+      {format::kMaterials, sizeof(format::MaterialHeader), format::kCodecRaw, &Checker::material},
+      {format::kImages, sizeof(format::ImageHeader), format::kCodecRaw, &Checker::image},
+      {format::kNodes, sizeof(format::NodeHeader), format::kCodecRaw, &Checker::node},
+      {format::kLimits, sizeof(format::LimitHeader), format::kCodecRaw, &Checker::limits},
+      {format::kSprings, sizeof(format::SpringHeader), format::kCodecRaw, &Checker::springs},
+      {format::kBounds, sizeof(format::BoundsHeader), format::kCodecRaw, &Checker::bounds},
   };
-  for (const File::Section& s : sections_)
-    for (const Rules& rules : kRules)
-      if (s.type == format::kTypes[rules.kind] && !(this->*rules.check)(s)) return false;
+  for (const Rules& rules : kRules)
+    for (std::uint32_t i = 0; i < counts_[rules.kind]; ++i) {
+      const File::Section& s = nth(rules.kind, i);
+      if (!has_header(s, rules.header_bytes, rules.last_codec) || !(this->*rules.check)(s)) return false;
+    }
   return true;
 }
 
