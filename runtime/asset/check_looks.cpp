@@ -24,14 +24,15 @@ bool Checker::material(const File::Section& s) {
   if (h->alpha > AlphaMode::blend) return fail(&h->alpha, "unknown alpha mode");
   if (!name(h->name) || !finite(&h->alpha_cutoff, 4)) return false;
   if (!(h->alpha_cutoff >= 0)) return fail(&h->alpha_cutoff, "a cutoff is not negative");
+  const format::MaterialLayout l = layout(*h);
   if ((h->flags & format::kEmits) != 0) {
-    const auto* emissive = at<float>(h, layout(*h).emissive);
+    const auto* emissive = at<float>(h, l.emissive);
     if (!finite(emissive, 12)) return false;
     for (int c = 0; c < 3; ++c)
       if (!(emissive[c] >= 0)) return fail(emissive + c, "light that is emitted is not negative");
   }
   std::uint32_t roles = 0;
-  for (const Texture& t : Span<const Texture>{at<Texture>(h, layout(*h).textures), h->texture_count})
+  for (const Texture& t : Span<const Texture>{at<Texture>(h, l.textures), h->texture_count})
     if (!texture(t, roles)) return false;
   return true;
 }

@@ -92,15 +92,7 @@ bool Checker::pose_space(const format::GeometryHeader& g) {
                             kMorphsPositions});
 }
 
-// The header, if the section is as long as its counts say; else null.
-const format::GeometryHeader* Checker::geometry_header(const File::Section& s) {
-  const auto* h = at<format::GeometryHeader>(s, 0);
-  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
-  if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences"), nullptr;
-  return geometry_size(s, *h) ? h : nullptr;
-}
-
-// Whether its arrays fill the section; each part's header is looked at only where it is inside.
+// Whether a geometry's arrays fill the section; each part's header is looked at only where it is inside.
 bool Checker::geometry_size(const File::Section& s, const format::GeometryHeader& h) {
   constexpr const char* kRule = "section size differs from its counts";
   const format::GeometryLayout l = layout(h);
@@ -122,8 +114,10 @@ bool Checker::geometry_size(const File::Section& s, const format::GeometryHeader
 }
 
 bool Checker::geometry(const File::Section& s) {
-  const auto* h = geometry_header(s);
-  if (h == nullptr) return false;
+  const auto* h = at<format::GeometryHeader>(s, 0);
+  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
+  if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences");
+  if (!geometry_size(s, *h)) return false;
   if ((h->flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return fail(&h->flags, "unknown flag");
   if (h->block_count > 0x3FFFFFFF) return fail(&h->block_count, "too many vertices");
   if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 palette entries");

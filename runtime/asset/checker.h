@@ -74,7 +74,6 @@ class Checker {
   bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
   bool segments(const std::byte* section, const format::CodedHeader& h, const format::CodedLayout& l);
   bool geometry(const File::Section& s);
-  const format::GeometryHeader* geometry_header(const File::Section& s);
   bool morphs(const format::GeometryHeader& h);
   bool pose_space(const format::GeometryHeader& h);
   struct SparseRecords {

@@ -106,7 +106,7 @@ bool Checker::skeleton(const File::Section& s) {
   const auto* joint_names = at<std::uint32_t>(h, l.names);
   return joints(parents, joint_names, h->joint_count, h->root_count) && name(h->name) &&
          bounded(at<float>(h, l.roots), l.rest - l.roots) &&
-         transforms(at<SoaTransform>(h, l.rest), (l.names - l.rest) / sizeof(SoaTransform));
+         transforms(at<SoaTransform>(h, l.rest), soa_count(h->joint_count));
 }
 
 bool Checker::joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
