@@ -6,7 +6,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 here=$PWD
-variants="x86-64 scalar one-file clang i686 aarch64 armhf windows wasm32 wasm32-simd"
+variants="x86-64 scalar small one-file clang i686 aarch64 armhf windows wasm32 wasm32-simd"
+# shellcheck disable=SC2086  # several words
 [ $# -gt 0 ] || set -- $variants
 for name in "$@"; do
   [[ " $variants " == *" $name "* ]] || { sed -n '4s/^# //p' "$0" >&2; exit 1; }
@@ -19,6 +20,7 @@ mkdir -p build/bits
 arguments() {
   case $1 in
     scalar) echo "-DMARROW_SIMD=scalar" ;;
+    small) echo "-DCMAKE_BUILD_TYPE=MinSizeRel" ;;
     clang) echo "-DCMAKE_CXX_COMPILER=clang++-19" ;;
     i686 | aarch64 | armhf) echo "--toolchain cmake/$1.cmake" ;;
     windows) echo "--toolchain cmake/mingw64.cmake" ;;

@@ -15,16 +15,13 @@ bool is_box(const format::BoundsCodes& codes) {
 
 bool Checker::bounds(const File::Section& s) {
   const auto* h = header<format::BoundsHeader>(s);
-  if (h == nullptr) return false;
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  if (&s != &nth(format::kBounds, 0) && at<format::BoundsHeader>(*(&s - 1), 0)->skeleton >= h->skeleton)
-    return fail(&h->skeleton, "one section of bounds a skeleton, in their order");
+  if (h == nullptr || only_of_skeleton(s, "one section of bounds a skeleton, in their order") == nullptr) return false;
   // Small enough, too, for their product.
   if (h->clip_count == 0 || h->clip_count > counts_[format::kClips])
     return fail(&h->clip_count, "1 to as many as clips");
   if (h->mesh_count == 0 || h->mesh_count > counts_[format::kMeshes])
     return fail(&h->mesh_count, "1 to as many as meshes");
-  const auto* codes = at<format::BoundsCodes>(s, format::layout(*h).codes);
+  const auto* codes = at<format::BoundsCodes>(h, format::layout(*h).codes);
   for (std::uint64_t i = 0; i < std::uint64_t{h->clip_count} * h->mesh_count; ++i)
     if (!is_box(codes[i])) return fail(codes + i, "no box");
   return true;

@@ -43,6 +43,7 @@ ExampleSpace view(const std::byte* base) {
 
 bool Checker::example_space(std::uint32_t index) {
   const File::Section& section = nth(format::kExamples, index);
+  if (!has_header(section, sizeof(format::ExampleHeader), format::kCodecRaw)) return false;
   const auto* h = header<format::ExampleHeader>(section);
   if (h == nullptr || !name(h->name)) return false;
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");

@@ -43,14 +43,12 @@ bool is_valid(const JointLimit& limit) {
 bool Checker::limits(const File::Section& s) {
   const auto* h = header<format::LimitHeader>(s);
   if (h == nullptr) return false;
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  if (&s != &nth(format::kLimits, 0) && at<format::LimitHeader>(*(&s - 1), 0)->skeleton >= h->skeleton)
-    return fail(&h->skeleton, "one section of limits a skeleton, in their order");
+  const auto* skeleton = only_of_skeleton(s, "one section of limits a skeleton, in their order");
+  if (skeleton == nullptr) return false;
   if (h->limit_count == 0) return fail(&h->limit_count, "a section of limits without one");
-  const std::uint32_t joint_count = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0)->joint_count;
-  const auto* limits = at<JointLimit>(s, layout(*h).limits);
+  const auto* limits = at<JointLimit>(h, layout(*h).limits);
   for (std::uint32_t i = 0; i < h->limit_count; ++i) {
-    if (limits[i].joint >= joint_count) return fail(&limits[i], "a joint outside the skeleton");
+    if (limits[i].joint >= skeleton->joint_count) return fail(&limits[i], "a joint outside the skeleton");
     if (i > 0 && limits[i].joint <= limits[i - 1].joint) return fail(&limits[i], "limits ascend by joint");
     if (!is_valid(limits[i])) return fail(&limits[i], "no limit of a joint");
   }

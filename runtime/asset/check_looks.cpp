@@ -24,14 +24,15 @@ bool Checker::material(const File::Section& s) {
   if (h->alpha > AlphaMode::blend) return fail(&h->alpha, "unknown alpha mode");
   if (!name(h->name) || !finite(&h->alpha_cutoff, 4)) return false;
   if (!(h->alpha_cutoff >= 0)) return fail(&h->alpha_cutoff, "a cutoff is not negative");
+  const format::MaterialLayout l = layout(*h);
   if ((h->flags & format::kEmits) != 0) {
-    const auto* emissive = at<float>(s, layout(*h).emissive);
+    const auto* emissive = at<float>(h, l.emissive);
     if (!finite(emissive, 12)) return false;
     for (int c = 0; c < 3; ++c)
       if (!(emissive[c] >= 0)) return fail(emissive + c, "light that is emitted is not negative");
   }
   std::uint32_t roles = 0;
-  for (const Texture& t : Span<const Texture>{at<Texture>(s, layout(*h).textures), h->texture_count})
+  for (const Texture& t : Span<const Texture>{at<Texture>(h, l.textures), h->texture_count})
     if (!texture(t, roles)) return false;
   return true;
 }
@@ -72,11 +73,11 @@ bool Checker::node(const File::Section& s) {
   const auto* h = header<format::NodeHeader>(s);
   if (h == nullptr) return false;
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
+  const auto* skeleton = skeleton_of(h->skeleton);
+  if (skeleton == nullptr) return false;
   if (h->joint != kNoJoint && h->joint >= skeleton->joint_count) return fail(&h->joint, "a joint outside the skeleton");
   if (!name(h->name) || !bounded(&h->joint_from_node, sizeof h->joint_from_node)) return false;
-  for (const Property& p : Span<const Property>{at<Property>(s, layout(*h).properties), h->property_count})
+  for (const Property& p : Span<const Property>{at<Property>(h, layout(*h).properties), h->property_count})
     if (!property(p)) return false;
   return true;
 }

@@ -30,8 +30,22 @@ bool Checker::runs(const format::GeometryHeader& h, const Run* runs, const std::
   return below(sets, h.set_count, h.joint_count, "a set refers to a joint outside the palette");
 }
 
+bool Checker::morph_blocks(const void* blocks, std::uint32_t index_bytes, const MorphTarget& t,
+                           std::uint32_t block_count) {
+  const auto block = [&](std::uint32_t i) -> std::uint32_t {
+    return index_bytes == 2 ? static_cast<const std::uint16_t*>(blocks)[i]
+                            : static_cast<const std::uint32_t*>(blocks)[i];
+  };
+  for (std::uint32_t i = 1; i < t.block_count; ++i)
+    if (block(i - 1) >= block(i))
+      return fail(at<std::byte>(blocks, std::uint64_t{i} * index_bytes), "a target's blocks ascend");
+  const std::uint32_t last = t.block_count - 1;
+  return t.block_count == 0 || block(last) < block_count ||
+         fail(at<std::byte>(blocks, std::uint64_t{last} * index_bytes), "a target's block outside the vertices");
+}
+
 // Each moves some blocks, in ascending order, and adds to what the geometry has; lists and records stand back to back.
-bool Checker::sparse_records(const File::Section& s, const format::GeometryHeader& g, const SparseRecords& r) {
+bool Checker::sparse_records(const format::GeometryHeader& g, const SparseRecords& r) {
   const std::uint32_t index_bytes = layout(g).index_bytes;
   std::uint64_t blocks = 0, records = 0;
   for (const MorphTarget& t : r.targets) {
@@ -43,63 +57,42 @@ bool Checker::sparse_records(const File::Section& s, const format::GeometryHeade
     blocks += t.block_count;
     records += std::uint64_t{t.block_count} * count_bits(t.attributes);
     if (blocks > r.block_count || records > r.record_count) return fail(&t, "a target outside the records");
-    const std::uint64_t first = r.blocks + std::uint64_t{t.first_block} * index_bytes;
-    const bool good = index_bytes == 2 ? morph_blocks(at<std::uint16_t>(s, first), t, g.block_count)
-                                       : morph_blocks(at<std::uint32_t>(s, first), t, g.block_count);
-    if (!good) return false;
+    const auto* const first = at<std::byte>(&g, r.blocks + std::uint64_t{t.first_block} * index_bytes);
+    if (!morph_blocks(first, index_bytes, t, g.block_count)) return false;
   }
   return (blocks == r.block_count && records == r.record_count) || fail(r.targets.data, "records that no target uses");
 }
 
-bool Checker::morphs(const File::Section& s, const format::GeometryHeader& g) {
-  const auto* h = at<format::MorphHeader>(s, format::morph_start(layout(g)));
+bool Checker::morphs(const format::GeometryHeader& g) {
+  const auto* h = at<format::MorphHeader>(&g, format::morph_start(layout(g)));
   const format::MorphLayout l = layout(*h, layout(g));
   if (h->target_count == 0) return fail(h, "a flag without morph targets");
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   const std::uint32_t allowed = kMorphsPositions | ((g.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
                                 ((g.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
   return sparse_records(
-      s, g, {{at<MorphTarget>(s, l.targets), h->target_count}, l.blocks, h->block_count, h->record_count, allowed});
+      g, {{at<MorphTarget>(&g, l.targets), h->target_count}, l.blocks, h->block_count, h->record_count, allowed});
 }
 
-bool Checker::pose_space(const File::Section& s, const format::GeometryHeader& g) {
-  const std::uint64_t start = format::pose_space_start(block_.data + s.offset);
-  const auto* h = at<format::PoseSpaceHeader>(s, start);
+bool Checker::pose_space(const format::GeometryHeader& g) {
+  const std::uint64_t start = format::pose_space_start(at<std::byte>(&g, 0));
+  const auto* h = at<format::PoseSpaceHeader>(&g, start);
   const format::PoseSpaceLayout l = layout(*h, g, start);
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if (!(h->sigma >= format::kLeastSigma && h->sigma <= format::kMostSigma))
     return fail(&h->sigma, "sigma from 0.001 to 1000");
-  const auto* parents = at<std::uint16_t>(s, l.parents);
+  const auto* parents = at<std::uint16_t>(&g, l.parents);
   for (std::uint32_t j = 0; j < g.joint_count; ++j)
     if (parents[j] >= g.joint_count && parents[j] != kNoParent)
       return fail(parents + j, "a parent outside the palette");
-  return sparse_records(
-      s, g,
-      {{at<MorphTarget>(s, l.examples), h->example_count}, l.blocks, h->block_count, h->block_count, kMorphsPositions});
+  return sparse_records(g, {{at<MorphTarget>(&g, l.examples), h->example_count},
+                            l.blocks,
+                            h->block_count,
+                            h->block_count,
+                            kMorphsPositions});
 }
 
-template <class Index>
-bool Checker::morph_blocks(const Index* blocks, const MorphTarget& t, std::uint32_t block_count) {
-  for (std::uint32_t i = 1; i < t.block_count; ++i)
-    if (blocks[i - 1] >= blocks[i]) return fail(blocks + i, "a target's blocks ascend");
-  return t.block_count == 0 || blocks[t.block_count - 1] < block_count ||
-         fail(blocks + t.block_count - 1, "a target's block outside the vertices");
-}
-
-// The header, if the section is as long as its counts say; else null.
-const format::GeometryHeader* Checker::geometry_header(const File::Section& s) {
-  if (s.codec != format::kCodecRaw) {
-    error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
-    return nullptr;
-  }
-  const auto* h = at<format::GeometryHeader>(s, 0);
-  if (s.bytes < sizeof *h) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
-  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
-  if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences"), nullptr;
-  return geometry_size(s, *h) ? h : nullptr;
-}
-
-// Whether its arrays fill the section; each part's header is looked at only where it is inside.
+// Whether a geometry's arrays fill the section; each part's header is looked at only where it is inside.
 bool Checker::geometry_size(const File::Section& s, const format::GeometryHeader& h) {
   constexpr const char* kRule = "section size differs from its counts";
   const format::GeometryLayout l = layout(h);
@@ -107,22 +100,24 @@ bool Checker::geometry_size(const File::Section& s, const format::GeometryHeader
   if ((h.flags & format::kHasMorphTargets) != 0) {
     const std::uint64_t start = format::morph_start(l);
     if (start + sizeof(format::MorphHeader) > s.bytes) return fail(&h, kRule);
-    bytes = layout(*at<format::MorphHeader>(s, start), l).bytes;
+    bytes = layout(*at<format::MorphHeader>(&h, start), l).bytes;
   }
   if ((h.flags & format::kHasPoseSpace) != 0) {
     const std::uint64_t start = format::align4(bytes);
     if (start + sizeof(format::PoseSpaceHeader) > s.bytes) return fail(&h, kRule);
-    const auto* const space = at<format::PoseSpaceHeader>(s, start);
+    const auto* const space = at<format::PoseSpaceHeader>(&h, start);
     if (space->example_count == 0 || space->example_count > kMaxPoseExamples)
       return fail(space, "1 to 32 example poses");
     bytes = layout(*space, h, bytes).bytes;
   }
-  return bytes == s.bytes || fail(&h, kRule);
+  return has_bytes(s, bytes);
 }
 
 bool Checker::geometry(const File::Section& s) {
-  const auto* h = geometry_header(s);
-  if (h == nullptr) return false;
+  const auto* h = at<format::GeometryHeader>(s, 0);
+  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
+  if (h->influence_blocks < h->block_count) return fail(&h->influence_blocks, "a block has influences");
+  if (!geometry_size(s, *h)) return false;
   if ((h->flags & ~std::uint32_t{format::kAllGeometryFlags}) != 0) return fail(&h->flags, "unknown flag");
   if (h->block_count > 0x3FFFFFFF) return fail(&h->block_count, "too many vertices");
   if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 palette entries");
@@ -135,13 +130,13 @@ bool Checker::geometry(const File::Section& s) {
   const std::uint64_t slots = std::uint64_t{h->block_count} * 4;
   const bool indices_fit =
       l.index_bytes == 2
-          ? below(at<std::uint16_t>(s, l.indices), h->index_count, slots, "an index outside the vertices")
-          : below(at<std::uint32_t>(s, l.indices), h->index_count, slots, "an index outside the vertices");
-  return indices_fit && runs(*h, at<Run>(s, l.runs), at<std::uint16_t>(s, l.sets)) &&
-         source_slots(at<std::uint32_t>(s, l.source_slots), h->source_vertex_count, slots) && finite(h->box_min, 24) &&
-         finite(at<float>(s, l.skin), l.colours - l.skin) &&
-         ((h->flags & format::kHasMorphTargets) == 0 || morphs(s, *h)) &&
-         ((h->flags & format::kHasPoseSpace) == 0 || pose_space(s, *h));
+          ? below(at<std::uint16_t>(h, l.indices), h->index_count, slots, "an index outside the vertices")
+          : below(at<std::uint32_t>(h, l.indices), h->index_count, slots, "an index outside the vertices");
+  return indices_fit && runs(*h, at<Run>(h, l.runs), at<std::uint16_t>(h, l.sets)) &&
+         source_slots(at<std::uint32_t>(h, l.source_slots), h->source_vertex_count, slots) && finite(h->box_min, 24) &&
+         finite(at<float>(h, l.skin), l.colours - l.skin) &&
+         ((h->flags & format::kHasMorphTargets) == 0 || morphs(*h)) &&
+         ((h->flags & format::kHasPoseSpace) == 0 || pose_space(*h));
 }
 
 bool Checker::source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots) {
@@ -154,7 +149,7 @@ std::uint32_t Checker::target_count(std::uint32_t of_geometry) const {
   const File::Section& s = nth(format::kGeometries, of_geometry);
   const auto* const geometry = at<format::GeometryHeader>(s, 0);
   if ((geometry->flags & format::kHasMorphTargets) == 0) return 0;
-  return at<format::MorphHeader>(s, format::morph_start(layout(*geometry)))->target_count;
+  return at<format::MorphHeader>(geometry, format::morph_start(layout(*geometry)))->target_count;
 }
 
 bool Checker::lods(Span<const MeshLod> lods, const format::MeshHeader& h) {
@@ -193,29 +188,29 @@ bool Checker::mesh(const File::Section& s) {
   if (h == nullptr) return false;
   if (h->material_section > counts_[format::kMaterials]) return fail(&h->material_section, "no such material");
   if ((h->flags & ~std::uint32_t{format::kAllMeshFlags}) != 0) return fail(&h->flags, "unknown flag");
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
+  const auto* skeleton = skeleton_of(h->skeleton);
+  if (skeleton == nullptr) return false;
   if (h->geometry >= counts_[format::kGeometries]) return fail(&h->geometry, "no such geometry");
   if (!next_part(s, *h)) return false;
-  const auto* skeleton = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0);
   if (h->joint_count == 0 || std::uint64_t{h->joint_count} + h->helper_count !=
                                  at<format::GeometryHeader>(nth(format::kGeometries, h->geometry), 0)->joint_count)
     return fail(&h->joint_count, "as many palette entries as the geometry");
   if (h->target_count != target_count(h->geometry))
     return fail(&h->target_count, "as many morph targets as the geometry");
   const format::MeshLayout l = layout(*h);
-  for (const MeshTarget& t : Span<const MeshTarget>{at<MeshTarget>(s, l.targets), h->target_count})
+  for (const MeshTarget& t : Span<const MeshTarget>{at<MeshTarget>(h, l.targets), h->target_count})
     if (!name(t.name) || !name(t.channel) || !finite(&t.weight, 4)) return false;
   if ((h->flags & format::kHelpersHaveCentres) != 0 && h->helper_count == 0)
     return fail(&h->flags, "centres without helpers");
-  for (const Helper& helper : Span<const Helper>{at<Helper>(s, l.helpers), h->helper_count})
+  for (const Helper& helper : Span<const Helper>{at<Helper>(h, l.helpers), h->helper_count})
     if (helper.first >= h->joint_count || helper.second >= h->joint_count || helper.first == helper.second ||
         !(helper.share > 0 && helper.share < 1))
       return fail(&helper, "a helper blends two joints of the mesh");
-  if (!bounded(at<float>(s, l.centres), l.lods - l.centres)) return false;
-  if (!lods({at<MeshLod>(s, l.lods), h->lod_count}, *h)) return false;
+  if (!bounded(at<float>(h, l.centres), l.lods - l.centres)) return false;
+  if (!lods({at<MeshLod>(h, l.lods), h->lod_count}, *h)) return false;
   return name(h->name) && name(h->material) && finite(h->base_colour, 16) &&
-         bounded(at<float>(s, l.inverse_bind), l.targets - l.inverse_bind) &&
-         below(at<std::uint16_t>(s, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");
+         bounded(at<float>(h, l.inverse_bind), l.targets - l.inverse_bind) &&
+         below(at<std::uint16_t>(h, l.joints), h->joint_count, skeleton->joint_count, "a joint outside the skeleton");
 }
 
 }  // namespace marrow

@@ -43,16 +43,15 @@ bool Checker::spring_chain(const format::SpringHeader& h, const format::SpringRe
 bool Checker::springs(const File::Section& s) {
   const auto* h = header<format::SpringHeader>(s);
   if (h == nullptr) return false;
-  if (h->skeleton >= counts_[format::kSkeletons]) return fail(&h->skeleton, "no such skeleton");
-  if (&s != &nth(format::kSprings, 0) && at<format::SpringHeader>(*(&s - 1), 0)->skeleton >= h->skeleton)
-    return fail(&h->skeleton, "one section of springs a skeleton, in their order");
-  const std::uint32_t joint_count = at<format::SkeletonHeader>(nth(format::kSkeletons, h->skeleton), 0)->joint_count;
+  const auto* skeleton = only_of_skeleton(s, "one section of springs a skeleton, in their order");
+  if (skeleton == nullptr) return false;
+  const std::uint32_t joint_count = skeleton->joint_count;
   if (h->chain_count == 0) return fail(&h->chain_count, "a section of springs without a chain");
   if (h->joint_count > joint_count) return fail(&h->joint_count, "more joints than the skeleton has");
   if (h->collider_count > kMaxSpringColliders) return fail(&h->collider_count, "at most 64 colliders");
   const format::SpringLayout l = layout(*h);
-  const auto* chains = at<format::SpringRecord>(s, l.chains);
-  const auto* joints = at<SpringJoint>(s, l.joints);
+  const auto* chains = at<format::SpringRecord>(h, l.chains);
+  const auto* joints = at<SpringJoint>(h, l.joints);
   std::uint32_t next = 0;
   for (std::uint32_t c = 0; c < h->chain_count; ++c) {
     if (chains[c].first_joint != next || chains[c].joint_count == 0 || chains[c].joint_count > h->joint_count - next)
@@ -61,7 +60,7 @@ bool Checker::springs(const File::Section& s) {
     next += chains[c].joint_count;
   }
   if (next != h->joint_count) return fail(&h->joint_count, "joints of no chain");
-  const auto* colliders = at<SpringCollider>(s, l.colliders);
+  const auto* colliders = at<SpringCollider>(h, l.colliders);
   for (std::uint32_t i = 0; i < h->collider_count; ++i) {
     if (colliders[i].joint >= joint_count) return fail(colliders + i, "a joint outside the skeleton");
     if (colliders[i].reserved != 0) return fail(colliders + i, "reserved must be 0");

@@ -22,45 +22,39 @@ class Checker {
   const DataError& error() const { return error_; }
 
  private:
-  static constexpr const char* kNotFinite = "a number that is not finite";
-  static constexpr const char* kTooFar = "a number that is not finite, or beyond 1e12";
-
+  [[gnu::cold]] void note(const void* where, const char* broken_rule);
   bool fail(const void* where, const char* rule) {
-    const auto offset = static_cast<const std::byte*>(where) - block_.data;
-    error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
+    note(where, rule);
     return false;
   }
+  // Whether the section is long enough for a header, and its codec one of those up to `last_codec`.
+  bool has_header(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec);
+  bool has_bytes(const File::Section& s, std::uint64_t bytes);
+  // Of a section that has one: null unless its arrays fill the section.
   template <class Header>
   const Header* header(const File::Section& s) {
-    if (s.codec != format::kCodecRaw) {
-      error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
-      return nullptr;
-    }
-    if (s.bytes < sizeof(Header)) return fail(block_.data + s.offset, "section too short for its header"), nullptr;
-    const auto* h = reinterpret_cast<const Header*>(block_.data + s.offset);
+    const auto* h = at<Header>(s, 0);
     using format::layout;  // and those of other headers than format.h
-    if (layout(*h).bytes != s.bytes) return fail(h, "section size differs from its counts"), nullptr;
-    return h;
+    return has_bytes(s, layout(*h).bytes) ? h : nullptr;
   }
   template <class T>
   const T* at(const File::Section& s, std::uint64_t offset) const {
-    return reinterpret_cast<const T*>(block_.data + s.offset + offset);
+    return at<T>(block_.data + s.offset, offset);
+  }
+  // From the beginning of a section, or of what stands in one.
+  template <class T>
+  static const T* at(const void* start, std::uint64_t offset) {
+    return reinterpret_cast<const T*>(static_cast<const std::byte*>(start) + offset);
   }
 
   // Names are compared with others, so how long they are has a limit; text() is only handed out.
   bool name(const std::uint32_t& n);
-  bool text(const std::uint32_t& n) {
-    return n < sections_[sections_.size - 1].bytes || fail(&n, "name outside the name section");
-  }
-  bool finite(const void* first, std::uint64_t bytes) { return below_bits(first, bytes, 0x7F800000, kNotFinite); }
+  bool text(const std::uint32_t& n);
+  bool finite(const void* first, std::uint64_t bytes);
   // Finite, and at most format::kFarthest: what becomes matrices that are multiplied.
-  bool bounded(const void* first, std::uint64_t bytes) {
-    return below_bits(first, bytes, bit_cast<std::uint32_t>(format::kFarthest) + 1, kTooFar);
-  }
+  bool bounded(const void* first, std::uint64_t bytes);
   // Quaternions of unit length but for rounding: their squares are multiplied with scales.
-  bool units(const void* first, std::uint64_t bytes) {
-    return below_bits(first, bytes, bit_cast<std::uint32_t>(1.01f), "a rotation that is no unit quaternion");
-  }
+  bool units(const void* first, std::uint64_t bytes);
   bool transforms(const SoaTransform* first, std::uint64_t count);
   bool below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule);
   bool names(const File::Section& s);
@@ -71,27 +65,26 @@ class Checker {
   std::uint32_t joint_count_of(const format::ClipHeader& h) const;
   bool clip(const File::Section& s);
   bool clip_header(const File::Section& s);
-  bool tracks(const File::Section& s, const format::ClipHeader& h, std::uint32_t joint_count);
-  template <class Keyed>
-  bool keys(const format::ClipHeader& h, const Keyed& t, std::uint32_t floats_per_key);
+  bool tracks(const format::ClipHeader& h, std::uint32_t joint_count);
+  struct KeyList;
+  class TimeLists;
+  bool keys(const format::ClipHeader& h, const KeyList& k, TimeLists& lists);
   bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
   bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
   bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
-  bool segments(const File::Section& s, const format::CodedHeader& h, const format::CodedLayout& l);
+  bool segments(const std::byte* section, const format::CodedHeader& h, const format::CodedLayout& l);
   bool geometry(const File::Section& s);
-  const format::GeometryHeader* geometry_header(const File::Section& s);
-  bool morphs(const File::Section& s, const format::GeometryHeader& h);
-  bool pose_space(const File::Section& s, const format::GeometryHeader& h);
+  bool morphs(const format::GeometryHeader& h);
+  bool pose_space(const format::GeometryHeader& h);
   struct SparseRecords {
     Span<const MorphTarget> targets;
     std::uint64_t blocks;  // where they stand
     std::uint64_t block_count, record_count;
     std::uint32_t allowed;  // attributes
   };
-  bool sparse_records(const File::Section& s, const format::GeometryHeader& h, const SparseRecords& r);
+  bool sparse_records(const format::GeometryHeader& h, const SparseRecords& r);
   bool geometry_size(const File::Section& s, const format::GeometryHeader& h);
-  template <class Index>
-  bool morph_blocks(const Index* blocks, const MorphTarget& t, std::uint32_t block_count);
+  bool morph_blocks(const void* blocks, std::uint32_t index_bytes, const MorphTarget& t, std::uint32_t block_count);
   bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
   template <class Index>
   bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
@@ -111,6 +104,8 @@ class Checker {
   bool springs(const File::Section& s);
   bool spring_chain(const format::SpringHeader& h, const format::SpringRecord& chain, const SpringJoint* joints);
 
+  const format::SkeletonHeader* skeleton_of(const std::uint32_t& number);
+  const format::SkeletonHeader* only_of_skeleton(const File::Section& s, const char* rule);
   const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
 
   Span<const std::byte> block_;

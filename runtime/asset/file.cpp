@@ -36,11 +36,11 @@ const char* File::text(std::uint32_t name) const {
 }
 
 Skeleton File::skeleton(std::uint32_t index) const {
-  if (index >= skeleton_count()) return {};
+  Skeleton s;
+  if (index >= skeleton_count()) return s;
   const std::byte* const base = section(format::kSkeletons, index);
   const auto& header = *at<format::SkeletonHeader>(base, 0);
   const format::SkeletonLayout l = layout(header);
-  Skeleton s;
   s.name = text(header.name);
   s.joint_count = header.joint_count;
   s.root_count = header.root_count;
@@ -57,11 +57,11 @@ Skeleton File::skeleton(std::uint32_t index) const {
 }
 
 SkeletonReference File::reference(std::uint32_t index) const {
-  if (index >= reference_count()) return {};
+  SkeletonReference r;
+  if (index >= reference_count()) return r;
   const std::byte* const base = section(format::kReferences, index);
   const auto& header = *at<format::ReferenceHeader>(base, 0);
   const format::ReferenceLayout l = layout(header);
-  SkeletonReference r;
   r.name = text(header.name);
   r.joint_count = header.joint_count;
   r.hash = header.hash;
@@ -72,11 +72,11 @@ SkeletonReference File::reference(std::uint32_t index) const {
 }
 
 Clip File::clip(std::uint32_t index) const {
-  if (index >= clip_count()) return {};
+  Clip c;
+  if (index >= clip_count()) return c;
   const std::byte* const base = section(format::kClips, index);
   const auto& header = *at<format::ClipHeader>(base, 0);
   const format::ClipLayout l = layout(header);
-  Clip c;
   c.name = text(header.name);
   c.skeleton = header.skeleton;
   c.duration_s = header.duration_s;
@@ -157,11 +157,11 @@ Geometry File::geometry(std::uint32_t index) const {
 }
 
 Mesh File::mesh(std::uint32_t index, std::uint32_t level) const {
-  if (index >= mesh_count()) return {};
+  Mesh m;
+  if (index >= mesh_count()) return m;
   const std::byte* const base = section(format::kMeshes, index);
   const auto& header = *at<format::MeshHeader>(base, 0);
   const format::MeshLayout l = layout(header);
-  Mesh m;
   m.name = text(header.name);
   m.material = text(header.material);
   if (header.material_section != 0) m.material_index = header.material_section - 1;
@@ -207,10 +207,10 @@ std::uint32_t File::find_clip(const char* name, std::uint32_t of_skeleton) const
 }
 
 Material File::material(std::uint32_t index) const {
-  if (index >= material_count()) return {};
+  Material m;
+  if (index >= material_count()) return m;
   const std::byte* const base = section(format::kMaterials, index);
   const auto& header = *at<format::MaterialHeader>(base, 0);
-  Material m;
   m.name = text(header.name);
   m.alpha = header.alpha;
   m.alpha_cutoff = header.alpha_cutoff;
@@ -222,10 +222,10 @@ Material File::material(std::uint32_t index) const {
 }
 
 Image File::image(std::uint32_t index) const {
-  if (index >= image_count()) return {};
+  Image i;
+  if (index >= image_count()) return i;
   const std::byte* const base = section(format::kImages, index);
   const auto& header = *at<format::ImageHeader>(base, 0);
-  Image i;
   i.name = text(header.name);
   i.uri = text(header.uri);
   i.format = header.format;
@@ -235,10 +235,10 @@ Image File::image(std::uint32_t index) const {
 }
 
 Node File::node(std::uint32_t index) const {
-  if (index >= node_count()) return {};
+  Node n;
+  if (index >= node_count()) return n;
   const std::byte* const base = section(format::kNodes, index);
   const auto& header = *at<format::NodeHeader>(base, 0);
-  Node n;
   n.name = text(header.name);
   n.skeleton = header.skeleton;
   n.joint = header.joint;

@@ -12,10 +12,23 @@ inline bool good_point(const float (&v)[3]) {
   return all_within(v, 3, -kFarthestSpringPoint_m, kFarthestSpringPoint_m);
 }
 
+struct SpringSetting {
+  float SpringJoint::*number;
+  float least, most;
+};
+inline constexpr SpringSetting kSpringSettings[] = {
+    {&SpringJoint::frequency_hz, 0.0f, 15.0f},
+    {&SpringJoint::damping_ratio, 0.0f, 1.5f},
+    {&SpringJoint::gravity, -10.0f, 10.0f},
+    {&SpringJoint::drag, 0.0f, 50.0f},
+    {&SpringJoint::radius_m, 0.0f, kFarthestSpringPoint_m},
+    {&SpringJoint::weight, 0.0f, 1.0f},
+};
+
 inline bool good_settings(const SpringJoint& j) {
-  return within(j.frequency_hz, 0.0f, 15.0f) && within(j.damping_ratio, 0.0f, 1.5f) &&
-         within(j.gravity, -10.0f, 10.0f) && within(j.drag, 0.0f, 50.0f) &&
-         within(j.radius_m, 0.0f, kFarthestSpringPoint_m) && within(j.weight, 0.0f, 1.0f);
+  for (const SpringSetting& s : kSpringSettings)
+    if (!within(j.*s.number, s.least, s.most)) return false;
+  return true;
 }
 
 inline bool good_collider(const SpringCollider& c) {

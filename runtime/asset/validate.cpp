@@ -10,6 +10,38 @@ namespace marrow {
 
 using format::layout;
 
+void Checker::note(const void* where, const char* broken_rule) {
+  const auto offset = static_cast<const std::byte*>(where) - block_.data;
+  error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), broken_rule};
+}
+
+bool Checker::has_header(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec) {
+  if (s.codec > last_codec) {
+    error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
+    return false;
+  }
+  return s.bytes >= header_bytes || fail(at<std::byte>(s, 0), "section too short for its header");
+}
+
+bool Checker::has_bytes(const File::Section& s, std::uint64_t bytes) {
+  return s.bytes == bytes || fail(at<std::byte>(s, 0), "section size differs from its counts");
+}
+
+const format::SkeletonHeader* Checker::skeleton_of(const std::uint32_t& number) {
+  if (number >= counts_[format::kSkeletons]) return fail(&number, "no such skeleton"), nullptr;
+  return at<format::SkeletonHeader>(nth(format::kSkeletons, number), 0);
+}
+
+// Of a section that begins with the number of a skeleton, which has one section of this type.
+const format::SkeletonHeader* Checker::only_of_skeleton(const File::Section& s, const char* rule) {
+  const auto& number = *at<std::uint32_t>(s, 0);
+  const auto* const skeleton = skeleton_of(number);
+  if (skeleton == nullptr) return nullptr;
+  const File::Section& before = *(&s - 1);  // of a skeleton, if of no other
+  if (before.type == s.type && *at<std::uint32_t>(before, 0) >= number) return fail(&number, rule), nullptr;
+  return skeleton;
+}
+
 // Whether all floats are, without their signs, less than the one with these bits; in one pass without a branch a float.
 // What is not finite has the largest bits.
 bool Checker::below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule) {
@@ -23,12 +55,29 @@ bool Checker::below_bits(const void* first, std::uint64_t bytes, std::uint32_t l
   return fail(words + i, rule);
 }
 
+bool Checker::finite(const void* first, std::uint64_t bytes) {
+  return below_bits(first, bytes, 0x7F800000, "a number that is not finite");
+}
+
+bool Checker::bounded(const void* first, std::uint64_t bytes) {
+  return below_bits(first, bytes, bit_cast<std::uint32_t>(format::kFarthest) + 1,
+                    "a number that is not finite, or beyond 1e12");
+}
+
+bool Checker::units(const void* first, std::uint64_t bytes) {
+  return below_bits(first, bytes, bit_cast<std::uint32_t>(1.01f), "a rotation that is no unit quaternion");
+}
+
 // Of a pose.
 bool Checker::transforms(const SoaTransform* first, std::uint64_t count) {
   if (!bounded(first, count * sizeof *first)) return false;
   for (std::uint64_t i = 0; i < count; ++i)
     if (!units(first[i].rotation, sizeof first[i].rotation)) return false;
   return true;
+}
+
+bool Checker::text(const std::uint32_t& n) {
+  return n < sections_[sections_.size - 1].bytes || fail(&n, "name outside the name section");
 }
 
 bool Checker::name(const std::uint32_t& n) {
@@ -53,11 +102,11 @@ bool Checker::skeleton(const File::Section& s) {
   if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
   if (h->root_count == 0 || h->root_count > h->joint_count) return fail(&h->root_count, "1 root to as many as joints");
   const format::SkeletonLayout l = layout(*h);
-  const auto* parents = at<std::uint16_t>(s, l.parents);
-  const auto* joint_names = at<std::uint32_t>(s, l.names);
+  const auto* parents = at<std::uint16_t>(h, l.parents);
+  const auto* joint_names = at<std::uint32_t>(h, l.names);
   return joints(parents, joint_names, h->joint_count, h->root_count) && name(h->name) &&
-         bounded(at<float>(s, l.roots), l.rest - l.roots) &&
-         transforms(at<SoaTransform>(s, l.rest), (l.names - l.rest) / sizeof(SoaTransform));
+         bounded(at<float>(h, l.roots), l.rest - l.roots) &&
+         transforms(at<SoaTransform>(h, l.rest), soa_count(h->joint_count));
 }
 
 bool Checker::joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
@@ -77,31 +126,39 @@ bool Checker::reference(const File::Section& s) {
   if (counts_[format::kSkeletons] != 0) return fail(h, "skeletons or references, not both");
   if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
   const format::ReferenceLayout l = layout(*h);
-  const auto* parents = at<std::uint16_t>(s, l.parents);
+  const auto* parents = at<std::uint16_t>(h, l.parents);
   std::uint32_t roots = 0;
   while (roots < h->joint_count && parents[roots] == kNoParent) ++roots;
   if (roots == 0) return fail(parents, "the first joint has no parent");
-  return joints(parents, at<std::uint32_t>(s, l.names), h->joint_count, roots) && name(h->name);
+  return joints(parents, at<std::uint32_t>(h, l.names), h->joint_count, roots) && name(h->name);
 }
 
 // Kinds stand in one order, so a section may lean on those before it; names are checked first.
 bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
-  for (const File::Section& s : sections_) {
-    const bool good = s.type == format::kTypes[format::kSkeletons]    ? skeleton(s)
-                      : s.type == format::kTypes[format::kReferences] ? reference(s)
-                      : s.type == format::kTypes[format::kClips]      ? clip(s)
-                      : s.type == format::kTypes[format::kGeometries] ? geometry(s)
-                      : s.type == format::kTypes[format::kMeshes]     ? mesh(s)
-                      : s.type == format::kTypes[format::kMaterials]  ? material(s)
-                      : s.type == format::kTypes[format::kImages]     ? image(s)
-                      : s.type == format::kTypes[format::kNodes]      ? node(s)
-                      : s.type == format::kTypes[format::kLimits]     ? limits(s)
-                      : s.type == format::kTypes[format::kBounds]     ? bounds(s)
-                      : s.type == format::kTypes[format::kSprings]    ? springs(s)
-                                                                      : true;
-    if (!good) return false;
-  }
+  struct Rules {
+    format::Kind kind;
+    std::uint32_t header_bytes, last_codec;
+    bool (Checker::*check)(const File::Section& s);
+  };
+  static constexpr Rules kRules[] = {
+      {format::kSkeletons, sizeof(format::SkeletonHeader), format::kCodecRaw, &Checker::skeleton},
+      {format::kReferences, sizeof(format::ReferenceHeader), format::kCodecRaw, &Checker::reference},
+      {format::kClips, sizeof(format::ClipHeader), format::kCodecSegments, &Checker::clip},
+      {format::kGeometries, sizeof(format::GeometryHeader), format::kCodecRaw, &Checker::geometry},
+      {format::kMeshes, sizeof(format::MeshHeader), format::kCodecRaw, &Checker::mesh},
+      {format::kMaterials, sizeof(format::MaterialHeader), format::kCodecRaw, &Checker::material},
+      {format::kImages, sizeof(format::ImageHeader), format::kCodecRaw, &Checker::image},
+      {format::kNodes, sizeof(format::NodeHeader), format::kCodecRaw, &Checker::node},
+      {format::kLimits, sizeof(format::LimitHeader), format::kCodecRaw, &Checker::limits},
+      {format::kSprings, sizeof(format::SpringHeader), format::kCodecRaw, &Checker::springs},
+      {format::kBounds, sizeof(format::BoundsHeader), format::kCodecRaw, &Checker::bounds},
+  };
+  for (const Rules& rules : kRules)
+    for (std::uint32_t i = 0; i < counts_[rules.kind]; ++i) {
+      const File::Section& s = nth(rules.kind, i);
+      if (!has_header(s, rules.header_bytes, rules.last_codec) || !(this->*rules.check)(s)) return false;
+    }
   return true;
 }
 

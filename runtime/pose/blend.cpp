@@ -1,8 +1,10 @@
 #include "marrow/blend.h"
 
 #include <cstring>
+#include <initializer_list>
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "core/mark.h"
 #include "math/quaternion.h"
 #include "pose/mask.h"
@@ -78,20 +80,13 @@ struct FewLayers {
   float weight[kMost + 1];
 };
 
-// Σ w x over one component, with weights relative to the first layer's; `share` is the first layer's part of the whole.
-template <std::size_t N>
-inline void store_mean(const float* const (&x)[N], const f32x4 (&weight)[N], f32x4 share, float* out) {
-  f32x4 sum = load_aligned(x[0]);
-  for (std::size_t l = 1; l < N; ++l) sum = sum + load_aligned(x[l]) * weight[l];
-  store(out, sum * share);
-}
-
-template <std::size_t N>
-void blend_even(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
-  const SoaTransform* pose[N];
-  f32x4 weight[N];
+// count: of layers. Sums have weights relative to the first layer's; `share` is the first layer's part of the whole.
+template <class Count>
+void blend_even(Count count, const FewLayers& layers, std::size_t groups, SoaTransform* out) {
+  const SoaTransform* pose[FewLayers::kMost + 1];
+  f32x4 weight[FewLayers::kMost + 1];
   float total = 1.0f;
-  for (std::size_t l = 0; l < N; ++l) {
+  for (std::size_t l = 0; l < count; ++l) {
     const float relative = layers.weight[l] / layers.weight[0];
     pose[l] = layers.pose[l];
     weight[l] = splat(relative);
@@ -100,16 +95,14 @@ void blend_even(const FewLayers& layers, std::size_t groups, SoaTransform* out) 
   const f32x4 share = splat(1.0f / total);
   for (std::size_t g = 0; g < groups; ++g) {
     Quaternion<f32x4> rotation = load_rotations(pose[0][g].rotation);
-    for (std::size_t l = 1; l < N; ++l) add_rotation(rotation, pose[l][g], weight[l]);
+    for (std::size_t l = 1; l < count; ++l) add_rotation(rotation, pose[l][g], weight[l]);
     store_rotations(out[g].rotation, rotation);
-    const float* x[N];
-    for (int i = 0; i < 3; ++i) {
-      for (std::size_t l = 0; l < N; ++l) x[l] = pose[l][g].translation[i];
-      store_mean(x, weight, share, out[g].translation[i]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      for (std::size_t l = 0; l < N; ++l) x[l] = pose[l][g].scale[i];
-      store_mean(x, weight, share, out[g].scale[i]);
+    for (const auto part : {&SoaTransform::translation, &SoaTransform::scale}) {
+      for (int i = 0; i < 3; ++i) {
+        f32x4 sum = load_aligned((pose[0][g].*part)[i]);
+        for (std::size_t l = 1; l < count; ++l) sum = sum + load_aligned((pose[l][g].*part)[i]) * weight[l];
+        store((out[g].*part)[i], sum * share);
+      }
     }
   }
   normalise_rotations(groups, out);
@@ -167,19 +160,17 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
 }
 
 void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
-  switch (layers.count) {
-    case 1:
-      if (groups > 0) std::memmove(out, layers.pose[0], groups * sizeof(SoaTransform));  // else either may be null
-      break;
-    case 2:
-      return blend_even<2>(layers, groups, out);
-    case 3:
-      return blend_even<3>(layers, groups, out);
-    case 4:
-      return blend_even<4>(layers, groups, out);
-    default:  // four and the rest pose
-      return blend_even<5>(layers, groups, out);
+  if (layers.count == 1) {
+    if (groups > 0) std::memmove(out, layers.pose[0], groups * sizeof(SoaTransform));  // else either may be null
+    return;
   }
+  if constexpr (!kSmall) {
+    if (layers.count == 2) return blend_even(Fixed<2u>(), layers, groups, out);
+    if (layers.count == 3) return blend_even(Fixed<3u>(), layers, groups, out);
+    if (layers.count == 4) return blend_even(Fixed<4u>(), layers, groups, out);
+    return blend_even(Fixed<5u>(), layers, groups, out);  // four and the rest pose
+  }
+  blend_even(layers.count, layers, groups, out);
 }
 
 // Weights below this part of the whole do not show in a float, and would make ratios too large.

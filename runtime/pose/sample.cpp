@@ -18,19 +18,17 @@ namespace {
 
 constexpr std::uint32_t kNoFrame = 0xFFFFFFFF;
 
-// The values of one key, or of two keys blended; n = 3 or 4.
-void mix(const float* a, const float* b, float wa, float wb, int n, float* out) {
-  for (int i = 0; i < n; ++i) out[i] = wa * a[i] + wb * b[i];
-}
-
+// n: 3 or 4 values a key.
 void linear(const Track& track, const Moment& m, const float* keys, int n, float* out) {
   const float* const a = keys + m.key * static_cast<std::size_t>(n);
   const float* const b = track.key_count > 1 ? a + n : a;
-  if (track.path != TrackPath::rotation) return mix(a, b, 1.0f - m.u, m.u, n, out);
-  float chord_squared = 0.0f;
-  for (int i = 0; i < 4; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
-  const SlerpWeights<float> w = slerp_weights(chord_squared, m.u);
-  mix(a, b, w.a, w.b, 4, out);
+  SlerpWeights<float> w = {1.0f - m.u, m.u};
+  if (track.path == TrackPath::rotation) {
+    float chord_squared = 0.0f;
+    for (int i = 0; i < 4; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
+    w = slerp_weights(chord_squared, m.u);
+  }
+  for (int i = 0; i < n; ++i) out[i] = w.a * a[i] + w.b * b[i];
 }
 
 // A key holds in-tangent, value, out-tangent; tangents are per second.
@@ -146,13 +144,18 @@ bool is_of(SampleCache& cache, const Skeleton& skeleton, const Clip& clip, const
   return false;
 }
 
-BadCall sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
-                    const SampleOptions& options, SampleCache* cache) {
+BadCall check_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+                   const SampleOptions& options) {
   MARROW_CHECK(holds(out, skeleton.soa_size()));
   MARROW_CHECK(time_s == time_s);
   MARROW_CHECK(fits(clip, skeleton));
   MARROW_CHECK(options.joints.empty() || holds(options.joints, (std::size_t{skeleton.joint_count} + 31) / 32));
-  const bool is_still = cache != nullptr && is_of(*cache, skeleton, clip, out.data);
+  return {};
+}
+
+// is_still, cache: as for sample_coded.
+void sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
+                 const SampleOptions& options, bool is_still, SampleCache* cache) {
   if (clip.coded.frame_count != 0) {
     sample_coded(skeleton, clip.coded, time_s, options, out.data, is_still, cache);
   } else if (!is_still) {
@@ -162,7 +165,6 @@ BadCall sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Sp
   MomentFinder moment(clip, time_s);
   for (const Track& track : clip.tracks)
     if (wanted(options, track.joint)) sample_track(clip, track, moment.in(track.first_time, track.key_count), out.data);
-  return {};
 }
 
 }  // namespace
@@ -171,7 +173,8 @@ Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<Soa
               const SampleOptions& options) {
   MARROW_MARK;
   MARROW_REQUIRE(!clip.additive);
-  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, options, nullptr));
+  MARROW_REQUIRE_GOOD(check_pose(skeleton, clip, time_s, out, options));
+  sample_pose(skeleton, clip, time_s, out, options, false, nullptr);
   return Status::ok;
 }
 
@@ -186,7 +189,8 @@ Status sample_cached(const Skeleton& skeleton, const Clip& clip, float time_s, S
   MARROW_REQUIRE(!clip.additive);
   MARROW_REQUIRE(holds(cache.memory));
   MARROW_REQUIRE_GOOD(check_boundary(cache.memory.data));
-  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, out, {}, &cache));
+  MARROW_REQUIRE_GOOD(check_pose(skeleton, clip, time_s, out, {}));
+  sample_pose(skeleton, clip, time_s, out, {}, is_of(cache, skeleton, clip, out.data), &cache);
   return Status::ok;
 }
 
@@ -196,7 +200,8 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
   MARROW_REQUIRE(clip.reference == nullptr || clip.joint_count == skeleton.joint_count);
   // The pose stands where its change will; make_additive reads every group before it writes it.
   const Span<SoaTransform> pose{reinterpret_cast<SoaTransform*>(out.data), out.size};
-  MARROW_REQUIRE_GOOD(sample_pose(skeleton, clip, time_s, pose, {}, nullptr));
+  MARROW_REQUIRE_GOOD(check_pose(skeleton, clip, time_s, pose, {}));
+  sample_pose(skeleton, clip, time_s, pose, {}, false, nullptr);
   const SoaTransform* const reference = clip.reference != nullptr ? clip.reference : skeleton.rest;
   return make_additive(skeleton, pose, {reference, skeleton.soa_size()}, out);
 }

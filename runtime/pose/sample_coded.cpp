@@ -436,6 +436,15 @@ Place find(const CodedTracks& coded, float time_s) {
 
 }  // namespace
 
+void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    if ((lanes >> lane & 1u) == 0) continue;
+    for (int i = 0; i < 3; ++i) to.translation[i][lane] = from.translation[i][lane];
+    for (int i = 0; i < 4; ++i) to.rotation[i][lane] = from.rotation[i][lane];
+    for (int i = 0; i < 3; ++i) to.scale[i][lane] = from.scale[i][lane];
+  }
+}
+
 std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups) {
   std::size_t out = 0;
   for (std::size_t g = 0; g < groups; ++g)

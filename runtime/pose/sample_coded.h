@@ -18,20 +18,15 @@ inline void copy(const float (&from)[N][4], float (&to)[N][4]) {
   for (std::size_t i = 0; i < N; ++i) store(to[i], v[i]);
 }
 
-// Faster than a call for a few hundred bytes.
+// One by one.
+void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to);
+
+// All are copied faster than by a call for a few hundred bytes.
 inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
-  if (lanes == 15) {
-    copy(from.translation, to.translation);
-    copy(from.rotation, to.rotation);
-    copy(from.scale, to.scale);
-    return;
-  }
-  for (std::uint32_t lane = 0; lane < 4; ++lane) {
-    if ((lanes >> lane & 1u) == 0) continue;
-    for (int i = 0; i < 3; ++i) to.translation[i][lane] = from.translation[i][lane];
-    for (int i = 0; i < 4; ++i) to.rotation[i][lane] = from.rotation[i][lane];
-    for (int i = 0; i < 3; ++i) to.scale[i][lane] = from.scale[i][lane];
-  }
+  if (lanes != 15) return copy_some_lanes(from, lanes, to);
+  copy(from.translation, to.translation);
+  copy(from.rotation, to.rotation);
+  copy(from.scale, to.scale);
 }
 
 // Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended.

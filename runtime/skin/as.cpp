@@ -25,36 +25,34 @@ inline void add_turned(const Factors (&m)[3], const float* q, Vector<f32x4>& to)
 }
 
 struct AnimationSpace {
-  template <Directions D>
-  static void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
-                  Cursor& at) {
+  template <class D>
+  static void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
+                  const Affine* palette, Cursor& at) {
     JointSet joints;
     load_joint_set(set, influences, palette, joints);
-    if constexpr (kUnrolled &&
-                  D == Directions::none) {  // with directions there are too few registers to gain from this
-      if (influences == 1) return blend<D, 1>(joints, influences, blocks, at);
-      if (influences == 2) return blend<D, 2>(joints, influences, blocks, at);
-      if (influences == 3) return blend<D, 3>(joints, influences, blocks, at);
-      if (influences == 4) return blend<D, 4>(joints, influences, blocks, at);
+    if constexpr (!kSmall &&
+                  D() == Directions::none) {  // with directions there are too few registers to gain from this
+      if (influences == 1) return blend(directions, Fixed<1u>(), joints, blocks, at);
+      if (influences == 2) return blend(directions, Fixed<2u>(), joints, blocks, at);
+      if (influences == 3) return blend(directions, Fixed<3u>(), joints, blocks, at);
+      if (influences == 4) return blend(directions, Fixed<4u>(), joints, blocks, at);
     }
-    blend<D, 0>(joints, influences, blocks, at);
+    blend(directions, influences, joints, blocks, at);
   }
 
-  // Influences: how many, or 0 for as many as the argument says.
-  template <Directions D, std::uint32_t Influences>
-  [[gnu::noinline]] static void blend(const JointSet& joints, std::uint32_t influences, std::uint32_t blocks,
+  template <class D, class Count>
+  [[gnu::noinline]] static void blend(D directions, Count influences, const JointSet& joints, std::uint32_t blocks,
                                       Cursor& cursor) {
-    const std::uint32_t k = Influences > 0 ? Influences : influences;
-    const f32x4 mirror = has_tangents(D) ? determinant(joints.last) : splat(1.0f);
+    const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
     Cursor at = cursor;
     for (; blocks > 0; --blocks) {
       Blend m = joints.last;
       Vector<f32x4> p = transform(m, load_anywhere(at.stream));
       at.stream += 12;
-      for (std::uint32_t j = 0; j + 1 < k; ++j, at.stream += 16) {
+      for (std::uint32_t j = 0; j + 1 < influences; ++j, at.stream += 16) {
         const Factors(&other)[3] = joints.others[j];
         add_turned(other, at.stream, p);
-        if constexpr (D != Directions::none) {
+        if (directions != Directions::none) {
           const f32x4 w = load(at.stream + 12);
           add_direction(m.a, w, other[0]);
           add_direction(m.b, w, other[1]);
@@ -63,7 +61,7 @@ struct AnimationSpace {
       }
       store_xyz(at.out_positions, p);
       at.out_positions += 12;
-      write_directions<D>(m, mirror, at);
+      write_directions(directions, m, mirror, at);
     }
     cursor = at;
   }
@@ -74,21 +72,21 @@ class WithTangents {
  public:
   explicit WithTangents(const float* tangents) : tangents_(tangents) {}
 
-  template <Directions D>
-  void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
-           Cursor& at) {
+  template <class D>
+  void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
+           const Affine* palette, Cursor& at) {
     JointSet joints;
     load_joint_set(set, influences, palette, joints);
-    tangents_ = blend<has_tangents(D)>(joints, influences, blocks, tangents_, at);
+    tangents_ = blend(directions, joints, influences, blocks, tangents_, at);
   }
 
  private:
-  template <bool Tangents>
-  static void write(const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
+  template <class D>
+  static void write(D directions, const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
     const Vector<f32x4> n = cross(t0, t1);
     store_xyz(at.out_normals, n * flip(inverse_length(dot(n, n)), mirror));
     at.out_normals += 12;
-    if constexpr (Tangents) {
+    if (has_tangents(directions)) {
       const Vector<f32x4> t = normalised(t0);
       store_xyzw(at.out_tangents, t.x, t.y, t.z, flip(load_aligned(at.tangents + 12), mirror));
       at.tangents += 16;
@@ -97,9 +95,9 @@ class WithTangents {
   }
 
   // Returns where the next run's tangents begin.
-  template <bool Tangents>
-  [[gnu::noinline]] static const float* blend(const JointSet& joints, std::uint32_t influences, std::uint32_t blocks,
-                                              const float* tau, Cursor& cursor) {
+  template <class D>
+  [[gnu::noinline]] static const float* blend(D directions, const JointSet& joints, std::uint32_t influences,
+                                              std::uint32_t blocks, const float* tau, Cursor& cursor) {
     const f32x4 mirror = determinant(joints.last);
     Cursor at = cursor;
     for (; blocks > 0; --blocks) {
@@ -114,7 +112,7 @@ class WithTangents {
       }
       store_xyz(at.out_positions, p);
       at.out_positions += 12;
-      write<Tangents>(t0, t1, mirror, at);
+      write(directions, t0, t1, mirror, at);
     }
     cursor = at;
     return tau;

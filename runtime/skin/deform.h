@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "marrow/skin.h"
 #include "math/affine.h"
 
@@ -20,14 +21,7 @@ inline void store_xyz(float* to, const Vector<f32x4>& v) {
   store_xyz(to, v.x, v.y, v.z);
 }
 
-// Whether kernels are also made for fixed numbers of influences, whose loops unroll: not where code is to be small.
-#ifdef __OPTIMIZE_SIZE__
-inline constexpr bool kUnrolled = false;
-#else
-inline constexpr bool kUnrolled = true;
-#endif
-
-// What a kernel writes beside positions.
+// What a kernel writes beside positions. It is told that by a Fixed<…>, which makes a kernel for each, or by a number.
 enum class Directions { none, blended_normals, blended_tangents, exact_normals, exact_tangents };
 
 constexpr bool has_tangents(Directions d) {
@@ -63,19 +57,19 @@ inline void write_exact_tangents(const Blend& m, f32x4 det, const float* tangent
 }
 
 // mirror: negative where the handedness turns; of blended tangents only.
-template <Directions D>
-inline void write_directions(const Blend& m, f32x4 mirror, Cursor& at) {
-  if constexpr (D == Directions::none) return;
+template <class D>
+inline void write_directions(D directions, const Blend& m, f32x4 mirror, Cursor& at) {
+  if (directions == Directions::none) return;
   f32x4 det = mirror;
-  if constexpr (is_exact(D)) {
+  if (is_exact(directions)) {
     det = write_exact_normals(m, at.normals, at.out_normals);
   } else {
     store_xyz(at.out_normals, turn(m, load_block(at.normals)));
   }
   at.normals += 12;
   at.out_normals += 12;
-  if constexpr (has_tangents(D)) {
-    if constexpr (is_exact(D)) {
+  if (has_tangents(directions)) {
+    if (is_exact(directions)) {
       write_exact_tangents(m, det, at.tangents, at.out_tangents);
     } else {
       const Vector<f32x4> t = turn(m, load_block(at.tangents));
@@ -86,14 +80,14 @@ inline void write_directions(const Blend& m, f32x4 mirror, Cursor& at) {
   }
 }
 
-// deformer.run<D>(set, influences, blocks, palette, cursor) deforms one run; runs come in order.
-template <Directions D, class Deformer>
-void deform_runs(Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
+// deformer.run(directions, set, influences, blocks, palette, cursor) deforms one run; runs come in order.
+template <class D, class Deformer>
+void deform_runs(D directions, Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
                  const SkinOutput& out) {
   Cursor at{stream, g.normals, g.tangents, out.positions.data, out.normals.data, out.tangents.data};
   const std::uint16_t* set = g.sets;
   for (const Run& run : g.runs) {
-    deformer.template run<D>(set, run.influences, (run.vertex_count + 3) / 4, palette, at);
+    deformer.run(directions, set, run.influences, (run.vertex_count + 3) / 4, palette, at);
     set += run.influences;
   }
 }
@@ -102,26 +96,39 @@ inline bool aligned(const float* p) {
   return reinterpret_cast<std::uintptr_t>(p) % 16 == 0;
 }
 
+// What all deformers ask of their arguments.
+BadCall check_deform(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
+Directions directions_of(const SkinOutput& out);
+
 template <class Deformer>
 BadCall deform(const Mesh& mesh, const float* stream, Span<const Affine> palette, const SkinOutput& out,
                const Deformer& deformer = {}) {
-  const Geometry& g = mesh.geometry;
-  const std::size_t slots = g.slot_count;
-  const bool normals = !out.normals.empty(), tangents = !out.tangents.empty();
-  const bool exact = out.normal_transform == NormalTransform::inverse_transpose;
-  MARROW_CHECK(holds(palette, mesh.palette_size()));
-  MARROW_CHECK(aligned(g.skin) && aligned(g.normals) && aligned(g.tangents));
-  MARROW_CHECK(holds(out.positions, slots * 3));
-  MARROW_CHECK(!normals || (g.normals != nullptr && holds(out.normals, slots * 3)));
-  MARROW_CHECK(!tangents || (normals && g.tangents != nullptr && holds(out.tangents, slots * 4)));
-  if (!normals) {
-    deform_runs<Directions::none>(deformer, g, stream, palette.data, out);
-  } else if (!tangents) {
-    exact ? deform_runs<Directions::exact_normals>(deformer, g, stream, palette.data, out)
-          : deform_runs<Directions::blended_normals>(deformer, g, stream, palette.data, out);
+  if (const BadCall bad = check_deform(mesh, palette, out)) return bad;
+  const auto run = [&](auto directions) {
+    deform_runs(directions, deformer, mesh.geometry, stream, palette.data, out);
+  };
+  using enum Directions;
+  const Directions directions = directions_of(out);
+  if constexpr (kSmall) {
+    run(directions);
   } else {
-    exact ? deform_runs<Directions::exact_tangents>(deformer, g, stream, palette.data, out)
-          : deform_runs<Directions::blended_tangents>(deformer, g, stream, palette.data, out);
+    switch (directions) {
+      case none:
+        run(Fixed<none>());
+        break;
+      case blended_normals:
+        run(Fixed<blended_normals>());
+        break;
+      case blended_tangents:
+        run(Fixed<blended_tangents>());
+        break;
+      case exact_normals:
+        run(Fixed<exact_normals>());
+        break;
+      case exact_tangents:
+        run(Fixed<exact_tangents>());
+        break;
+    }
   }
   return {};
 }

@@ -21,9 +21,9 @@ class MultiWeight {
     for (int row = 0; row < 3; ++row) origin_[row] = load_aligned(root.rows[row]);
   }
 
-  template <Directions D>
-  void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
-           Cursor& at) {
+  template <class D>
+  void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
+           const Affine* palette, Cursor& at) {
     Factors inside[kMaxInfluences][3];
     for (std::uint32_t j = 0; j < influences; ++j) load_inside(palette[set[j]], inside[j]);
     for (; blocks > 0; --blocks) {
@@ -43,9 +43,9 @@ class MultiWeight {
       }
       write_positions(m, at);
       at.stream += 4 * (influences + 2);
-      if constexpr (D != Directions::none) {
+      if (directions != Directions::none) {
         const Blend out = in_palette(m);
-        write_directions<D>(out, D == Directions::blended_tangents ? determinant(out) : zero, at);
+        write_directions(directions, out, directions == Directions::blended_tangents ? determinant(out) : zero, at);
       }
     }
   }

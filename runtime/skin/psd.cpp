@@ -71,14 +71,14 @@ class PoseSpaceSkin {
  public:
   PoseSpaceSkin(const Geometry& g, const float* distances) : examples_(g), distances_(distances) {}
 
-  template <Directions D>
-  void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
-           Cursor& at) {
+  template <class D>
+  void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
+           const Affine* palette, Cursor& at) {
     JointSet joints;
     load_joint_set(set, influences, palette, joints);
     const std::size_t count = examples_.size();
     for (std::size_t k = 0; count > 0 && k <= count; ++k) from_[k].load(distances_, count + 1, k, set, influences);
-    const f32x4 mirror = has_tangents(D) ? determinant(joints.last) : splat(1.0f);
+    const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks, ++block_) {
       const float* const weights = at.stream + 12;
       Vector<f32x4> v = load_block(at.stream);
@@ -89,7 +89,7 @@ class PoseSpaceSkin {
       store_xyz(at.out_positions, transform(m, v));
       at.stream += 4 * (influences + 2);
       at.out_positions += 12;
-      write_directions<D>(m, mirror, at);
+      write_directions(directions, m, mirror, at);
     }
   }
 

@@ -32,30 +32,31 @@ FourJoints largest(const std::uint16_t* set, std::uint32_t influences, const flo
 }
 
 struct Rigid {
-  template <Directions D>
-  static void run(const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks, const Affine* palette,
-                  Cursor& cursor) {
+  template <class D>
+  static void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
+                  const Affine* palette, Cursor& cursor) {
     Cursor at = cursor;
     if (influences == 1) {  // one matrix for the whole run
       JointSet joints;
       load_joint_set(set, 1, palette, joints);
-      const f32x4 mirror = has_tangents(D) ? determinant(joints.last) : splat(1.0f);
-      for (; blocks > 0; --blocks) write_block<D>(joints.last, mirror, 1, at);
+      const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
+      for (; blocks > 0; --blocks) write_block(directions, joints.last, mirror, 1, at);
     }
     for (; blocks > 0; --blocks) {
       const FourJoints joints = largest(set, influences, at.stream + 12, palette);
       const Blend m = load_affines(*joints.lane[0], *joints.lane[1], *joints.lane[2], *joints.lane[3]);
-      write_block<D>(m, D == Directions::blended_tangents ? determinant(m) : splat(1.0f), influences, at);
+      write_block(directions, m, directions == Directions::blended_tangents ? determinant(m) : splat(1.0f), influences,
+                  at);
     }
     cursor = at;
   }
 
-  template <Directions D>
-  static void write_block(const Blend& m, f32x4 mirror, std::uint32_t influences, Cursor& at) {
+  template <class D>
+  static void write_block(D directions, const Blend& m, f32x4 mirror, std::uint32_t influences, Cursor& at) {
     store_xyz(at.out_positions, transform(m, load_block(at.stream)));
     at.stream += 4 * (influences + 2);
     at.out_positions += 12;
-    write_directions<D>(m, mirror, at);
+    write_directions(directions, m, mirror, at);
   }
 };
 

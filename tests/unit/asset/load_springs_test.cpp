@@ -107,17 +107,23 @@ TEST_F(LoadSprings, RefusesWhatBreaksARule) {
   refuse(kJoints + 28, std::uint16_t{2}, "below the one before it");  // beside it
   refuse(kJoints + 4, -1.0f, "a setting out of its range");
   refuse(kJoints + 4, 15.1f, "a setting out of its range");
+  refuse(kJoints + 8, -0.1f, "a setting out of its range");
   refuse(kJoints + 8, 1.6f, "a setting out of its range");
-  refuse(kJoints + 12, -11.0f, "a setting out of its range");
+  refuse(kJoints + 12, -10.1f, "a setting out of its range");
+  refuse(kJoints + 12, 10.1f, "a setting out of its range");
   refuse(kJoints + 16, nan, "a setting out of its range");
+  refuse(kJoints + 16, -0.1f, "a setting out of its range");
+  refuse(kJoints + 16, 50.1f, "a setting out of its range");
   refuse(kJoints + 20, HUGE_VALF, "a setting out of its range");
-  refuse(kJoints + 24, 2.0f, "a setting out of its range");
+  refuse(kJoints + 20, -0.1f, "a setting out of its range");
+  refuse(kJoints + 24, -0.1f, "a setting out of its range");
+  refuse(kJoints + 24, 1.1f, "a setting out of its range");
   refuse(kColliders, std::uint16_t{4}, "a joint outside the skeleton");
   refuse(kColliders + 2, std::uint16_t{1}, "reserved must be 0");
   refuse(kColliders + 4, nan, "a collider that is not finite");
   refuse(kColliders + 16, 2e6f, "a collider that is not finite");
   refuse(kColliders + 28, -0.5f, "a collider that is not finite");
-  EXPECT_EQ(refused_, 29);
+  EXPECT_EQ(refused_, 35);
 }
 
 TEST_F(LoadSprings, StandBehindLimitsAndBeforeNames) {

@@ -1,0 +1,19 @@
+// Numbers that a function is made for, or is told where code is to be small.
+#pragma once
+
+#include <type_traits>
+
+namespace marrow {
+
+// Whether code is to be small: then one function does the work of those that are made for fixed numbers.
+#ifdef __OPTIMIZE_SIZE__
+inline constexpr bool kSmall = true;
+#else
+inline constexpr bool kSmall = false;
+#endif
+
+// A number that is known when code is compiled, and is used like any other.
+template <auto Value>
+using Fixed = std::integral_constant<decltype(Value), Value>;
+
+}  // namespace marrow
