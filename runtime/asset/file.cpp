@@ -86,6 +86,7 @@ Clip File::clip(std::uint32_t index) const {
   c.channels = {at<Channel>(base, l.channels), header.channel_count};
   c.times_s = at<float>(base, l.times);
   c.values = at<float>(base, l.values);
+  c.id = format::mix_checksum(at<format::Header>(block_, 0)->checksum, index + 1) | 1;
   c.joint_count = reference_count() > 0
                       ? at<format::ReferenceHeader>(section(format::kReferences, header.skeleton), 0)->joint_count
                       : at<format::SkeletonHeader>(section(format::kSkeletons, header.skeleton), 0)->joint_count;

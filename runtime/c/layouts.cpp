@@ -263,6 +263,7 @@ SAME_SPAN(mrw_clip, Clip, tracks, track_count);
 SAME_SPAN(mrw_clip, Clip, channels, channel_count);
 SAME_MEMBER(mrw_clip, Clip, times_s, times_s);
 SAME_MEMBER(mrw_clip, Clip, values, values);
+SAME_MEMBER(mrw_clip, Clip, id, id);
 SAME(mrw_run, Run);
 SAME_MEMBER(mrw_run, Run, vertex_count, vertex_count);
 SAME_MEMBER(mrw_run, Run, influences, influences);

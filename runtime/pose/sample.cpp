@@ -116,17 +116,13 @@ class MomentFinder {
 
 constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // any with many bits
 
-// Which clip this is, and for which memory: where it lies, and how it begins, for another one may lie there later.
-std::uint64_t identity(const Clip& clip, Span<std::byte> memory) {
-  const CodedTracks& coded = clip.coded;
-  std::uint64_t head[2] = {0, 0};
-  if (coded.frame_count != 0) std::memcpy(&head[0], coded.payload, 8);
-  if (coded.constant_count != 0) std::memcpy(&head[1], coded.constants, 8);
+// Which clip this is, of which skeleton and for which memory. A clip that was made by hand is known by its place.
+std::uint64_t identity(const Skeleton& skeleton, const Clip& clip, Span<std::byte> memory) {
+  const auto place_of = [](const void* data) { return std::uint64_t{reinterpret_cast<std::uintptr_t>(data)}; };
   std::uint64_t out = 1;
   for (const std::uint64_t word :
-       {std::uint64_t{reinterpret_cast<std::uintptr_t>(coded.payload)},
-        std::uint64_t{reinterpret_cast<std::uintptr_t>(clip.tracks.data)}, head[0], head[1],
-        std::uint64_t{coded.frame_count}, std::uint64_t{reinterpret_cast<std::uintptr_t>(memory.data)},
+       {clip.id, place_of(clip.coded.payload), place_of(clip.tracks.data), std::uint64_t{clip.coded.frame_count},
+        place_of(skeleton.rest), std::uint64_t{skeleton.joint_count}, place_of(memory.data),
         std::uint64_t{memory.size}})
     out = (out ^ word) * kOdd;
   return out;
@@ -134,7 +130,7 @@ std::uint64_t identity(const Clip& clip, Span<std::byte> memory) {
 
 // Whether the cache holds of this clip what does not move; else from now on it is this clip's.
 bool is_of(SampleCache& cache, const Skeleton& skeleton, const Clip& clip, const SoaTransform* out) {
-  const std::uint64_t id = identity(clip, cache.memory);
+  const std::uint64_t id = identity(skeleton, clip, cache.memory);
   if (cache.out == out && cache.clip == id) return true;
   cache.room = clip.coded.frame_count != 0 &&
                cache.memory.size / sizeof(FramePair) >= frame_pairs(clip.coded, skeleton.soa_size());

@@ -309,11 +309,10 @@ struct Moving {
   const CodedTracks& coded;
   const SampleOptions& options;
   FrameBlend blend;
-  FramePair* kept;  // one a kind and group; null: none is kept
-  bool is_kept;     // by an earlier call
+  FramePair *kept, *kept_end;  // one a kind and group; null: none is kept
+  bool is_kept;                // by an earlier call
 };
 
-// kept: how many pairs of frames there are; null: none is kept. is_kept: by an earlier call.
 void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
   const Tables& t = tables();
   const GroupMasks* masks = m.coded.masks;
@@ -331,6 +330,9 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
         skip(cursor, tracks);
         continue;
       }
+      // Only if a clip passes for another one by its id, as a file might that was made for that.
+      if (pair != nullptr && pair == m.kept_end) [[unlikely]]
+        return;
       Unpacked four;
       if (!m.is_kept) unpack(cursor, t, tracks, four);
       if (kind == 0) {
@@ -459,10 +461,12 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   const TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
                            place.frame - segment * coded.segment_intervals);
-  FramePair* const kept = cache != nullptr && cache->room ? reinterpret_cast<FramePair*>(cache->memory.data) : nullptr;
-  set_moving(
-      {skeleton, coded, options, FrameBlend(place.between), kept, kept != nullptr && cache->frame == place.frame},
-      cursor, out);
+  Span<FramePair> kept;
+  if (cache != nullptr && cache->room)
+    kept = {reinterpret_cast<FramePair*>(cache->memory.data), cache->memory.size / sizeof(FramePair)};
+  set_moving({skeleton, coded, options, FrameBlend(place.between), kept.begin(), kept.end(),
+              !kept.empty() && cache->frame == place.frame},
+             cursor, out);
   if (cache != nullptr) cache->frame = place.frame;
 }
 

@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x3c69a7a4u
+#define MRW_ABI 0xc5f6d77bu
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -599,6 +599,7 @@ struct mrw_clip {
   size_t channel_count;
   const float* times_s;
   const float* values;
+  uint64_t id;  // of its bytes and its place in the file, from File::clip(); 0: made by hand
 };
 
 // Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
@@ -1068,7 +1069,8 @@ void mrw_sample_cache_init(mrw_sample_cache* out);
 size_t mrw_sample_cache_bytes(const mrw_clip* clip);
 
 // sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
-// this cache did already. Another clip or another `out` than in that call is found by itself.
+// this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
+// of a File by Clip::id, one that is made by hand by where its tracks lie.
 //
 // out: as of sample(), and nobody else writes to it as long as the cache is in use; for a pose that is changed
 // afterwards copy it, or let blend() read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out`

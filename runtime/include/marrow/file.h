@@ -195,6 +195,7 @@ struct Clip {
   Span<const Channel> channels = {};
   const float* times_s = nullptr;
   const float* values = nullptr;
+  std::uint64_t id = 0;  // of its bytes and its place in the file, from File::clip(); 0: made by hand
 };
 
 // Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that

@@ -42,7 +42,8 @@ MARROW_API Status sample(const Skeleton& skeleton, const Clip& clip, float time_
 MARROW_API std::size_t sample_cache_bytes(const Clip& clip);
 
 // sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
-// this cache did already. Another clip or another `out` than in that call is found by itself.
+// this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
+// of a File by Clip::id, one that is made by hand by where its tracks lie.
 //
 // out: as of sample(), and nobody else writes to it as long as the cache is in use; for a pose that is changed
 // afterwards copy it, or let blend() read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out`

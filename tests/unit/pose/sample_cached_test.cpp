@@ -98,5 +98,59 @@ TEST(SampleCached, NoticesWhatIsAnother) {
   EXPECT_TRUE(player.is_same(0.31f, cache));
 }
 
+// Keys as they are, which lie at the same place in each of two packs; in the second another joint stands still.
+TEST(SampleCached, NoticesAnotherClipOfPlainKeys) {
+  std::vector<SoaTransform> rest(1), other_rest(1), out(1), whole(1);
+  for (int i = 0; i < 4; ++i) rest[0].rotation[3][i] = other_rest[0].rotation[3][i] = 1;
+  other_rest[0].translation[0][2] = 5;
+  const float times_s[] = {0, 1}, values[] = {1, 2, 3, 4, 5, 6};
+  Track track;
+  track.path = TrackPath::translation;
+  track.interpolation = Interpolation::linear;
+  track.key_count = 2;
+  Skeleton skeleton;
+  skeleton.joint_count = 4;
+  skeleton.rest = rest.data();
+  Clip clip;
+  clip.joint_count = 4;
+  clip.tracks = {&track, 1};
+  clip.times_s = times_s;
+  clip.values = values;
+  clip.id = 7;
+  SampleCache cache;
+  const auto is_same = [&] {
+    EXPECT_EQ(sample(skeleton, clip, 0.5f, whole), Status::ok);
+    EXPECT_EQ(sample_cached(skeleton, clip, 0.5f, out, cache), Status::ok);
+    return std::memcmp(whole.data(), out.data(), sizeof(SoaTransform)) == 0;
+  };
+  EXPECT_TRUE(is_same());
+  track.joint = 1;  // as if another file stood there
+  clip.id = 9;
+  EXPECT_TRUE(is_same());
+  skeleton.rest = other_rest.data();
+  EXPECT_TRUE(is_same());
+}
+
+// Memory stays whole even if two files were made to have one id.
+TEST(SampleCached, WritesNoFurtherThanItsMemory) {
+  const test::AlignedBlock block = test::golden_coded_copy();
+  Player player(block);
+  const std::size_t bytes = sample_cache_bytes(player.clip);
+  ASSERT_GE(bytes, 2 * sizeof(SoaTransform));
+  std::vector<GroupMasks> few(player.clip.coded.masks, player.clip.coded.masks + player.out.size());
+  for (std::size_t g = 1; g < few.size(); ++g) few[g].moving = 0;
+  const GroupMasks* const all = player.clip.coded.masks;
+  few[0].moving &= 15;
+  ASSERT_NE(few[0].moving, 0);
+  player.frames.resize(1);  // room for one pair, and a sanitizer behind it
+  SampleCache cache = {player.memory()};
+  player.clip.coded.masks = few.data();
+  EXPECT_TRUE(player.is_same(0.3f, cache));
+  EXPECT_TRUE(cache.room);
+  player.clip.coded.masks = all;
+  EXPECT_EQ(sample_cached(player.skeleton, player.clip, 0.3f, player.out, cache), Status::ok);
+  EXPECT_EQ(sample_cached(player.skeleton, player.clip, 9, player.out, cache), Status::ok);
+}
+
 }  // namespace
 }  // namespace marrow

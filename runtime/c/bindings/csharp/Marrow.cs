@@ -755,6 +755,10 @@ public unsafe struct Clip {
     public UIntPtr channel_count;
     public float* times_s;
     public float* values;
+    /// <summary>
+    /// of its bytes and its place in the file, from File::clip(); 0: made by hand
+    /// </summary>
+    public ulong id;
 }
 
 /// <summary>
@@ -3611,9 +3615,9 @@ public static unsafe class Marrow {
 #endif
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0x3c69a7a4;
+    public const uint AbiNumber = 0xc5f6d77b;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x73d5ca99;
+    public const uint Gles3AbiNumber = 0x6908703b;
 
     public const int BlockBoundary = 16;
     public const int UnpackStateBytes = 512;
@@ -4250,7 +4254,8 @@ public static unsafe class Marrow {
     public static extern UIntPtr SampleCacheBytes(Clip* clip);
     /// <summary>
     /// sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
-    /// this cache did already. Another clip or another `out` than in that call is found by itself.
+    /// this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
+    /// of a File by Clip::id, one that is made by hand by where its tracks lie.
     ///
     /// out: as of sample(), and nobody else writes to it as long as the cache is in use; for a pose that is changed
     /// afterwards copy it, or let blend() read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out`
@@ -5894,7 +5899,7 @@ public static unsafe class Marrow {
             sizeof(GroupMasks) == 4 &&
             sizeof(Channel) == 24 &&
             sizeof(CodedTracks) == 64 &&
-            sizeof(Clip) == 144 &&
+            sizeof(Clip) == 152 &&
             sizeof(Run) == 8 &&
             sizeof(MorphTarget) == 32 &&
             sizeof(PoseSpace) == 56 &&
@@ -5976,7 +5981,7 @@ public static unsafe class Marrow {
             sizeof(Gles3SkinnerOptions) == 40 &&
             sizeof(Gles3SkinnerMotion) == 112 &&
             sizeof(Gles3Skinner) == 1472 &&
-            sizeof(Gles3CrowdSource) == 152 &&
+            sizeof(Gles3CrowdSource) == 160 &&
             sizeof(Gles3CrowdClip) == 16 &&
             sizeof(Gles3CrowdFrames) == 40 &&
             sizeof(Gles3CrowdPlay) == 24 &&

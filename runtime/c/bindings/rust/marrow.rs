@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0x3c69a7a4;
+pub const ABI: u32 = 0xc5f6d77b;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x73d5ca99;
+pub const GLES3_ABI: u32 = 0x6908703b;
 
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -804,6 +804,8 @@ pub struct Clip {
     pub channel_count: usize,
     pub times_s: *const f32,
     pub values: *const f32,
+    /// of its bytes and its place in the file, from File::clip(); 0: made by hand
+    pub id: u64,
 }
 impl Default for Clip {
     fn default() -> Self {
@@ -811,7 +813,7 @@ impl Default for Clip {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Clip>() == 144);
+const _: () = assert!(std::mem::size_of::<Clip>() == 152);
 
 /// Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
 /// fill up its last block repeat its last vertex.
@@ -3301,7 +3303,7 @@ impl Default for Gles3CrowdSource {
     }
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(std::mem::size_of::<Gles3CrowdSource>() == 152);
+const _: () = assert!(std::mem::size_of::<Gles3CrowdSource>() == 160);
 
 /// Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
 #[repr(C)]
@@ -3956,7 +3958,8 @@ extern "C" {
     #[link_name = "mrw_sample_cache_bytes"]
     pub fn sample_cache_bytes(clip: *const Clip) -> usize;
     /// sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
-    /// this cache did already. Another clip or another `out` than in that call is found by itself.
+    /// this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
+    /// of a File by Clip::id, one that is made by hand by where its tracks lie.
     ///
     /// out: as of sample(), and nobody else writes to it as long as the cache is in use; for a pose that is changed
     /// afterwards copy it, or let blend() read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out`

@@ -1072,6 +1072,10 @@ export interface Clip extends View {
   channels: List<Channel>;
   times_s: number;
   values: number;
+  /**
+   * of its bytes and its place in the file, from File::clip(); 0: made by hand
+   */
+  id: bigint;
 }
 
 /**
@@ -3517,7 +3521,8 @@ export class Marrow {
   sample_cache_bytes(clip: Clip | null): number;
   /**
    * sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
-   * this cache did already. Another clip or another `out` than in that call is found by itself.
+   * this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
+   * of a File by Clip::id, one that is made by hand by where its tracks lie.
    *
    * out: as of sample(), and nobody else writes to it as long as the cache is in use; for a pose that is changed
    * afterwards copy it, or let blend() read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out`

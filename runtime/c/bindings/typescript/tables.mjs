@@ -1,8 +1,8 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0x3c69a7a4;
-export const GLES3_ABI = 0x73d5ca99;
+export const ABI = 0xc5f6d77b;
+export const GLES3_ABI = 0x6908703b;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -120,7 +120,7 @@ export const structs = {
   GroupMasks: { size: 4, align: 2, init: "", fields: {"moving": [0, "value", "u16"], "constant": [2, "value", "u16"]} },
   Channel: { size: 24, align: 4, init: "", fields: {"name": [0, "value", "u32"], "rest": [4, "value", "f32"], "key_count": [8, "value", "u32"], "first_time": [12, "value", "u32"], "first_value": [16, "value", "u32"], "interpolation": [20, "value", "u8"], "reserved": [21, "array", "u8", 3]} },
   CodedTracks: { size: 44, align: 4, init: "", fields: {"frame_count": [0, "value", "u32"], "track_count": [4, "value", "u32"], "constant_count": [8, "value", "u32"], "segment_intervals": [12, "value", "u32"], "start_s": [16, "value", "f32"], "frames_per_s": [20, "value", "f32"], "times_s": [24, "pointer", "f32"], "masks": [28, "pointer", "GroupMasks"], "segment_offsets": [32, "pointer", "u32"], "constants": [36, "pointer", "byte"], "payload": [40, "pointer", "byte"]} },
-  Clip: { size: 92, align: 4, init: "", fields: {"name": [0, "text"], "skeleton": [4, "value", "u32"], "joint_count": [8, "value", "u32"], "duration_s": [12, "value", "f32"], "additive": [16, "value", "bool"], "reference": [20, "pointer", "SoaTransform"], "coded": [24, "struct", "CodedTracks"], "tracks": [68, "list", "Track"], "channels": [76, "list", "Channel"], "times_s": [84, "pointer", "f32"], "values": [88, "pointer", "f32"]} },
+  Clip: { size: 104, align: 8, init: "", fields: {"name": [0, "text"], "skeleton": [4, "value", "u32"], "joint_count": [8, "value", "u32"], "duration_s": [12, "value", "f32"], "additive": [16, "value", "bool"], "reference": [20, "pointer", "SoaTransform"], "coded": [24, "struct", "CodedTracks"], "tracks": [68, "list", "Track"], "channels": [76, "list", "Channel"], "times_s": [84, "pointer", "f32"], "values": [88, "pointer", "f32"], "id": [96, "value", "u64"]} },
   Run: { size: 8, align: 4, init: "", fields: {"vertex_count": [0, "value", "u32"], "influences": [4, "value", "u32"]} },
   MorphTarget: { size: 32, align: 4, init: "", fields: {"first_block": [0, "value", "u32"], "block_count": [4, "value", "u32"], "first_record": [8, "value", "u32"], "attributes": [12, "value", "u32"], "position_step": [16, "value", "f32"], "normal_step": [20, "value", "f32"], "tangent_step": [24, "value", "f32"], "reserved": [28, "value", "u32"]} },
   PoseSpace: { size: 28, align: 4, init: "", fields: {"sigma": [0, "value", "f32"], "examples": [4, "list", "MorphTarget"], "blocks": [12, "pointer", "void"], "records": [16, "pointer", "i16"], "rotations": [20, "pointer", "i16"], "parents": [24, "pointer", "u16"]} },
@@ -202,7 +202,7 @@ export const structs = {
   Gles3SkinnerOptions: { size: 28, align: 4, init: "gles3_skinner_options_init", fields: {"path": [0, "value", "u8"], "deformer": [1, "value", "u8"], "instances": [4, "value", "u32"], "texture_unit": [8, "value", "u32"], "features": [12, "value", "u8"], "as_tangents": [16, "list", "f32"], "motion": [24, "value", "bool"]} },
   Gles3SkinnerMotion: { size: 64, align: 4, init: "", fields: {} },
   Gles3Skinner: { size: 944, align: 4, init: "", fields: {} },
-  Gles3CrowdSource: { size: 96, align: 4, init: "gles3_crowd_source_init", fields: {"clip": [0, "struct", "Clip"], "loops": [92, "value", "bool"]} },
+  Gles3CrowdSource: { size: 112, align: 8, init: "gles3_crowd_source_init", fields: {"clip": [0, "struct", "Clip"], "loops": [104, "value", "bool"]} },
   Gles3CrowdClip: { size: 16, align: 4, init: "gles3_crowd_clip_init", fields: {"duration_s": [0, "value", "f32"], "first_frame": [4, "value", "u32"], "steps": [8, "value", "u32"], "loops": [12, "value", "bool"]} },
   Gles3CrowdFrames: { size: 24, align: 4, init: "gles3_crowd_frames_init", fields: {"clips": [0, "list", "Gles3CrowdClip"], "character_from_joint": [8, "list", "Affine"], "joint_count": [16, "value", "u32"], "frame_count": [20, "value", "u32"]} },
   Gles3CrowdPlay: { size: 24, align: 8, init: "gles3_crowd_play_init", fields: {"clip": [0, "value", "u32"], "phase_s": [4, "value", "f32"], "speed": [8, "value", "f32"], "start_s": [16, "value", "f64"]} },
