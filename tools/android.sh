@@ -34,7 +34,7 @@ configure() {  # ABI SOURCE BUILD [OPTION ...]
   local abi=$1 source=$2 build=$3 kit
   shift 3
   if [ -n "$ndk" ]; then
-    kit=(--toolchain "$toolchain" "-DANDROID_ABI=$abi" -DANDROID_PLATFORM=21 -DANDROID_STL=none
+    kit=(--toolchain "$toolchain" "-DANDROID_ABI=$abi" -DANDROID_PLATFORM=21 -DANDROID_STL=c++_static
       -DANDROID_SUPPORT_FLEXIBLE_PAGE_SIZES=ON)
   else
     kit=(--toolchain "$PWD/cmake/android.cmake" "-DMARROW_STUBS=$PWD/$work/stubs/$abi")

@@ -44,7 +44,7 @@ if [ $host = yes ]; then
   generator=()
   if command -v ninja >/dev/null; then generator=(-G Ninja); fi
   log=$(mktemp)
-  { cmake -S "$here/platform/unity/native" -B "$build" "${generator[@]}" -DCMAKE_BUILD_TYPE=Release &&
+  { cmake -S "$here/platform/unity/native" -B "$build" ${generator[@]+"${generator[@]}"} -DCMAKE_BUILD_TYPE=Release &&
     cmake --build "$build" --target plugins; } >"$log" 2>&1 || { tail -30 "$log" >&2; die "no library"; }
   rm "$log"
   case $(uname -sm) in

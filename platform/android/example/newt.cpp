@@ -36,7 +36,7 @@ struct App {
   int timer = -1;
   bool is_resumed = false, has_scene = false;
   int context = 0;  // in which the scene is: the number of Window::contexts()
-  int tries = 0;    // in a row that gave no context
+  int tries = 0;    // in a row that showed nothing
   double last_s = 0;
   Window window;
   Scene scene;
@@ -46,6 +46,7 @@ struct App {
   void schedule(long nanoseconds);
   void frame();
   bool bring_up();
+  void try_again();
   void give_up();
 };
 
@@ -96,6 +97,14 @@ void App::schedule(long nanoseconds) {
   timerfd_settime(timer, 0, &at, nullptr);
 }
 
+// Not at once, and not for ever.
+void App::try_again() {
+  if (++tries >= kMostTries)
+    give_up();
+  else
+    schedule(kTryAgain);
+}
+
 void App::give_up() {
   LOG_ERROR(
       "EGL: no context after %d tries in %d s (error 0x%04x): the graphics driver does not answer, so the app ends; "
@@ -107,13 +116,9 @@ void App::give_up() {
 // Window, context and all that is to be in it. false: not now, or never.
 bool App::bring_up() {
   if (!window.make_current()) {
-    if (++tries >= kMostTries)
-      give_up();
-    else
-      schedule(kTryAgain);
+    try_again();
     return false;
   }
-  tries = 0;
   if (context == window.contexts()) return true;
   if (context > 0) {
     LOG_WARN("the context was lost with all that was in it, and is made again");
@@ -132,10 +137,12 @@ void App::frame() {
   last_s = time_s;
   if (!scene.advance(step < 0 ? 0 : step > kLongestStep_s ? kLongestStep_s : step))
     return ANativeActivity_finish(activity);
-  if (!scene.draw(window.width(), window.height()))
+  if (!scene.draw(window.width(), window.height())) {
     window.lose_context();
-  else
-    window.show();  // waits for the screen
+    return try_again();
+  }
+  if (!window.show()) return try_again();  // waits for the screen
+  tries = 0;
   schedule(kSoon);
 }
 

@@ -1,4 +1,4 @@
-/* The side of Unity: when there is a device, what is to be drawn by which event. gles3_draw.c draws. */
+/* The side of Unity: when there is a device, what is to be drawn by which event. draw.c draws. */
 #include "marrow_unity.h"
 
 #include <pthread.h>

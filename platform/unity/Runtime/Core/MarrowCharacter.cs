@@ -52,8 +52,8 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
         ulong bytes = (ulong)Marrow.CharacterBytes(file.Native, &wanted);
         ulong head = Rounded(sizeof(Character)), tail = Rounded(most * sizeof(AnimationLayer));
         if (bytes == 0) throw new MarrowException(name + ": is too large for a character");
-        this.file = file.Keep();
         memory = new NativeBlock(head + tail + bytes);
+        this.file = file.Keep();
         Status status = Marrow.MakeCharacter(file.Native, &wanted, memory.First + head + tail, new UIntPtr(bytes),
                                              (Character*)memory.First);
         if (status != Status.Ok) Dispose();

@@ -41,13 +41,13 @@ public sealed unsafe class MarrowClips : IDisposable, IReadOnlyList<MarrowClip> 
     internal MarrowClips(MarrowFile file, MarrowFile pack) {
         source = pack.Name;
         UIntPtr bytes = Marrow.AnimationsBytes(file.Native, pack.Native);
+        memory = new NativeBlock((ulong)bytes);
         this.file = file;
         this.pack = pack;
         if (file != pack) {
             file.Keep();
             pack.Keep();
         }
-        memory = new NativeBlock((ulong)bytes);
         Animations animations;
         Status status = Marrow.MakeAnimations(file.Native, pack.Native, memory.First, bytes, &animations);
         if (status == Status.Mismatch) {

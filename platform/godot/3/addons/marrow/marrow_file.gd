@@ -31,8 +31,10 @@ func native(skeleton := 0) -> Reference:
 	return _natives[skeleton]
 
 
-# Adds the clips of a pack, cooked with --clips-only --skeleton: for all skeletons that they fit.
+# Adds the clips of a pack, cooked with --clips-only --skeleton: for all skeletons that they fit. Does so once.
 func add_clips(path: String) -> bool:
+	if _packs.has(path):
+		return true
 	var stream := File.new()
 	if stream.open(path, File.READ) != OK:
 		push_error("%s: cannot be read: is it there?" % path)

@@ -30,8 +30,10 @@ func native(skeleton: int = 0) -> Object:
 	return _natives[skeleton]
 
 
-## Adds the clips of a pack, cooked with --clips-only --skeleton: for all skeletons that they fit.
+## Adds the clips of a pack, cooked with --clips-only --skeleton: for all skeletons that they fit. Does so once.
 func add_clips(path: String) -> bool:
+	if _packs.has(path):
+		return true
 	if not FileAccess.file_exists(path):
 		push_error("%s: cannot be read: is it there?" % path)
 		return false
