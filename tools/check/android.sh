@@ -5,8 +5,9 @@
 # usage: tools/check/android.sh MARROW      (the program)
 # Exit code: 0 good, 1 not, 2 no build, 3 a tool cannot be had here.
 set -euo pipefail
+MARROW_PROGRAM=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-MARROW_PROGRAM=$(realpath "$1") work=$PWD/build/android/check
+work=$PWD/build/android/check
 export MARROW_PROGRAM MESA_GLES_VERSION_OVERRIDE=3.0
 fail() { echo "check/android: $*" >&2; exit 1; }
 wanted() { [[ $2 == *"$1"* ]] || fail "said"$'\n'"$2"$'\n'"and not: $1"; }
