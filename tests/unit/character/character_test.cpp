@@ -288,6 +288,22 @@ TEST(Character, PlaysClipsOfAPack) {
   EXPECT_TRUE(none.all.empty());
 }
 
+// What is kept of a clip in a layer is not, once something else was played there.
+TEST(Character, PlaysAClipAgainAfterAnotherPoseInItsLayer) {
+  Loaded l(test::golden_coded_copy), fresh(test::golden_coded_copy);
+  const Animation& dance = l.animations.all[0];
+  ASSERT_GT(l.file.clip(0).coded.constant_count, 0u);  // joints that stand still, but not as at rest
+  Animation rest = dance;
+  const std::uint32_t none[] = {kNoClip};
+  rest.clip_of_skeleton = none;
+  ASSERT_EQ(l.play({{&dance, 0.3f}}), Status::ok);
+  ASSERT_EQ(l.play({{&rest, 0}}), Status::ok);
+  ASSERT_EQ(l.play({{&dance, 0.3f}}), Status::ok);
+  ASSERT_EQ(fresh.play({{&fresh.animations.all[0], 0.3f}}), Status::ok);
+  const Span<SoaTransform> got = l.character.skeletons[0].local, want = fresh.character.skeletons[0].local;
+  EXPECT_TRUE(same_bits(got.data, want.data, want.size));
+}
+
 TEST(Character, FindsAnimationsByName) {
   const Loaded l(test::golden_copy);
   EXPECT_EQ(find_animation(l.animations, "point"), &l.animations.all[l.file.find_clip("point")]);

@@ -6,6 +6,7 @@
 
 #include "marrow/marrow.h"
 #include "support/golden.h"
+#include "support/pose_file.h"
 
 namespace marrow {
 namespace {
@@ -98,6 +99,23 @@ TEST(SampleCached, NoticesWhatIsAnother) {
   EXPECT_TRUE(player.is_same(0.31f, cache));
 }
 
+// The same file with another constant, read to the same place: as after a clip was cooked again.
+TEST(SampleCached, NoticesAFileThatDiffersInOneNumber) {
+  test::AlignedBlock block = test::golden_coded_copy();
+  Player player(block);
+  ASSERT_GT(player.clip.coded.constant_count, 1u);
+  SampleCache cache = {player.memory()};
+  EXPECT_TRUE(player.is_same(0.3f, cache));
+  const std::uint64_t id = player.clip.id;
+  const std::ptrdiff_t last = player.clip.coded.constants - block.data() + 8 * (player.clip.coded.constant_count - 1);
+  block.data()[last + 1] ^= std::byte{1};
+  test::forge_checksum(block.data(), block.size());
+  Player changed(block);
+  player.clip = changed.clip;
+  EXPECT_NE(player.clip.id, id);
+  EXPECT_TRUE(player.is_same(0.3f, cache));
+}
+
 // Keys as they are, which lie at the same place in each of two packs; in the second another joint stands still.
 TEST(SampleCached, NoticesAnotherClipOfPlainKeys) {
   std::vector<SoaTransform> rest(1), other_rest(1), out(1), whole(1);
@@ -142,14 +160,18 @@ TEST(SampleCached, WritesNoFurtherThanItsMemory) {
   const GroupMasks* const all = player.clip.coded.masks;
   few[0].moving &= 15;
   ASSERT_NE(few[0].moving, 0);
-  player.frames.resize(1);  // room for one pair, and a sanitizer behind it
+  player.frames.assign(1, SoaTransform{});  // room for one pair; what stands behind it must stay
+  player.frames.resize(4, player.skeleton.rest[0]);
   SampleCache cache = {player.memory()};
+  cache.memory.size = sizeof(SoaTransform);
   player.clip.coded.masks = few.data();
   EXPECT_TRUE(player.is_same(0.3f, cache));
   EXPECT_TRUE(cache.room);
   player.clip.coded.masks = all;
   EXPECT_EQ(sample_cached(player.skeleton, player.clip, 0.3f, player.out, cache), Status::ok);
   EXPECT_EQ(sample_cached(player.skeleton, player.clip, 9, player.out, cache), Status::ok);
+  for (std::size_t i = 1; i < player.frames.size(); ++i)
+    EXPECT_EQ(std::memcmp(&player.frames[i], player.skeleton.rest, sizeof(SoaTransform)), 0) << i;
 }
 
 }  // namespace
