@@ -152,7 +152,9 @@ class PaletteBounds : public Workload {
       : joints_(source.skeleton.joint_count, {{0.1f, 0.2f, 0.3f}, {0.1f, 0.1f, 0.1f}}),
         palette_(noise_palette(source.skeleton.joint_count)) {}
   std::uint32_t items() const override { return static_cast<std::uint32_t>(joints_.size()); }
-  std::uint64_t hash_output(std::uint64_t state) const override { return hash_of(std::vector<Bounds>{bounds_}, state); }
+  std::uint64_t hash_output(std::uint64_t state) const override {
+    return hash_of(Span<const Bounds>(&bounds_, 1), state);
+  }
   void run(std::uint64_t iterations) override {
     Reach reach;
     reach.joints = joints_;
@@ -217,8 +219,7 @@ class CharacterFrame : public Workload {
   std::uint32_t items() const override { return character_.skeletons[0].skeleton.joint_count; }
   std::uint32_t period() const override { return 512; }
   std::uint64_t hash_output(std::uint64_t state) const override {
-    for (const CharacterMesh& mesh : character_.meshes)
-      state = hash_of(std::vector<Affine>(mesh.palette.begin(), mesh.palette.end()), state);
+    for (const CharacterMesh& mesh : character_.meshes) state = hash_of(mesh.palette, state);
     return state;
   }
   void run(std::uint64_t iterations) override {

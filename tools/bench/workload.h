@@ -74,11 +74,15 @@ class Noise {
 std::vector<Affine> noise_palette(std::size_t count);
 
 template <class T>
-std::uint64_t hash_of(const std::vector<T>& values, std::uint64_t state) {
+std::uint64_t hash_of(Span<T> values, std::uint64_t state) {
   if (values.empty()) return state;
   const std::uint64_t both[2] = {
-      state, format::checksum(reinterpret_cast<const std::byte*>(values.data()), values.size() * sizeof(T))};
+      state, format::checksum(reinterpret_cast<const std::byte*>(values.data), values.size * sizeof(T))};
   return format::checksum(reinterpret_cast<const std::byte*>(both), sizeof both);
+}
+template <class T>
+std::uint64_t hash_of(const std::vector<T>& values, std::uint64_t state) {
+  return hash_of(Span<const T>(values), state);
 }
 
 // "{a,b,c}"
