@@ -9,7 +9,8 @@ python=/usr/bin/python3  # Debian's, for which its mkdocs is made
 [ -x "$python" ] || python=python3
 
 "$python" tools/docs/pages.py build/docs-source
-doxygen tools/docs/Doxyfile
+inputs=$("$python" tools/docs/api_comments.py --inputs build/docs-stages.dox)
+{ cat tools/docs/Doxyfile; echo "INPUT = $inputs"; } | doxygen -
 rm -rf build/docs
 "$python" -m mkdocs build --quiet --strict --config-file tools/docs/mkdocs.yml
 "$python" tools/docs/links.py build/docs

@@ -1,14 +1,26 @@
 #!/usr/bin/env python3
-"""Doxygen's input filter: the comments of a public header, as Doxygen reads them.
+"""The public headers, as Doxygen reads them.
 
-usage: tools/docs/api_comments.py HEADER
+usage: tools/docs/api_comments.py HEADER     (Doxygen's input filter)
+       tools/docs/api_comments.py --inputs STAGES.dox   (writes the stages, prints all inputs in order)
 
-The comment at a header's top becomes the text of a group, named by the header. A comment on lines of its own belongs to
-what follows, one behind a declaration to that declaration. Code is not changed, nor is the number of lines.
+Each header is a group, of which its comment at the top is the text. A comment on lines of its own belongs to what
+follows, one behind a declaration to that declaration. Code is not changed.
 """
 import pathlib
 import re
 import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+STAGES = {
+    "everywhere": ("Everywhere: status, memory, versions", "version status call_error marks span block pose api marrow glm"),
+    "files": ("Files", "unpack draco meshopt file clip_pack"),
+    "poses": ("Poses", "playback sample blend transition local_to_model curve outfit character"),
+    "reaching": ("Reaching: inverse kinematics, limits, springs", "limits ik ik_solve feet springs debug_lines"),
+    "skinning": ("Skinning", "example_space morph palette bounds skin"),
+    "gles": ("OpenGL ES", "gles3 gles3_skinned gles3_skinner gles3_crowd gles3_self_test gles3_entry gles3_functions egl"),
+    "clang": ("For C and other languages", "c c_gles3"),
+}
 
 
 def as_text(text):
@@ -30,34 +42,64 @@ def split_comment(line):
     return line, None, ""
 
 
+def stage(name):
+    return next((key for key, (_, headers) in STAGES.items() if name in headers.split()), None)
+
+
+def heading(name, comment):
+    """The header's group: its first sentence is the title."""
+    text = " ".join(comment).split(". ", 1)[0].rstrip(".")
+    group = f"header_{name}"
+    return [f"/// @file\n/// @brief {text}.\n", f"/// @defgroup {group} {name}.h: {text}\n/// @ingroup {stage(name)}",
+            *[f"/// {line}" for line in comment]]
+
+
 def convert(name, text):
-    out, behind, top = [], None, True
     lines = text.split("\n")
-    depth_of_body = next((i for i, line in enumerate(lines) if re.match(r"(namespace|extern \"C\"|#include|#define X|#ifdef)", line)), 0)
-    for number, line in enumerate(lines):
+    top = next(i for i, line in enumerate(lines) if not line.startswith("//"))
+    out, behind, opened = heading(name, [as_text(line[2:].strip()) for line in lines[:top]]), None, False
+    for line in lines[top:]:
         code, column, comment = split_comment(line)
+        if re.fullmatch(r"typedef struct (\w+) \1;", line):  # the comment above is the struct's
+            continue
+        if re.match(r"}  // namespace|}  /\* extern|#ifdef __cplusplus", line) and opened:
+            out.append("/// @}")
+            opened = False
         if column is None:
+            if re.match(r"\s*(std::)?uint\d+_t reserved\b", line):
+                line += "  ///< 0"
             out.append(line)
+            if re.match(r'namespace [\w:]+ {|extern "C" {', line):
+                out.append(f"/// @addtogroup header_{name}\n/// @{{")
+                opened = True
             behind = None
-            top = top and not line.strip()
         elif comment.startswith((" clang-format", "---")):
             out.append(code.rstrip())
-        elif code.strip():
+        elif code.strip() or behind == column:  # behind a declaration, or going on with such a comment
             out.append(f"{code}///<{as_text(comment)}")
             behind = column
-        elif behind == column:  # goes on with the comment above it
-            out.append(f"{code}///<{as_text(comment)}")
         else:
             behind = None
-            start = top and number == 0
-            title = as_text(comment).strip()
-            out.append(f"/// @file\n/// @brief {title}" if start else f"{code}///{as_text(comment)}")
+            out.append(f"{code}///{as_text(comment)}")
     return "\n".join(out)
 
 
+def inputs():
+    """Every header's path, by stages. A header without a stage ends the program."""
+    found = {path.stem: path for folder in ("runtime/include/marrow", "platform/egl/include/marrow") for path in (ROOT / folder).glob("*.h")}
+    named = [name for _, headers in STAGES.values() for name in headers.split()]
+    if sorted(named) != sorted(found):
+        raise SystemExit(f"api_comments: STAGES and the headers differ in {sorted(set(named) ^ set(found))}")
+    return [found[name] for name in named]
+
+
 def main():
+    if sys.argv[1] == "--inputs":
+        print("\n".join(f"/// @defgroup {key} {title}" for key, (title, _) in STAGES.items()), file=open(sys.argv[2], "w"))
+        print(" ".join([sys.argv[2], *[str(path.relative_to(ROOT)) for path in inputs()]]))
+        return
     path = pathlib.Path(sys.argv[1])
-    sys.stdout.write(convert(path.stem, path.read_text()))
+    sys.stdout.write(path.read_text() if stage(path.stem) is None else convert(path.stem, path.read_text()))
 
 
 if __name__ == "__main__":
