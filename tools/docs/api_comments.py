@@ -57,31 +57,35 @@ def heading(name, comment):
 def convert(name, text):
     lines = text.split("\n")
     top = next(i for i, line in enumerate(lines) if not line.startswith("//"))
-    out, behind, opened = heading(name, [as_text(line[2:].strip()) for line in lines[:top]]), None, False
+    out = heading(name, [as_text(line[2:].strip()) for line in lines[:top]])
+    behind, opened = None, False  # the column of the comment behind a declaration, and whether the group is open
     for line in lines[top:]:
         code, column, comment = split_comment(line)
-        if re.fullmatch(r"typedef struct (\w+) \1;", line):  # the comment above is the struct's
-            continue
-        if re.match(r"}  // namespace|}  /\* extern|#ifdef __cplusplus", line) and opened:
+        if re.fullmatch(r"typedef struct (\w+) \1;", line) or comment.startswith((" clang-format", "---")):
+            continue  # the comment above such a line is the struct's
+        if opened and re.match(r"}  // namespace|#ifdef __cplusplus", line):
             out.append("/// @}")
             opened = False
-        if column is None:
-            if re.match(r"\s*(std::)?uint\d+_t reserved\b", line):
-                line += "  ///< 0"
-            out.append(line)
-            if re.match(r'namespace [\w:]+ {|extern "C" {', line):
-                out.append(f"/// @addtogroup header_{name}\n/// @{{")
-                opened = True
-            behind = None
-        elif comment.startswith((" clang-format", "---")):
-            out.append(code.rstrip())
-        elif code.strip() or behind == column:  # behind a declaration, or going on with such a comment
-            out.append(f"{code}///<{as_text(comment)}")
-            behind = column
-        else:
-            behind = None
-            out.append(f"{code}///{as_text(comment)}")
+        if column is not None and not code.strip() and behind == column:  # goes on with the comment above it
+            out.insert(len(out) - 1, f"///{as_text(comment)}")
+            continue
+        behind = column if code.strip() else None
+        note = as_text(comment) if column is not None else default_note(line)
+        if note:
+            out.append(f"///{note}")
+        if code.strip() or column is None:
+            out.append(code)
+        if re.match(r'namespace [\w:]+ {|extern "C" {', line):
+            out.append(f"/// @addtogroup header_{name}\n/// @{{")
+            opened = True
     return "\n".join(out)
+
+
+def default_note(line):
+    """What is said of members that are alike everywhere."""
+    if re.match(r"\s*(std::)?uint\d+_t reserved\b", line):
+        return " 0."
+    return " Sets what C++ has by default." if re.match(r"void mrw_\w+_init\(", line) else ""
 
 
 def inputs():
