@@ -58,7 +58,7 @@ def convert(name, text):
     lines = text.split("\n")
     top = next(i for i, line in enumerate(lines) if not line.startswith("//"))
     out = heading(name, [as_text(line[2:].strip()) for line in lines[:top]])
-    behind, opened = None, False  # the column of the comment behind a declaration, and whether the group is open
+    behind, opened, notes, before = None, False, [], ""
     for line in lines[top:]:
         code, column, comment = split_comment(line)
         if re.fullmatch(r"typedef struct (\w+) \1;", line) or comment.startswith((" clang-format", "---")):
@@ -66,19 +66,36 @@ def convert(name, text):
         if opened and re.match(r"}  // namespace|#ifdef __cplusplus", line):
             out.append("/// @}")
             opened = False
-        if column is not None and not code.strip() and behind == column:  # goes on with the comment above it
-            out.insert(len(out) - 1, f"///{as_text(comment)}")
+        if column is not None and not code.strip():
+            if behind == column:  # goes on with the comment behind the line above
+                out.insert(len(out) - 1, f"///{as_text(comment)}")
+            else:
+                notes = notes + [f"///{as_text(comment)}"] if before == "comment" else [f"///{as_text(comment)}"]
+                out.append(notes[-1])
+                before = "comment"
             continue
-        behind = column if code.strip() else None
+        behind = column
         note = as_text(comment) if column is not None else default_note(line)
-        if note:
-            out.append(f"///{note}")
-        if code.strip() or column is None:
-            out.append(code)
+        if re.match(r"\s*(MARROW_API|[\w:]+ \w+\(.*\{ return)", code) and before == "function":
+            out += notes  # functions one below the other share the comment above them
+        for part in declarators(code):
+            out += [f"///{note}"] * bool(note) + [part]
+        function = re.search(r"\)( const)?( = 0)?;|\{ return .*\}$", code.rstrip())
+        before = "function" if function else "open" if before == "open" or code.startswith("  MARROW_API") else ""
         if re.match(r'namespace [\w:]+ {|extern "C" {', line):
             out.append(f"/// @addtogroup header_{name}\n/// @{{")
             opened = True
     return "\n".join(out)
+
+
+def declarators(code):
+    """`int a = 1, b = 2;` as `int a = 1;` and `int b = 2;`."""
+    value = r"(?: = (?:\{[^}]*\}|[^,({]+))?"
+    one = r"[A-Za-z_]\w*(?:\[\w+\])*" + value
+    match = re.fullmatch(rf"(\s*)((?:const )?[\w:<> ]+[*&]? )({one}(?:, {one})+);\s*", code)
+    if not match or match.group(2).strip() in ("return", "using"):
+        return [code]
+    return [f"{match.group(1)}{match.group(2)}{part};" for part in re.split(r", (?=[A-Za-z_]\w*(?:\[|,|$| =))", match.group(3))]
 
 
 def default_note(line):
