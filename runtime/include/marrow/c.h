@@ -511,7 +511,7 @@ struct mrw_spring_collider {
   uint16_t joint;  // it moves with
   uint16_t reserved;
   float from[3];  // in the joint's space
-  float to[3];
+  float to[3];  // in the joint's space
   float radius_m;  // in the joint's space
 };
 void mrw_spring_collider_init(mrw_spring_collider* out);
@@ -703,7 +703,7 @@ struct mrw_texture {
   uint16_t image;  // which image of the file
   mrw_texture_role role;  // none twice in a material
   mrw_wrap wrap_u;  // along u and v
-  mrw_wrap wrap_v;
+  mrw_wrap wrap_v;  // along u and v
   mrw_mag_filter mag;  // as the source asks
   mrw_min_filter min;  // as the source asks
   uint8_t reserved;
@@ -759,7 +759,7 @@ struct mrw_node {
 typedef struct mrw_helper mrw_helper;
 struct mrw_helper {
   uint16_t first;  // palette entries, below Mesh::joint_count, not the same
-  uint16_t second;
+  uint16_t second;  // palette entries, below Mesh::joint_count, not the same
   float share;  // of second; above 0, below 1
 };
 void mrw_helper_init(mrw_helper* out);
@@ -1206,9 +1206,9 @@ void mrw_arc_length_init(mrw_arc_length* out);
 typedef struct mrw_cubic_bezier_ease mrw_cubic_bezier_ease;
 struct mrw_cubic_bezier_ease {
   float x1;  // CSS "ease"
-  float y1;
-  float x2;
-  float y2;
+  float y1;  // CSS "ease"
+  float x2;  // CSS "ease"
+  float y2;  // CSS "ease"
 };
 void mrw_cubic_bezier_ease_init(mrw_cubic_bezier_ease* out);
 
@@ -1660,8 +1660,8 @@ void mrw_two_bone_joints_init(mrw_two_bone_joints* out);
 typedef struct mrw_two_bone_limb mrw_two_bone_limb;
 struct mrw_two_bone_limb {
   uint32_t start;  // hip, knee and ankle
-  uint32_t mid;
-  uint32_t end;
+  uint32_t mid;  // hip, knee and ankle
+  uint32_t end;  // hip, knee and ankle
 };
 void mrw_two_bone_limb_init(mrw_two_bone_limb* out);
 
@@ -1869,8 +1869,8 @@ mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform*
 typedef struct mrw_foot mrw_foot;
 struct mrw_foot {
   uint32_t hip;  // joints of the skeleton
-  uint32_t knee;
-  uint32_t ankle;
+  uint32_t knee;  // joints of the skeleton
+  uint32_t ankle;  // joints of the skeleton
   float sole[3];  // what stands on the ground, in the ankle's space: below the ball of the foot, say
   float bend_axis[3];  // of the knee; see TwoBone
   float weight;  // 0 … 1
@@ -1906,18 +1906,18 @@ typedef struct mrw_foot_motion mrw_foot_motion;
 struct mrw_foot_motion {
   float place[3];  // of the sole, as shown last
   float offset[3];  // of the sole from its target
-  float offset_speed[3];
+  float offset_speed[3];  // of the sole from its target
   float lean[3];  // of the ground's normal that the foot leans by from the ground's own
-  float lean_speed[3];
+  float lean_speed[3];  // of the ground's normal that the foot leans by from the ground's own
   float point[3];  // the ground, last
-  float normal[3];
+  float normal[3];  // the ground, last
   float heading[3];  // level: of the ankle's axis `axis` when it was planted
   float turn[4];  // about up, from the animated to the planted heading
   float turn_share;  // how much of it is left
-  float turn_share_speed;
+  float turn_share_speed;  // how much of it is left
   uint8_t axis;  // whether it is planted, and was begun
-  uint8_t planted;
-  uint8_t begun;
+  uint8_t planted;  // whether it is planted, and was begun
+  uint8_t begun;  // whether it is planted, and was begun
   uint8_t hit;  // whether its ray found ground
   uint8_t reached;  // whether the leg was long enough
 };
@@ -2164,7 +2164,7 @@ mrw_status mrw_evaluate_examples(const mrw_example_space* space, const float* pa
 typedef struct mrw_debug_line mrw_debug_line;
 struct mrw_debug_line {
   float from[3];  // its ends, metres
-  float to[3];
+  float to[3];  // its ends, metres
   uint8_t colour[4];  // r g b a
 };
 void mrw_debug_line_init(mrw_debug_line* out);

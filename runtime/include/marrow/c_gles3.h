@@ -37,6 +37,8 @@ struct mrw_gles3_error_watch {
   // call: "glBindBuffer", a static string. May be null.
   // what `report` gets
   mrw_gles3_error_report report;
+  // call: "glBindBuffer", a static string. May be null.
+  // what `report` gets
   void* user;
   uint32_t pending;  // what the Api's GetError has yet to tell, as it would without a watch
   mrw_gles3_get_error get_error;  // the driver's glGetError
@@ -148,18 +150,18 @@ struct mrw_gles3_vertex_layout {
   uint32_t influences;  // the most of any vertex, 4 to 8
   uint32_t joint_bytes;  // 1 or 2
   uint32_t ssd_stride;  // the stream of SSD
-  uint32_t ssd_weights;
-  uint32_t ssd_joints;
+  uint32_t ssd_weights;  // the stream of SSD
+  uint32_t ssd_joints;  // the stream of SSD
   uint32_t example_row;  // in SSD's stream; 0: there is none
   uint32_t as_stride;  // the stream of animation space
-  uint32_t as_tangents;
-  uint32_t as_joints;
+  uint32_t as_tangents;  // the stream of animation space
+  uint32_t as_joints;  // the stream of animation space
   bool surface_normals;  // there are tangents, and room for them
   uint32_t surface_stride;  // the stream that all deformers share
-  uint32_t normal;
-  uint32_t tangent;
-  uint32_t uv;
-  uint32_t colour;
+  uint32_t normal;  // the stream that all deformers share
+  uint32_t tangent;  // the stream that all deformers share
+  uint32_t uv;  // the stream that all deformers share
+  uint32_t colour;  // the stream that all deformers share
   bool uv_unorm;  // unorm16×2, otherwise f32×2
 };
 void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
@@ -285,25 +287,27 @@ struct mrw_gles3_program {
   // Locations of uniforms.
   // of attributes; here and below -1: there is none
   int32_t coordinate_scale;
+  // Locations of uniforms.
+  // of attributes; here and below -1: there is none
   int32_t joint_bits;
   int32_t palettes;  // of palettes in a texture
-  int32_t first_row;
+  int32_t first_row;  // of palettes in a texture
   int32_t instances;  // of crowds
-  int32_t crowd;
+  int32_t crowd;  // of crowds
   int32_t vertex_layout;  // of pre-skinning by compute shaders
   int32_t morph_changes;  // of morph targets
-  int32_t morph_targets;
-  int32_t morph_count;
+  int32_t morph_targets;  // of morph targets
+  int32_t morph_count;  // of morph targets
   int32_t morph_shift;  // of morph targets
-  int32_t morph_per_row;
+  int32_t morph_per_row;  // of morph targets
   int32_t previous_palettes;  // of the frame before
-  int32_t previous_targets;
-  int32_t previous_count;
+  int32_t previous_targets;  // of the frame before
+  int32_t previous_count;  // of the frame before
   int32_t examples;  // of pose spaces
-  int32_t example_step;
+  int32_t example_step;  // of pose spaces
   int32_t distances;  // of pose spaces
-  int32_t distance_row;
-  int32_t previous_distances;
+  int32_t distance_row;  // of pose spaces
+  int32_t previous_distances;  // of pose spaces
 };
 void mrw_gles3_program_init(mrw_gles3_program* out);
 
@@ -634,55 +638,57 @@ void mrw_gles3_skinner_options_init(mrw_gles3_skinner_options* out);
 // What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
 typedef struct mrw_gles3_skinner_motion mrw_gles3_skinner_motion;
 struct mrw_gles3_skinner_motion {
-  mrw_gles3_palette_ring ring;
-  uint32_t* offsets;
+  mrw_gles3_palette_ring ring;  // path ubo
+  uint32_t* offsets;  // in the ring, a character each
   size_t offset_count;
-  mrw_gles3_skinned_mesh* skinned;
+  mrw_gles3_skinned_mesh* skinned;  // of paths that skin once a frame
   size_t skinned_count;
-  float* weights;
+  float* weights;  // of morph targets
   size_t weight_count;
-  float* sent_weights;
+  float* sent_weights;  // of the last update()
   size_t sent_weight_count;
-  uint8_t* still;
+  uint8_t* still;  // a character each: 1 if it had no update() before its last
   size_t still_count;
-  uint8_t* reset;
+  uint8_t* reset;  // 1 if the next update() is to be its first
   size_t reset_count;
 };
 
 // A mesh as many characters. Filled in by create_skinner(), to be read only.
 typedef struct mrw_gles3_skinner mrw_gles3_skinner;
 struct mrw_gles3_skinner {
-  mrw_mesh mesh;
-  mrw_gles3_skinner_options options;
-  mrw_gles3_gpu_mesh gpu;
-  mrw_gles3_palette_ring ring;
-  mrw_gles3_palette_texture texture;
-  mrw_gles3_palette_texture distance_texture;
-  uint32_t updated;
-  bool lost;
+  mrw_mesh mesh;  // as it was given
+  mrw_gles3_skinner_options options;  // as they were given
+  mrw_gles3_gpu_mesh gpu;  // its vertices on the GPU
+  mrw_gles3_palette_ring ring;  // path ubo, feedback and compute
+  mrw_gles3_palette_texture texture;  // path texture
+  mrw_gles3_palette_texture distance_texture;  // of pose spaces
+  uint32_t updated;  // characters that the last update() brought up
+  bool lost;  // between on_context_lost() and on_context_restored()
+  // In the caller's memory.
+  // what palettes are built with
   mrw_affine* bind;
   size_t bind_count;
-  mrw_affine* palettes;
+  mrw_affine* palettes;  // characters after each other
   size_t palette_count;
-  mrw_affine* distances;
+  mrw_affine* distances;  // of pose spaces, characters after each other; path cpu: one character's
   size_t distance_count;
-  float* weights;
+  float* weights;  // of morph targets, characters after each other
   size_t weight_count;
-  uint32_t* offsets;
+  uint32_t* offsets;  // in the ring, a character each
   size_t offset_count;
-  mrw_gles3_skinned_mesh* skinned;
+  mrw_gles3_skinned_mesh* skinned;  // a character each, of paths that skin once a frame
   size_t skinned_count;
-  mrw_gles3_skinner_motion motion;
-  float* positions;
+  mrw_gles3_skinner_motion motion;  // with SkinnerOptions::motion
+  float* positions;  // path cpu: one character's
   size_t position_count;
-  float* normals;
+  float* normals;  // path cpu: one character's
   size_t normal_count;
-  float* tangents;
+  float* tangents;  // path cpu: one character's
   size_t tangent_count;
-  float* coordinates;
+  float* coordinates;  // path cpu: one character's
   size_t coordinate_count;
-  mrw_morphed_geometry morphed;
-  void* scratch;
+  mrw_morphed_geometry morphed;  // path cpu: one character's
+  void* scratch;  // of prepare(), kept for the next context
   size_t scratch_bytes;
 };
 
@@ -1101,7 +1107,7 @@ struct mrw_gles3_self_test_options {
   // with what has been there before.
   // what the two functions above get
   mrw_gles3_about_to_try about_to_try;
-  void* user;
+  void* user;  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
 };
 void mrw_gles3_self_test_options_init(mrw_gles3_self_test_options* out);
 

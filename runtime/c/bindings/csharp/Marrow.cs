@@ -602,6 +602,9 @@ public unsafe struct SpringCollider {
     /// in the joint's space
     /// </summary>
     public fixed float from[3];
+    /// <summary>
+    /// in the joint's space
+    /// </summary>
     public fixed float to[3];
     /// <summary>
     /// in the joint's space
@@ -1108,6 +1111,9 @@ public unsafe struct Texture {
     /// along u and v
     /// </summary>
     public Wrap wrap_u;
+    /// <summary>
+    /// along u and v
+    /// </summary>
     public Wrap wrap_v;
     /// <summary>
     /// as the source asks
@@ -1239,6 +1245,9 @@ public unsafe struct Helper {
     /// palette entries, below Mesh::joint_count, not the same
     /// </summary>
     public ushort first;
+    /// <summary>
+    /// palette entries, below Mesh::joint_count, not the same
+    /// </summary>
     public ushort second;
     /// <summary>
     /// of second; above 0, below 1
@@ -1671,8 +1680,17 @@ public unsafe struct CubicBezierEase {
     /// CSS "ease"
     /// </summary>
     public float x1;
+    /// <summary>
+    /// CSS "ease"
+    /// </summary>
     public float y1;
+    /// <summary>
+    /// CSS "ease"
+    /// </summary>
     public float x2;
+    /// <summary>
+    /// CSS "ease"
+    /// </summary>
     public float y2;
     public static CubicBezierEase New() {
         CubicBezierEase made;
@@ -2045,7 +2063,13 @@ public unsafe struct TwoBoneLimb {
     /// hip, knee and ankle
     /// </summary>
     public uint start;
+    /// <summary>
+    /// hip, knee and ankle
+    /// </summary>
     public uint mid;
+    /// <summary>
+    /// hip, knee and ankle
+    /// </summary>
     public uint end;
     public static TwoBoneLimb New() {
         TwoBoneLimb made;
@@ -2299,7 +2323,13 @@ public unsafe struct Foot {
     /// joints of the skeleton
     /// </summary>
     public uint hip;
+    /// <summary>
+    /// joints of the skeleton
+    /// </summary>
     public uint knee;
+    /// <summary>
+    /// joints of the skeleton
+    /// </summary>
     public uint ankle;
     /// <summary>
     /// what stands on the ground, in the ankle's space: below the ball of the foot, say
@@ -2399,16 +2429,25 @@ public unsafe struct FootMotion {
     /// of the sole from its target
     /// </summary>
     public fixed float offset[3];
+    /// <summary>
+    /// of the sole from its target
+    /// </summary>
     public fixed float offset_speed[3];
     /// <summary>
     /// of the ground's normal that the foot leans by from the ground's own
     /// </summary>
     public fixed float lean[3];
+    /// <summary>
+    /// of the ground's normal that the foot leans by from the ground's own
+    /// </summary>
     public fixed float lean_speed[3];
     /// <summary>
     /// the ground, last
     /// </summary>
     public fixed float point[3];
+    /// <summary>
+    /// the ground, last
+    /// </summary>
     public fixed float normal[3];
     /// <summary>
     /// level: of the ankle's axis `axis` when it was planted
@@ -2422,12 +2461,21 @@ public unsafe struct FootMotion {
     /// how much of it is left
     /// </summary>
     public float turn_share;
+    /// <summary>
+    /// how much of it is left
+    /// </summary>
     public float turn_share_speed;
     /// <summary>
     /// whether it is planted, and was begun
     /// </summary>
     public byte axis;
+    /// <summary>
+    /// whether it is planted, and was begun
+    /// </summary>
     public byte planted;
+    /// <summary>
+    /// whether it is planted, and was begun
+    /// </summary>
     public byte begun;
     /// <summary>
     /// whether its ray found ground
@@ -2616,6 +2664,9 @@ public unsafe struct DebugLine {
     /// its ends, metres
     /// </summary>
     public fixed float from[3];
+    /// <summary>
+    /// its ends, metres
+    /// </summary>
     public fixed float to[3];
     /// <summary>
     /// r g b a
@@ -3028,6 +3079,10 @@ public unsafe struct Gles3ErrorWatch {
     /// what `report` gets
     /// </summary>
     public IntPtr report;
+    /// <summary>
+    /// call: "glBindBuffer", a static string. May be null.
+    /// what `report` gets
+    /// </summary>
     public void* user;
     /// <summary>
     /// what the Api's GetError has yet to tell, as it would without a watch
@@ -3142,7 +3197,13 @@ public unsafe struct Gles3VertexLayout {
     /// the stream of SSD
     /// </summary>
     public uint ssd_stride;
+    /// <summary>
+    /// the stream of SSD
+    /// </summary>
     public uint ssd_weights;
+    /// <summary>
+    /// the stream of SSD
+    /// </summary>
     public uint ssd_joints;
     /// <summary>
     /// in SSD's stream; 0: there is none
@@ -3152,7 +3213,13 @@ public unsafe struct Gles3VertexLayout {
     /// the stream of animation space
     /// </summary>
     public uint as_stride;
+    /// <summary>
+    /// the stream of animation space
+    /// </summary>
     public uint as_tangents;
+    /// <summary>
+    /// the stream of animation space
+    /// </summary>
     public uint as_joints;
     /// <summary>
     /// there are tangents, and room for them
@@ -3162,9 +3229,21 @@ public unsafe struct Gles3VertexLayout {
     /// the stream that all deformers share
     /// </summary>
     public uint surface_stride;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint normal;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint tangent;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint uv;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint colour;
     /// <summary>
     /// unorm16×2, otherwise f32×2
@@ -3445,16 +3524,26 @@ public unsafe struct Gles3Program {
     /// of attributes; here and below -1: there is none
     /// </summary>
     public int coordinate_scale;
+    /// <summary>
+    /// Locations of uniforms.
+    /// of attributes; here and below -1: there is none
+    /// </summary>
     public int joint_bits;
     /// <summary>
     /// of palettes in a texture
     /// </summary>
     public int palettes;
+    /// <summary>
+    /// of palettes in a texture
+    /// </summary>
     public int first_row;
     /// <summary>
     /// of crowds
     /// </summary>
     public int instances;
+    /// <summary>
+    /// of crowds
+    /// </summary>
     public int crowd;
     /// <summary>
     /// of pre-skinning by compute shaders
@@ -3464,29 +3553,53 @@ public unsafe struct Gles3Program {
     /// of morph targets
     /// </summary>
     public int morph_changes;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_targets;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_count;
     /// <summary>
     /// of morph targets
     /// </summary>
     public int morph_shift;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_per_row;
     /// <summary>
     /// of the frame before
     /// </summary>
     public int previous_palettes;
+    /// <summary>
+    /// of the frame before
+    /// </summary>
     public int previous_targets;
+    /// <summary>
+    /// of the frame before
+    /// </summary>
     public int previous_count;
     /// <summary>
     /// of pose spaces
     /// </summary>
     public int examples;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int example_step;
     /// <summary>
     /// of pose spaces
     /// </summary>
     public int distances;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int distance_row;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int previous_distances;
     public static Gles3Program New() {
         Gles3Program made;
@@ -3740,17 +3853,38 @@ public unsafe struct Gles3SkinnerOptions {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3SkinnerMotion {
+    /// <summary>
+    /// path ubo
+    /// </summary>
     public Gles3PaletteRing ring;
+    /// <summary>
+    /// in the ring, a character each
+    /// </summary>
     public uint* offsets;
     public UIntPtr offset_count;
+    /// <summary>
+    /// of paths that skin once a frame
+    /// </summary>
     public Gles3SkinnedMesh* skinned;
     public UIntPtr skinned_count;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public float* weights;
     public UIntPtr weight_count;
+    /// <summary>
+    /// of the last update()
+    /// </summary>
     public float* sent_weights;
     public UIntPtr sent_weight_count;
+    /// <summary>
+    /// a character each: 1 if it had no update() before its last
+    /// </summary>
     public byte* still;
     public UIntPtr still_count;
+    /// <summary>
+    /// 1 if the next update() is to be its first
+    /// </summary>
     public byte* reset;
     public UIntPtr reset_count;
 }
@@ -3760,36 +3894,100 @@ public unsafe struct Gles3SkinnerMotion {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3Skinner {
+    /// <summary>
+    /// as it was given
+    /// </summary>
     public Mesh mesh;
+    /// <summary>
+    /// as they were given
+    /// </summary>
     public Gles3SkinnerOptions options;
+    /// <summary>
+    /// its vertices on the GPU
+    /// </summary>
     public Gles3GpuMesh gpu;
+    /// <summary>
+    /// path ubo, feedback and compute
+    /// </summary>
     public Gles3PaletteRing ring;
+    /// <summary>
+    /// path texture
+    /// </summary>
     public Gles3PaletteTexture texture;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public Gles3PaletteTexture distance_texture;
+    /// <summary>
+    /// characters that the last update() brought up
+    /// </summary>
     public uint updated;
+    /// <summary>
+    /// between on_context_lost() and on_context_restored()
+    /// </summary>
     public byte lost;
+    /// <summary>
+    /// In the caller's memory.
+    /// what palettes are built with
+    /// </summary>
     public Affine* bind;
     public UIntPtr bind_count;
+    /// <summary>
+    /// characters after each other
+    /// </summary>
     public Affine* palettes;
     public UIntPtr palette_count;
+    /// <summary>
+    /// of pose spaces, characters after each other; path cpu: one character's
+    /// </summary>
     public Affine* distances;
     public UIntPtr distance_count;
+    /// <summary>
+    /// of morph targets, characters after each other
+    /// </summary>
     public float* weights;
     public UIntPtr weight_count;
+    /// <summary>
+    /// in the ring, a character each
+    /// </summary>
     public uint* offsets;
     public UIntPtr offset_count;
+    /// <summary>
+    /// a character each, of paths that skin once a frame
+    /// </summary>
     public Gles3SkinnedMesh* skinned;
     public UIntPtr skinned_count;
+    /// <summary>
+    /// with SkinnerOptions::motion
+    /// </summary>
     public Gles3SkinnerMotion motion;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* positions;
     public UIntPtr position_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* normals;
     public UIntPtr normal_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* tangents;
     public UIntPtr tangent_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* coordinates;
     public UIntPtr coordinate_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public MorphedGeometry morphed;
+    /// <summary>
+    /// of prepare(), kept for the next context
+    /// </summary>
     public void* scratch;
     public UIntPtr scratch_bytes;
 }
@@ -4224,6 +4422,9 @@ public unsafe struct Gles3SelfTestOptions {
     /// what the two functions above get
     /// </summary>
     public IntPtr about_to_try;
+    /// <summary>
+    /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+    /// </summary>
     public void* user;
     public static Gles3SelfTestOptions New() {
         Gles3SelfTestOptions made;

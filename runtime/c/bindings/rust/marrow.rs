@@ -622,6 +622,7 @@ pub struct SpringCollider {
     pub reserved: u16,
     /// in the joint's space
     pub from: [f32; 3],
+    /// in the joint's space
     pub to: [f32; 3],
     /// in the joint's space
     pub radius_m: f32,
@@ -1024,6 +1025,7 @@ pub struct Texture {
     pub role: TextureRole,
     /// along u and v
     pub wrap_u: Wrap,
+    /// along u and v
     pub wrap_v: Wrap,
     /// as the source asks
     pub mag: MagFilter,
@@ -1141,6 +1143,7 @@ const _: () = assert!(std::mem::size_of::<Node>() == 40);
 pub struct Helper {
     /// palette entries, below Mesh::joint_count, not the same
     pub first: u16,
+    /// palette entries, below Mesh::joint_count, not the same
     pub second: u16,
     /// of second; above 0, below 1
     pub share: f32,
@@ -1518,8 +1521,11 @@ const _: () = assert!(std::mem::size_of::<ArcLength>() == 24);
 pub struct CubicBezierEase {
     /// CSS "ease"
     pub x1: f32,
+    /// CSS "ease"
     pub y1: f32,
+    /// CSS "ease"
     pub x2: f32,
+    /// CSS "ease"
     pub y2: f32,
 }
 impl Default for CubicBezierEase {
@@ -1862,7 +1868,9 @@ const _: () = assert!(std::mem::size_of::<TwoBoneJoints>() == 24);
 pub struct TwoBoneLimb {
     /// hip, knee and ankle
     pub start: u32,
+    /// hip, knee and ankle
     pub mid: u32,
+    /// hip, knee and ankle
     pub end: u32,
 }
 impl Default for TwoBoneLimb {
@@ -2080,7 +2088,9 @@ const _: () = assert!(std::mem::size_of::<IkReport>() == 12);
 pub struct Foot {
     /// joints of the skeleton
     pub hip: u32,
+    /// joints of the skeleton
     pub knee: u32,
+    /// joints of the skeleton
     pub ankle: u32,
     /// what stands on the ground, in the ankle's space: below the ball of the foot, say
     pub sole: [f32; 3],
@@ -2165,12 +2175,15 @@ pub struct FootMotion {
     pub place: [f32; 3],
     /// of the sole from its target
     pub offset: [f32; 3],
+    /// of the sole from its target
     pub offset_speed: [f32; 3],
     /// of the ground's normal that the foot leans by from the ground's own
     pub lean: [f32; 3],
+    /// of the ground's normal that the foot leans by from the ground's own
     pub lean_speed: [f32; 3],
     /// the ground, last
     pub point: [f32; 3],
+    /// the ground, last
     pub normal: [f32; 3],
     /// level: of the ankle's axis `axis` when it was planted
     pub heading: [f32; 3],
@@ -2178,10 +2191,13 @@ pub struct FootMotion {
     pub turn: [f32; 4],
     /// how much of it is left
     pub turn_share: f32,
+    /// how much of it is left
     pub turn_share_speed: f32,
     /// whether it is planted, and was begun
     pub axis: u8,
+    /// whether it is planted, and was begun
     pub planted: u8,
+    /// whether it is planted, and was begun
     pub begun: u8,
     /// whether its ray found ground
     pub hit: u8,
@@ -2349,6 +2365,7 @@ const _: () = assert!(std::mem::size_of::<MorphedGeometry>() == 528);
 pub struct DebugLine {
     /// its ends, metres
     pub from: [f32; 3],
+    /// its ends, metres
     pub to: [f32; 3],
     /// r g b a
     pub colour: [u8; 4],
@@ -2743,6 +2760,8 @@ pub struct Gles3ErrorWatch {
     /// call: "glBindBuffer", a static string. May be null.
     /// what `report` gets
     pub report: Gles3ErrorReport,
+    /// call: "glBindBuffer", a static string. May be null.
+    /// what `report` gets
     pub user: *mut c_void,
     /// what the Api's GetError has yet to tell, as it would without a watch
     pub pending: u32,
@@ -2925,21 +2944,29 @@ pub struct Gles3VertexLayout {
     pub joint_bytes: u32,
     /// the stream of SSD
     pub ssd_stride: u32,
+    /// the stream of SSD
     pub ssd_weights: u32,
+    /// the stream of SSD
     pub ssd_joints: u32,
     /// in SSD's stream; 0: there is none
     pub example_row: u32,
     /// the stream of animation space
     pub as_stride: u32,
+    /// the stream of animation space
     pub as_tangents: u32,
+    /// the stream of animation space
     pub as_joints: u32,
     /// there are tangents, and room for them
     pub surface_normals: bool,
     /// the stream that all deformers share
     pub surface_stride: u32,
+    /// the stream that all deformers share
     pub normal: u32,
+    /// the stream that all deformers share
     pub tangent: u32,
+    /// the stream that all deformers share
     pub uv: u32,
+    /// the stream that all deformers share
     pub colour: u32,
     /// unorm16×2, otherwise f32×2
     pub uv_unorm: bool,
@@ -3161,32 +3188,44 @@ pub struct Gles3Program {
     /// Locations of uniforms.
     /// of attributes; here and below -1: there is none
     pub coordinate_scale: i32,
+    /// Locations of uniforms.
+    /// of attributes; here and below -1: there is none
     pub joint_bits: i32,
     /// of palettes in a texture
     pub palettes: i32,
+    /// of palettes in a texture
     pub first_row: i32,
     /// of crowds
     pub instances: i32,
+    /// of crowds
     pub crowd: i32,
     /// of pre-skinning by compute shaders
     pub vertex_layout: i32,
     /// of morph targets
     pub morph_changes: i32,
+    /// of morph targets
     pub morph_targets: i32,
+    /// of morph targets
     pub morph_count: i32,
     /// of morph targets
     pub morph_shift: i32,
+    /// of morph targets
     pub morph_per_row: i32,
     /// of the frame before
     pub previous_palettes: i32,
+    /// of the frame before
     pub previous_targets: i32,
+    /// of the frame before
     pub previous_count: i32,
     /// of pose spaces
     pub examples: i32,
+    /// of pose spaces
     pub example_step: i32,
     /// of pose spaces
     pub distances: i32,
+    /// of pose spaces
     pub distance_row: i32,
+    /// of pose spaces
     pub previous_distances: i32,
 }
 impl Default for Gles3Program {
@@ -3410,17 +3449,24 @@ const _: () = assert!(std::mem::size_of::<Gles3SkinnerOptions>() == 40);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SkinnerMotion {
+    /// path ubo
     pub ring: Gles3PaletteRing,
+    /// in the ring, a character each
     pub offsets: *mut u32,
     pub offset_count: usize,
+    /// of paths that skin once a frame
     pub skinned: *mut Gles3SkinnedMesh,
     pub skinned_count: usize,
+    /// of morph targets
     pub weights: *mut f32,
     pub weight_count: usize,
+    /// of the last update()
     pub sent_weights: *mut f32,
     pub sent_weight_count: usize,
+    /// a character each: 1 if it had no update() before its last
     pub still: *mut u8,
     pub still_count: usize,
+    /// 1 if the next update() is to be its first
     pub reset: *mut u8,
     pub reset_count: usize,
 }
@@ -3436,36 +3482,58 @@ const _: () = assert!(std::mem::size_of::<Gles3SkinnerMotion>() == 112);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3Skinner {
+    /// as it was given
     pub mesh: Mesh,
+    /// as they were given
     pub options: Gles3SkinnerOptions,
+    /// its vertices on the GPU
     pub gpu: Gles3GpuMesh,
+    /// path ubo, feedback and compute
     pub ring: Gles3PaletteRing,
+    /// path texture
     pub texture: Gles3PaletteTexture,
+    /// of pose spaces
     pub distance_texture: Gles3PaletteTexture,
+    /// characters that the last update() brought up
     pub updated: u32,
+    /// between on_context_lost() and on_context_restored()
     pub lost: bool,
+    /// In the caller's memory.
+    /// what palettes are built with
     pub bind: *mut Affine,
     pub bind_count: usize,
+    /// characters after each other
     pub palettes: *mut Affine,
     pub palette_count: usize,
+    /// of pose spaces, characters after each other; path cpu: one character's
     pub distances: *mut Affine,
     pub distance_count: usize,
+    /// of morph targets, characters after each other
     pub weights: *mut f32,
     pub weight_count: usize,
+    /// in the ring, a character each
     pub offsets: *mut u32,
     pub offset_count: usize,
+    /// a character each, of paths that skin once a frame
     pub skinned: *mut Gles3SkinnedMesh,
     pub skinned_count: usize,
+    /// with SkinnerOptions::motion
     pub motion: Gles3SkinnerMotion,
+    /// path cpu: one character's
     pub positions: *mut f32,
     pub position_count: usize,
+    /// path cpu: one character's
     pub normals: *mut f32,
     pub normal_count: usize,
+    /// path cpu: one character's
     pub tangents: *mut f32,
     pub tangent_count: usize,
+    /// path cpu: one character's
     pub coordinates: *mut f32,
     pub coordinate_count: usize,
+    /// path cpu: one character's
     pub morphed: MorphedGeometry,
+    /// of prepare(), kept for the next context
     pub scratch: *mut c_void,
     pub scratch_bytes: usize,
 }
@@ -3836,6 +3904,7 @@ pub struct Gles3SelfTestOptions {
     /// with what has been there before.
     /// what the two functions above get
     pub about_to_try: Gles3AboutToTry,
+    /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
     pub user: *mut c_void,
 }
 impl Default for Gles3SelfTestOptions {

@@ -947,6 +947,9 @@ export interface SpringCollider extends View {
    * in the joint's space
    */
   readonly from: TypedArray;
+  /**
+   * in the joint's space
+   */
   readonly to: TypedArray;
   /**
    * in the joint's space
@@ -1427,6 +1430,9 @@ export interface Texture extends View {
    * along u and v
    */
   wrap_u: Wrap;
+  /**
+   * along u and v
+   */
   wrap_v: Wrap;
   /**
    * as the source asks
@@ -1550,6 +1556,9 @@ export interface Helper extends View {
    * palette entries, below Mesh::joint_count, not the same
    */
   first: number;
+  /**
+   * palette entries, below Mesh::joint_count, not the same
+   */
   second: number;
   /**
    * of second; above 0, below 1
@@ -1804,8 +1813,17 @@ export interface CubicBezierEase extends View {
    * CSS "ease"
    */
   x1: number;
+  /**
+   * CSS "ease"
+   */
   y1: number;
+  /**
+   * CSS "ease"
+   */
   x2: number;
+  /**
+   * CSS "ease"
+   */
   y2: number;
 }
 
@@ -2088,7 +2106,13 @@ export interface TwoBoneLimb extends View {
    * hip, knee and ankle
    */
   start: number;
+  /**
+   * hip, knee and ankle
+   */
   mid: number;
+  /**
+   * hip, knee and ankle
+   */
   end: number;
 }
 
@@ -2277,7 +2301,13 @@ export interface Foot extends View {
    * joints of the skeleton
    */
   hip: number;
+  /**
+   * joints of the skeleton
+   */
   knee: number;
+  /**
+   * joints of the skeleton
+   */
   ankle: number;
   /**
    * what stands on the ground, in the ankle's space: below the ball of the foot, say
@@ -2358,16 +2388,25 @@ export interface FootMotion extends View {
    * of the sole from its target
    */
   readonly offset: TypedArray;
+  /**
+   * of the sole from its target
+   */
   readonly offset_speed: TypedArray;
   /**
    * of the ground's normal that the foot leans by from the ground's own
    */
   readonly lean: TypedArray;
+  /**
+   * of the ground's normal that the foot leans by from the ground's own
+   */
   readonly lean_speed: TypedArray;
   /**
    * the ground, last
    */
   readonly point: TypedArray;
+  /**
+   * the ground, last
+   */
   readonly normal: TypedArray;
   /**
    * level: of the ankle's axis `axis` when it was planted
@@ -2381,12 +2420,21 @@ export interface FootMotion extends View {
    * how much of it is left
    */
   turn_share: number;
+  /**
+   * how much of it is left
+   */
   turn_share_speed: number;
   /**
    * whether it is planted, and was begun
    */
   axis: number;
+  /**
+   * whether it is planted, and was begun
+   */
   planted: number;
+  /**
+   * whether it is planted, and was begun
+   */
   begun: number;
   /**
    * whether its ray found ground
@@ -2538,6 +2586,9 @@ export interface DebugLine extends View {
    * its ends, metres
    */
   readonly from: TypedArray;
+  /**
+   * its ends, metres
+   */
   readonly to: TypedArray;
   /**
    * r g b a
@@ -2855,6 +2906,10 @@ export interface Gles3ErrorWatch extends View {
    * what `report` gets
    */
   report: number;
+  /**
+   * call: "glBindBuffer", a static string. May be null.
+   * what `report` gets
+   */
   user: number;
   /**
    * what the Api's GetError has yet to tell, as it would without a watch
@@ -2914,7 +2969,13 @@ export interface Gles3VertexLayout extends View {
    * the stream of SSD
    */
   ssd_stride: number;
+  /**
+   * the stream of SSD
+   */
   ssd_weights: number;
+  /**
+   * the stream of SSD
+   */
   ssd_joints: number;
   /**
    * in SSD's stream; 0: there is none
@@ -2924,7 +2985,13 @@ export interface Gles3VertexLayout extends View {
    * the stream of animation space
    */
   as_stride: number;
+  /**
+   * the stream of animation space
+   */
   as_tangents: number;
+  /**
+   * the stream of animation space
+   */
   as_joints: number;
   /**
    * there are tangents, and room for them
@@ -2934,9 +3001,21 @@ export interface Gles3VertexLayout extends View {
    * the stream that all deformers share
    */
   surface_stride: number;
+  /**
+   * the stream that all deformers share
+   */
   normal: number;
+  /**
+   * the stream that all deformers share
+   */
   tangent: number;
+  /**
+   * the stream that all deformers share
+   */
   uv: number;
+  /**
+   * the stream that all deformers share
+   */
   colour: number;
   /**
    * unorm16×2, otherwise f32×2
@@ -3185,16 +3264,26 @@ export interface Gles3Program extends View {
    * of attributes; here and below -1: there is none
    */
   coordinate_scale: number;
+  /**
+   * Locations of uniforms.
+   * of attributes; here and below -1: there is none
+   */
   joint_bits: number;
   /**
    * of palettes in a texture
    */
   palettes: number;
+  /**
+   * of palettes in a texture
+   */
   first_row: number;
   /**
    * of crowds
    */
   instances: number;
+  /**
+   * of crowds
+   */
   crowd: number;
   /**
    * of pre-skinning by compute shaders
@@ -3204,29 +3293,53 @@ export interface Gles3Program extends View {
    * of morph targets
    */
   morph_changes: number;
+  /**
+   * of morph targets
+   */
   morph_targets: number;
+  /**
+   * of morph targets
+   */
   morph_count: number;
   /**
    * of morph targets
    */
   morph_shift: number;
+  /**
+   * of morph targets
+   */
   morph_per_row: number;
   /**
    * of the frame before
    */
   previous_palettes: number;
+  /**
+   * of the frame before
+   */
   previous_targets: number;
+  /**
+   * of the frame before
+   */
   previous_count: number;
   /**
    * of pose spaces
    */
   examples: number;
+  /**
+   * of pose spaces
+   */
   example_step: number;
   /**
    * of pose spaces
    */
   distances: number;
+  /**
+   * of pose spaces
+   */
   distance_row: number;
+  /**
+   * of pose spaces
+   */
   previous_distances: number;
 }
 
@@ -3707,6 +3820,9 @@ export interface Gles3SelfTestOptions extends View {
    * what the two functions above get
    */
   about_to_try: number;
+  /**
+   * Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+   */
   user: number;
 }
 
