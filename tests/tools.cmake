@@ -165,6 +165,22 @@ add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")
 
+# The programs of docs/stages: every file of the folder, run with the sample and held to what is known of it.
+file(GLOB stages CONFIGURE_DEPENDS examples/stages/*.cpp)
+foreach(source ${stages})
+  get_filename_component(stage ${source} NAME_WE)
+  add_executable(marrow_stage_${stage} ${source})
+  target_link_libraries(marrow_stage_${stage} PRIVATE marrow::draco)
+  target_compile_options(marrow_stage_${stage} PRIVATE ${MARROW_TEST_OPTIMISATION})
+  set_target_properties(marrow_stage_${stage} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/stages)
+  marrow_warnings(marrow_stage_${stage})
+endforeach()
+if(MARROW_PYTHON)
+  add_test(NAME stages COMMAND ${MARROW_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/examples/stages/check.py $<TARGET_FILE:marrow>
+    ${CMAKE_CURRENT_BINARY_DIR}/stages ${CMAKE_CURRENT_BINARY_DIR}/stages/work)
+  set_tests_properties(stages PROPERTIES LABELS cli)
+endif()
+
 # What others make of exports: the Khronos validator, and three.js in a headless browser beside the source. Skipped, which
 # ctest says aloud, where npm cannot be had.
 if(NOT MARROW_SANITIZE)
