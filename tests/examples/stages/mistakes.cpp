@@ -128,7 +128,6 @@ void of_numbers(Stage& s) {
 }
 
 int main(int argc, char** argv) {
-  const auto print = [](const char* function, const char* condition) { std::printf("%s: %s\n", function, condition); };
   const char* const path = argc > 1 ? argv[1] : "hero.mrw";
   Stage s;
   if (s.asset.open(path) != Status::ok) return 1;
@@ -142,7 +141,8 @@ int main(int argc, char** argv) {
   s.joints.resize(s.skeleton.joint_count);
   s.palette.resize(s.body.palette_size());
   s.numbers.resize(4 * std::size_t(s.body.geometry.slot_count));
-  set_call_error_handler(print);
+  set_call_error_handler(
+      [](const char* function, const char* condition) { std::printf("%s: %s\n", function, condition); });
   of_files(path);
   of_poses(s);
   of_vertices(s);
