@@ -146,7 +146,6 @@ marrow_c_program(marrow_example_play_c examples/play.c)
 target_link_libraries(marrow_example_play_c PRIVATE marrow::c marrow::draco)
 find_package(Threads REQUIRED)
 marrow_example(jobs marrow::draco marrow::meshopt Threads::Threads)
-marrow_example(outfit marrow::runtime)
 set(example_draw "")
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   marrow_example(draw marrow::gles3 marrow::egl)
@@ -160,7 +159,6 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
 endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
   -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DJOBS=$<TARGET_FILE:marrow_example_jobs>
-  -DOUTFIT=$<TARGET_FILE:marrow_example_outfit>
   -DDRAW=${example_draw} -DDRAW_C=${example_draw_c}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")

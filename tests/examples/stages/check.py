@@ -216,6 +216,8 @@ def check_loading(c):
     for mesh in info["meshes"]:
         c.near(mesh["name"], c.numbers("loading", f"mesh \"{mesh['name']}\":"), [mesh["vertices"], mesh["triangles"]], 0)
     total = sum(mesh["vertices"] for mesh in info["meshes"])
+    meshes = len(info["meshes"])
+    c.near("an outfit", c.numbers("outfits", ""), [meshes, meshes, 60 * 2 * total, 60], 0)
     c.near("vertices", [float(re.search(r"(\d+) vertices are skinned", c.printed["characters"]).group(1))], [total], 0)
 
 
@@ -384,6 +386,7 @@ def main():
         ["morphs.mrw", "--clip-codec", "raw", "--eigenskin", "4"],
         ["learnt.mrw", "--clip-codec", "raw", "--as", "smooth", "--truth", "dqs", "--mwe", "--psd", "2"],
         ["pack.mrw", "--clip-codec", "raw", "--clips-only", "--skeleton", "hero.glb"],
+        ["suit.mrw", "--clip-codec", "raw", "--skeleton", "hero.glb"],  # the sample in its own skin
     ]
     running = [subprocess.Popen([marrow, "cook", "hero.glb", "-o", *options], cwd=work, stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE, text=True) for options in cookings]
