@@ -368,7 +368,7 @@ def check_pages(c):
             c.count += 1
             if not any(block in p for p in prints):
                 c.failures.append(f"{page.name} shows what no program prints:\n{block}")
-        for line in re.findall(r"(?m)^\| `([^`]+)`[^|]*\|", text.partition("## Mistakes")[2].replace("\\|", "¦")):
+        for line in re.findall(r"(?m)^\| `([^`]+: [^`]+)`[^|]*\|", text.partition("## Mistakes")[2].replace("\\|", "¦")):
             quoted += 1
             if line.replace("¦", "|") not in said:
                 c.failures.append(f"{page.name} quotes what no mistake brings: {line}")

@@ -34,13 +34,18 @@ int main(int argc, char** argv) {
   std::printf("%zu lines show the bounds of the walk\n", lines.count - before);
   std::printf("%zu lines had no room\n", lines.left_out);
 
-  // Then draw them: here as a file that any viewer of Wavefront's format shows.
+  // Then draw them: here from a little aside, into a picture that a browser shows.
   if (argc > 2) {
     std::FILE* const out = std::fopen(argv[2], "w");
     if (out == nullptr) return 1;
-    for (const marrow::DebugLine& line : marrow::Span<marrow::DebugLine>(room, lines.count))
-      std::fprintf(out, "v %g %g %g\nv %g %g %g\nl -2 -1\n", double(line.from[0]), double(line.from[1]),
-                   double(line.from[2]), double(line.to[0]), double(line.to[1]), double(line.to[2]));
+    std::fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' viewBox='-1.25 -1.7 2.05 2.05' stroke-width='0.006'>\n");
+    for (const marrow::DebugLine& line : marrow::Span<marrow::DebugLine>(room, lines.count)) {
+      const auto across = [](const float(&p)[3]) { return 0.8 * double(p[0]) + 0.6 * double(p[2]); };
+      std::fprintf(out, "<line x1='%.3f' y1='%.3f' x2='%.3f' y2='%.3f' stroke='rgb(%d,%d,%d)'/>\n", across(line.from),
+                   -double(line.from[1]), across(line.to), -double(line.to[1]), line.colour[0], line.colour[1],
+                   line.colour[2]);
+    }
+    std::fprintf(out, "</svg>\n");
     std::fclose(out);
   }
 }

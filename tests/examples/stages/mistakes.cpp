@@ -1,5 +1,5 @@
 // Mistakes that people make with the stages, and what the runtime says to each: the pages of docs/stages quote it.
-// $ mistakes hero.mrw
+// $ mistakes hero.mrw face.mrw
 #include "asset.h"
 
 #include <limits>
@@ -114,6 +114,24 @@ void of_characters(Stage& s) {
   expect_refused(bind_clips(file, 0, file, 0, misfits));
 }
 
+void of_morphs(const char* path) {
+  Asset asset;
+  if (asset.open(path) != Status::ok) return;
+  const File& file = asset.file;
+  const Mesh face = file.mesh(0);
+  const float one[] = {1}, nothing[] = {0, std::numeric_limits<float>::quiet_NaN()};
+  float out[1], weights[8];
+  MorphedGeometry morphed;
+  expect_refused(make_morphed(face.geometry, {}, morphed));
+  std::vector<std::byte> memory(block_bytes(morphed_bytes(face.geometry)));
+  if (make_morphed(face.geometry, block_in(memory), morphed) != Status::ok) return;
+  expect_refused(morph_weights(face, {}, {}, out));
+  expect_refused(morph(one, morphed));
+  ExampleSpace space;
+  if (file.example_space(0, space) != Status::ok) return;
+  expect_refused(evaluate_examples(space, nothing, weights));
+}
+
 void of_numbers(Stage& s) {
   const float times_s[] = {0, 1}, values[] = {0, 1};
   float out[1];
@@ -147,5 +165,6 @@ int main(int argc, char** argv) {
   of_poses(s);
   of_vertices(s);
   of_characters(s);
+  if (argc > 2) of_morphs(argv[2]);
   of_numbers(s);
 }

@@ -31,11 +31,11 @@ int main(int argc, char** argv) {
   // Linear blend skinning, with normals for a shader that normalises.
   const std::size_t slots = body.geometry.slot_count;
   std::vector<float> positions(3 * slots), normals(3 * slots);
-  if (skin_ssd(
-          body, palette,
-          {.positions = positions, .normals = normals, .normal_transform = marrow::NormalTransform::blended_matrix}) !=
-      Status::ok)
-    return 1;
+  marrow::SkinOutput out;
+  out.positions = positions;
+  out.normals = normals;
+  out.normal_transform = marrow::NormalTransform::blended_matrix;
+  if (skin_ssd(body, palette, out) != Status::ok) return 1;
   std::printf("%u vertices in %zu slots\n", body.geometry.vertex_count, slots);
   print("SSD", positions);
 
