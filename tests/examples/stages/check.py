@@ -251,12 +251,12 @@ def check_blending(c, gltf):
 
 
 def check_transitions(c, gltf):
-    height = lambda clip, time: gltf.pose(clip, time)[gltf.number["pelvis"], "translation"][1]
-    frame, whole = 1 / 60, 0.25
-    begin = height("walk", 0.4) - height("reach", 0)
-    speed = (height("walk", 0.4) - height("walk", 0.4 - frame)) / frame
+    sway = lambda clip, time: 1000 * gltf.pose(clip, time)[gltf.number["pelvis"], "translation"][0]
+    frame, whole, start = 1 / 60, 0.25, 0.5
+    begin = sway("walk", start) - sway("idle", 0)
+    speed = (sway("walk", start) - sway("walk", start - frame)) / frame
     for time in (0, 5 * frame, 10 * frame, 15 * frame):
-        walk, reach = height("walk", 0.4 + time), height("reach", time)
+        walk, idle = sway("walk", start + time), sway("idle", time)
         share = time / whole
         fade = 3 * share**2 - 2 * share**3
         # The quintic of begin_inertia(): of a duration in which it does not pass 0.
@@ -264,7 +264,7 @@ def check_transitions(c, gltf):
         s = min(time / ends, 1)
         offset = (1 - s) ** 4 * (begin + (4 * begin + speed * ends) * s)
         c.near(f"transition at {time:.3f} s", c.numbers("transitions", f"{time:.3f} s"),
-               [walk, reach, walk + (reach - walk) * fade, reach + offset], 0.0003)
+               [walk, idle, walk + (idle - walk) * fade, idle + offset], 0.3)
 
 
 def check_posed(c, gltf):
