@@ -1,5 +1,5 @@
 // The vertices of a pose, by linear blend skinning and in animation space.
-// $ skinning learnt.mrw
+// $ skinning smooth.mrw
 #include "asset.h"
 
 #include <cmath>
@@ -17,7 +17,7 @@ void print(const char* what, const std::vector<float>& positions) {
 
 int main(int argc, char** argv) {
   Asset asset;
-  if (asset.open(argc > 1 ? argv[1] : "learnt.mrw") != Status::ok) return 1;
+  if (asset.open(argc > 1 ? argv[1] : "smooth.mrw") != Status::ok) return 1;
   const marrow::File& file = asset.file;
   const marrow::Skeleton skeleton = file.skeleton(0);
   const marrow::Mesh body = file.mesh(file.find_mesh("body"));
