@@ -23,7 +23,7 @@ inline void must(marrow::Status status, const char* doing, const char* log = "")
 }
 
 struct Stage {
-  static constexpr int kSide = 256;
+  static constexpr int kSide = 512;
 
   marrow::egl::HeadlessContext context;
   gles3::Api gl;
