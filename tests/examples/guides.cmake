@@ -1,4 +1,4 @@
-# Programs that docs/ik/cookbook.md and docs/gles show. They do with the sample what they say.
+# Programs that docs/ik/cookbook.md, docs/gles and docs/troubleshooting.md show. They do with the sample what they say.
 set(guides "")
 function(marrow_guide folder name)
   add_executable(marrow_${folder}_${name} examples/${folder}/${name}.cpp)
@@ -9,12 +9,13 @@ endfunction()
 foreach(name hands look legs body)
   marrow_guide(cookbook ${name} marrow::runtime)
 endforeach()
+marrow_guide(trouble trouble marrow::unpack)
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   foreach(name start passes crowd)
     marrow_guide(gles ${name} marrow::gles3 marrow::egl)
     target_include_directories(marrow_gles_${name} SYSTEM PRIVATE ${MARROW_GLES_INCLUDE})
   endforeach()
 endif()
-add_test(NAME guides COMMAND ${CMAKE_COMMAND} -DMARROW=$<TARGET_FILE:marrow> ${guides}
+add_test(NAME guides COMMAND ${CMAKE_COMMAND} -DSAID=${CMAKE_CURRENT_SOURCE_DIR}/examples/trouble/said.txt -DMARROW=$<TARGET_FILE:marrow> ${guides}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/examples/guides_test.cmake)
 set_tests_properties(guides PROPERTIES LABELS cli)

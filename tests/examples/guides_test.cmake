@@ -31,6 +31,18 @@ tail: at most ${near} mm off its point, and 1\\.[45][0-9] m/s fast
 limits ignored: the hand ${near} mm off, the elbow [5-9][0-9]\\.[0-9] degrees beyond its limit
 limits kept: the hand ${near} mm off, the elbow 0\\.0 degrees beyond its limit
 ")
+
+# What Marrow says of mistakes, as the page quotes it; without names where they are compiled out.
+execute_process(COMMAND ${MARROW} cook ${FOLDER}/guides/newt.glb --clip-codec raw -o ${FOLDER}/guides/packed.mrw
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${trouble_trouble} ${FOLDER}/guides/packed.mrw ${FOLDER}/guides/newt.mrw OUTPUT_VARIABLE text
+  COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${SAID} said)
+string(REGEX REPLACE "[a-z_]+\\(\\) wants [^\n]*\n" "" silent "${said}")
+if(NOT text STREQUAL said AND NOT text STREQUAL silent)
+  message(FATAL_ERROR "trouble printed: ${text}")
+endif()
+
 if(DEFINED gles_start)
   set(rows "(ubo|texture|feedback|compute|cpu)  *usable [0-9.e-]+ m off\n")
   set(end "taken: [a-z]+\nglBindTexture: error 0x0500\n")
