@@ -1,4 +1,4 @@
-# Programs that docs/ik/cookbook.md, docs/gles and docs/troubleshooting.md show. They do with the sample what they say.
+# Programs that docs/ik/cookbook.md, docs/gles, docs/moving_from_ozz.md and docs/troubleshooting.md show. They do with the sample what they say.
 set(guides "")
 function(marrow_guide folder name)
   add_executable(marrow_${folder}_${name} examples/${folder}/${name}.cpp)
@@ -9,6 +9,7 @@ endfunction()
 foreach(name hands look legs body)
   marrow_guide(cookbook ${name} marrow::runtime)
 endforeach()
+marrow_guide(moving frame marrow::runtime)
 marrow_guide(trouble trouble marrow::unpack)
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   foreach(name start passes crowd)

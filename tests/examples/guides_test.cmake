@@ -31,6 +31,8 @@ tail: at most ${near} mm off its point, and 1\\.[45][0-9] m/s fast
 limits ignored: the hand ${near} mm off, the elbow [5-9][0-9]\\.[0-9] degrees beyond its limit
 limits kept: the hand ${near} mm off, the elbow 0\\.0 degrees beyond its limit
 ")
+expect_printed(moving_frame "44 joints, 40 matrices, vertex 0 at [0-9. -]+ m
+")
 
 # What Marrow says of mistakes, as the page quotes it; without names where they are compiled out.
 execute_process(COMMAND ${MARROW} cook ${FOLDER}/guides/newt.glb --clip-codec raw -o ${FOLDER}/guides/packed.mrw
@@ -44,9 +46,10 @@ if(NOT text STREQUAL said AND NOT text STREQUAL silent)
 endif()
 
 if(DEFINED gles_start)
-  set(rows "(ubo|texture|feedback|compute|cpu)  *usable [0-9.e-]+ m off\n")
+  set(rows "[a-z]+ [^\n]* [0-9.e-]+ m off\n")
   set(end "taken: [a-z]+\nglBindTexture: error 0x0500\n")
-  expect_printed(gles_start "${rows}${rows}${rows}.*${end}" ${FOLDER}/guides)
+  # On a busy machine a path may count as slow.
+  expect_printed(gles_start "${rows}${rows}${rows}${rows}${rows}${end}" ${FOLDER}/guides)
   expect_printed(gles_start "as it was\n${end}" ${FOLDER}/guides)
   expect_printed(gles_passes "frame 0: [1-9][0-9]+ pixels, 0 of them moved
 frame 1: [1-9][0-9]+ pixels, [1-9][0-9][0-9][0-9]+ of them moved
