@@ -162,6 +162,7 @@ add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -
   -DDRAW=${example_draw} -DDRAW_C=${example_draw_c}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")
+include(examples/guides.cmake)
 
 # The programs of docs/stages: every file of the folder, run with the sample and held to what is known of it.
 file(GLOB stages CONFIGURE_DEPENDS examples/stages/*.cpp)
