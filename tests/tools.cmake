@@ -165,6 +165,12 @@ add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")
 
+# The tutorial, walked by its pages from an empty folder. It builds Marrow as a reader does; a compiler's cache has it.
+if(TARGET marrow_view AND NOT MARROW_SANITIZE)
+  add_test(NAME tutorial COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/road/tutorial.sh $<TARGET_FILE:marrow> ${CMAKE_CURRENT_BINARY_DIR})
+  set_tests_properties(tutorial PROPERTIES LABELS cli SKIP_RETURN_CODE 3 TIMEOUT 1800)
+endif()
+
 # What others make of exports: the Khronos validator, and three.js in a headless browser beside the source. Skipped, which
 # ctest says aloud, where npm cannot be had.
 if(NOT MARROW_SANITIZE)
