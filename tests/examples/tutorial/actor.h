@@ -39,7 +39,7 @@ struct Actor {
     for (const marrow::CharacterMesh& m : body.meshes)
       must(create_skinner(window.gl, window.caps, m.mesh, {}, programs.set, memory_of(gles3::skinner_bytes(m.mesh, {})),
                           skinners.emplace_back()),
-           std::string("putting a mesh on the GPU. ") + programs.log);
+           "putting a mesh on the GPU", programs.log);
   }
 
   void draw(const Window& window, const Programs& programs) {

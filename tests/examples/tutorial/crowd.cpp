@@ -28,7 +28,7 @@ struct Crowd {
                              meshes.emplace_back()),
            "the crowd on the GPU");
       must(build_crowd_programs(window.gl, window.caps, meshes.back(), gles3::Deformer::ssd, 255, programs.set),
-           std::string("programs of the crowd. ") + programs.log);
+           "programs of the crowd", programs.log);
     }
     must(create_crowd(window.gl, window.caps, kNewts, memory_of(kNewts * gles3::kCrowdInstanceBytes), instances),
          "instances");
@@ -67,8 +67,8 @@ struct Crowd {
 
 int main(int argc, char** argv) {
   Window window(argc, argv);
-  window.eye = {0, 3.0f, 4.6f};
-  window.at = {0, 0.5f, -1};
+  window.eye = {0, 4.0f, 5.0f};
+  window.at = {0, 0.4f, -2};
   const marrow::File file = load_file(window.file);
   Programs programs;
   Crowd crowd(file, window, programs);

@@ -47,6 +47,8 @@ struct Legs {
 
 int main(int argc, char** argv) {
   Window window(argc, argv);
+  window.eye = {1.2f, 0.8f, 2.1f};
+  window.at = {0, 0.62f, 0};
   const marrow::File file = load_file(window.file);
   Programs programs;
   Actor newt(file, window, programs);

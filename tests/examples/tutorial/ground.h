@@ -10,7 +10,7 @@ inline float level(float, float) {
 }
 inline float hills(float x, float z) {
   const float turn = 3.14159265f * z;
-  return 0.12f * x + 0.07f * std::sin(turn + x) + 0.02f * std::sin(2 * turn);
+  return 0.25f * x + 0.07f * std::sin(turn + x) + 0.02f * std::sin(2 * turn);
 }
 
 inline Vec3 normal_of(Height height, float x, float z) {

@@ -15,7 +15,7 @@ void must(marrow::Status status, const char* doing) {
 }
 
 int main(int argc, char** argv) {
-  std::ifstream stream(argc > 1 ? argv[1] : "newt.mrw", std::ios::binary);
+  std::ifstream stream(argc > 1 ? argv[1] : "hero.mrw", std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
   marrow::Span<const std::byte> block(reinterpret_cast<const std::byte*>(bytes.data()), bytes.size());
 

@@ -16,8 +16,8 @@
   std::fprintf(stderr, "%s\n", what.c_str());
   std::exit(1);
 }
-inline void must(marrow::Status status, const std::string& doing) {
-  if (status != marrow::Status::ok) fail(doing + ": " + to_string(status));
+inline void must(marrow::Status status, const char* doing, const char* log = "") {
+  if (status != marrow::Status::ok) fail(std::string(doing) + ": " + to_string(status) + " " + log);
 }
 
 // Memory for Marrow, which takes none itself. It stays until the program ends.

@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
     if (skinners.empty()) std::printf("skinned by %s\n", to_string(options.path));
     must(create_skinner(window.gl, window.caps, m.mesh, options, programs.set,
                         memory_of(gles3::skinner_bytes(m.mesh, options)), skinners.emplace_back()),
-         "putting a mesh on the GPU");
+         "putting a mesh on the GPU", programs.log);
   }
   Ground ground(level);
   ground.upload(window);

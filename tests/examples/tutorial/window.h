@@ -44,7 +44,7 @@ class Window {
  public:
   gles3::Api gl;
   gles3::Caps caps;
-  std::string file = "newt.mrw";
+  std::string file = "hero.mrw";
   Vec3 eye = {0.9f, 1.0f, 2.0f}, at = {0, 0.68f, 0};  // the camera
   int frame = 0, lose = -1;                           // lose: see step 7
 
