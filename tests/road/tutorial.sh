@@ -16,7 +16,7 @@ command -v Xvfb >/dev/null || { echo "SKIPPED: there is no Xvfb (Debian: xvfb)" 
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
-exec 9< <(exec Xvfb -displayfd 1 -screen 0 1280x800x24 -nolisten tcp 2>"$work/xvfb.txt")
+exec 9< <(exec Xvfb -displayfd 1 -noreset -screen 0 1280x800x24 -nolisten tcp 2>"$work/xvfb.txt")
 screen=$!
 trap 'kill $screen' EXIT
 read -r number <&9
