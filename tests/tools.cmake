@@ -167,7 +167,7 @@ set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSI
 
 # The tutorial, walked by its pages from an empty folder. It builds Marrow as a reader does; a compiler's cache has it.
 if(TARGET marrow_view AND NOT MARROW_SANITIZE)
-  add_test(NAME tutorial COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/road/tutorial.sh $<TARGET_FILE:marrow> ${CMAKE_CURRENT_BINARY_DIR})
+  add_test(NAME tutorial COMMAND ${PROJECT_SOURCE_DIR}/tools/check/tutorial.sh $<TARGET_FILE:marrow> ${CMAKE_CURRENT_BINARY_DIR})
   set_tests_properties(tutorial PROPERTIES LABELS cli SKIP_RETURN_CODE 3 TIMEOUT 1800)
 endif()
 

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Walks the tutorial as a reader does: from an empty folder, by the CMake files and the commands of its pages. Each
 # program must draw, without a warning of the compiler. Exit 1 if something is other than said, 3 without a screen.
-# usage: tests/road/tutorial.sh MARROW FOLDER      (the program; where to work, which is emptied)
+# usage: tools/check/tutorial.sh MARROW [FOLDER]      (the program; where to work, which is emptied)
 set -euo pipefail
 MARROW=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 PATH=$(dirname "$(realpath "$1")"):$PATH
-pages=$MARROW/docs/tutorial programs=$MARROW/tests/examples/tutorial work=$2/tutorial
+programs=$MARROW/tests/examples/tutorial work=${2:-$MARROW/build}/tutorial
+pages="docs/tutorial/hello.md docs/tutorial/window.md docs/tutorial/gpu.md docs/tutorial/feet.md docs/tutorial/look.md
+  docs/tutorial/crowd.md docs/tutorial/lost.md docs/tutorial/shipping.md"
 export MARROW PATH LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR=$work CXXFLAGS="-Wall -Wextra"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 if command -v ninja >/dev/null; then export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}; fi
@@ -41,16 +43,24 @@ drawn() {
   echo "$1: $share of 1000 pixels are a newt"
 }
 
+# Programs that pages show.
+shown() {
+  (cd "$MARROW" && PYTHONPATH=tools/docs python3 -c "import sys, blocks, snippets
+blocks.run_by = lambda page: None
+sys.exit(snippets.main())" $pages)
+}
+shown || fail "a page shows what is in no program"
+
 : >CMakeLists.txt
-for page in hello window gpu feet look crowd lost shipping; do
-  blocks cmake "$pages/$page.md" >>CMakeLists.txt
+for page in $pages; do
+  blocks cmake "$MARROW/$page" >>CMakeLists.txt
   # What stays until its window is closed plays three frames here.
-  blocks sh "$pages/$page.md" | sed -E '/ --frames /!s|^build/[a-z]+ [^ ]+$|& --frames 3|' >commands.sh
-  [ -s commands.sh ] || fail "$page.md has no commands"
-  bash -euo pipefail commands.sh >log.txt 2>&1 || { tail -30 log.txt >&2; fail "the commands of $page.md fail"; }
-  if grep -A 5 "warning:" log.txt >&2; then fail "$page.md: the compiler warns"; fi
-  [ $page != hello ] || grep -q '^0.27 s: head at .* vertex 0 of body at ' log.txt || fail "hello prints something else"
-  [ $page != shipping ] || cp log.txt shipping.txt
+  blocks sh "$MARROW/$page" | sed -E '/ --frames /!s|^build/[a-z]+ [^ ]+$|& --frames 3|' >commands.sh
+  [ -s commands.sh ] || fail "$page has no commands"
+  bash -euo pipefail commands.sh >log.txt 2>&1 || { tail -30 log.txt >&2; fail "the commands of $page fail"; }
+  if grep -A 5 "warning:" log.txt >&2; then fail "$page: the compiler warns"; fi
+  [[ $page != */hello.md ]] || grep -q '^0.27 s: head at .* vertex 0 of body at ' log.txt || fail "hello prints something else"
+  [[ $page != */shipping.md ]] || cp log.txt shipping.txt
 done
 diff -u CMakeLists.txt "$programs/CMakeLists.txt" || fail "the pages' CMakeLists.txt is another"
 for file in "$programs"/*.cpp "$programs"/*.h; do cmp "$file" "$(basename "$file")"; done
