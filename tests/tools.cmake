@@ -180,12 +180,6 @@ if(MARROW_PYTHON AND NOT MARROW_SANITIZE)  # under which cooking takes minutes
   set_tests_properties(stages PROPERTIES LABELS cli)
 endif()
 
-# The tutorial, walked by its pages from an empty folder. It builds Marrow as a reader does; a compiler's cache has it.
-if(TARGET marrow_view AND NOT MARROW_SANITIZE)
-  add_test(NAME tutorial COMMAND ${PROJECT_SOURCE_DIR}/tools/check/tutorial.sh $<TARGET_FILE:marrow> ${CMAKE_CURRENT_BINARY_DIR})
-  set_tests_properties(tutorial PROPERTIES LABELS cli SKIP_RETURN_CODE 3 TIMEOUT 1800)
-endif()
-
 # What others make of exports: the Khronos validator, and three.js in a headless browser beside the source. Skipped, which
 # ctest says aloud, where npm cannot be had.
 if(NOT MARROW_SANITIZE)

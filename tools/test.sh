@@ -93,6 +93,7 @@ case "${1:-}" in
     export MARROW_TESTS=all
     marrow=build/release/tools/marrow
     where_possible "the manual" tools/check/docs.sh $marrow
+    where_possible "the tutorial, from an empty folder" tools/check/tutorial.sh $marrow
     where_possible "Rust, C# and JavaScript" tools/check/bindings.sh $marrow
     where_possible "same bytes everywhere" tools/same_bytes.sh
     where_possible "same bits everywhere" tools/same_bits.sh
